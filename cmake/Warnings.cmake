@@ -1,0 +1,20 @@
+# candela_library(NAME SOURCES...): a static library with the project's warnings and sanitizers.
+function(candela_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor
+                                           -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion)
+  # The reference must mean what it says: no contraction into fma, no reassociation.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  if(CANDELA_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(CANDELA_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+function(candela_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PUBLIC glm::glm fmt::fmt Threads::Threads)
+  candela_compile_options(${name})
+endfunction()

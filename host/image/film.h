@@ -1,0 +1,63 @@
+// The film: per pixel, exact integer sums of samples, so that any order and any split of the work gives the same bytes.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace candela {
+
+/// A 96-bit unsigned integer, least significant word first, in units of 2^-40.
+using FixedSum = std::array<std::uint32_t, 3>;
+
+/// One pixel's sums. 64 bytes; the device writes this very layout.
+struct FilmPixel {
+  FixedSum red{};
+  std::uint32_t sampleCount = 0;
+  FixedSum green{};
+  std::uint32_t badCount = 0;  ///< samples that were not finite (dropped: they add 0) or beyond kFilmMaximum (clamped)
+  FixedSum blue{};
+  std::uint32_t firstBadSample = 0;  ///< 1 + index of the lowest bad sample; 0: none
+  FixedSum luminanceSquared{};       ///< second moment of the luminance of the samples as added
+  std::uint32_t spare = 0;
+};
+static_assert(sizeof(FilmPixel) == 64);
+
+inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
+inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the largest channel value of one sample
+
+class Film {
+ public:
+  Film() = default;
+  Film(std::uint32_t width, std::uint32_t height);
+
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
+  FilmPixel& at(std::uint32_t x, std::uint32_t y) { return pixels_[std::size_t{y} * width_ + x]; }
+  const FilmPixel& at(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * width_ + x]; }
+  std::vector<FilmPixel>& pixels() { return pixels_; }
+  const std::vector<FilmPixel>& pixels() const { return pixels_; }
+
+  /// Adds one sample of linear RGB radiance. Each channel is truncated to a multiple of 2^-40 after the range rule of
+  /// FilmPixel::badCount; negative values count as bad and add 0.
+  void addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex);
+
+  /// Mean of the pixel's samples, linear RGB; 0 where there are none.
+  glm::dvec3 mean(std::uint32_t x, std::uint32_t y) const;
+  /// Unbiased variance of the luminance of one sample (not of the mean); 0 below two samples.
+  double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
+  /// Adds the sums of a film of equal size, sample for sample.
+  void merge(const Film& other);
+  /// FNV-1a (64 bits) over size and sums: equal films, equal hashes.
+  std::uint64_t hash() const;
+
+ private:
+  std::uint32_t width_ = 0;
+  std::uint32_t height_ = 0;
+  std::vector<FilmPixel> pixels_;
+};
+
+/// Rec. 709 luminance.
+inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
+
+}  // namespace candela

@@ -1,0 +1,44 @@
+// What a render is asked for. The first half decides the image; the second half only how it is computed.
+#pragma once
+#include <cstdint>
+#include <optional>
+
+namespace candela {
+
+enum class Integrator { path };
+enum class SamplerKind { independent, stratified, sobol };
+enum class FilterKind { box, tent };
+enum class LensKind { disc, square };
+enum class AccelKind { none, bvh };
+
+struct Extent {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+struct RenderSettings {
+  // --- These decide the image.
+  Extent size;                      ///< pixels, each in [1, 65535]
+  std::uint32_t sampleCount = 16;   ///< per pixel, >= 1
+  std::uint32_t seed = 0;
+  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1
+  std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
+  Integrator integrator = Integrator::path;
+  bool nextEventEstimation = true;
+  SamplerKind sampler = SamplerKind::sobol;
+  FilterKind filter = FilterKind::box;
+  LensKind lens = LensKind::disc;
+  bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
+
+  // --- These never change a bit of it.
+  AccelKind accel = AccelKind::bvh;
+  Extent workgroup{8, 8};
+  std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
+  std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
+  std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
+
+  /// Records what each path decided (one sample per pixel only): see PathRecord.
+  bool recordPaths = false;
+};
+
+}  // namespace candela

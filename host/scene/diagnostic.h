@@ -1,0 +1,27 @@
+// One thing that is wrong, or odd, in an input file, and where.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/core/errors.h"
+
+namespace candela {
+
+struct Diagnostic {
+  std::string file;
+  std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole
+  std::uint32_t column = 0;  ///< 1-based; 0: the line as a whole
+  std::string message;
+};
+
+/// "scene.p3f:14:9: unknown keyword "spehre"; did you mean "s"?"
+std::string toString(const Diagnostic& diagnostic);
+
+/// All that is wrong with one scene, in the order of the file. `what()` holds every line.
+struct SceneError : FileError {
+  explicit SceneError(std::vector<Diagnostic> all);
+  std::vector<Diagnostic> diagnostics;
+};
+
+}  // namespace candela

@@ -1,0 +1,133 @@
+// The scene as the file states it: values and indices, no pointers, nothing precomputed. Both tracers start here.
+// All numbers are binary32, each rounded once from its decimal.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// The view, as NFF states it. The view plane passes through `at`.
+struct Camera {
+  glm::vec3 from{0, 0, 1};
+  glm::vec3 at{0, 0, 0};
+  glm::vec3 up{0, 1, 0};
+  float angle = 45;            ///< vertical field of view, degrees, in (0, 180)
+  float hither = 0;            ///< parsed and kept; neither tracer clips by it
+  std::uint32_t width = 512;   ///< `resolution`, pixels, in [1, 65535]
+  std::uint32_t height = 512;
+  float aperture = 0;          ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
+  float focal = 1;             ///< distance of the plane in focus, as a multiple of |from - at|
+};
+
+/// An `f` line, read in one dialect or another; what the dialect does not give has the default here. The rules that
+/// turn it into lobes are in docs/light-transport.md.
+struct Material {
+  glm::vec3 diffuse{1, 1, 1};
+  float kd = 1;
+  glm::vec3 specular{1, 1, 1};
+  float ks = 0;
+  float shine = 1;        ///< Blinn-Phong exponent, >= 0
+  float t = 0;            ///< share of transmitted light
+  float ior = 1;
+  float ka = 0;           ///< ambient, Whitted only
+  float roughness = 0;    ///< parsed and kept
+  glm::vec3 emission{0, 0, 0};  ///< radiance, W/(sr m^2) in arbitrary units, >= 0
+};
+
+/// Radius < 0: the surface is seen from inside only and its normal points to the centre.
+struct Sphere {
+  glm::vec3 centre;
+  float radius;
+};
+
+/// Counter-clockwise from its front. Polygons, patches, meshes and emitting boxes are stored as triangles.
+/// `normals` is an index into Scene::vertexNormals, or kNoNormals.
+struct Triangle {
+  static constexpr std::uint32_t kNoNormals = ~0u;
+  glm::vec3 p[3];
+  std::uint32_t normals = kNoNormals;
+};
+
+/// Unit normals at a patch triangle's three vertices.
+struct VertexNormals {
+  glm::vec3 n[3];
+};
+
+/// Axis-aligned, min <= max on each axis (equal: a flat box, allowed).
+struct Box {
+  glm::vec3 min;
+  glm::vec3 max;
+};
+
+/// The side of a truncated cone between two circles, without caps; a cylinder where the radii are equal.
+/// base != apex; radii >= 0, not both 0.
+struct Cone {
+  glm::vec3 base;
+  float baseRadius;
+  glm::vec3 apex;
+  float apexRadius;
+};
+
+/// Infinite plane through three points that are not collinear, normal (p1 - p0) x (p2 - p0).
+struct Plane {
+  glm::vec3 p[3];
+};
+
+enum class PrimitiveKind : std::uint8_t { sphere, triangle, box, cone, plane };
+
+/// One entry of the scene's list of primitives. Its place in Scene::primitives is the *primitive index* that both
+/// tracers report and that breaks ties between equal distances.
+struct Primitive {
+  PrimitiveKind kind;
+  std::uint32_t index;     ///< into the vector of its kind
+  std::uint32_t material;  ///< into Scene::materials
+};
+
+/// `l`: a point light without fall-off, see docs/light-transport.md.
+struct PointLight {
+  glm::vec3 position;
+  glm::vec3 colour{1, 1, 1};
+};
+
+/// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes a texel.
+struct SkyFace {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Faces in this order: right (+X), left (-X), top (+Y), bottom (-Y), front (+Z), back (-Z).
+struct Sky {
+  SkyFace faces[6];
+};
+
+struct Scene {
+  std::string name;  ///< file name without folder, for reports
+  std::optional<Camera> camera;
+  glm::vec3 background{0, 0, 0};
+  std::optional<Sky> sky;  ///< takes the background's place
+
+  std::vector<Material> materials;
+  std::vector<Primitive> primitives;
+  std::vector<Sphere> spheres;
+  std::vector<Triangle> triangles;
+  std::vector<VertexNormals> vertexNormals;
+  std::vector<Box> boxes;
+  std::vector<Cone> cones;
+  std::vector<Plane> planes;
+  std::vector<PointLight> pointLights;
+
+  std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
+  std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total
+  std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
+};
+
+/// True if the material emits at all.
+inline bool isEmissive(const Material& material) {
+  return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
+}
+
+}  // namespace candela

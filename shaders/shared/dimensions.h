@@ -1,0 +1,37 @@
+// Names of the random numbers that a path draws. Read by GLSL and by C++ (the reference included): a number is asked
+// for by name, never by a count of calls, so both tracers use the same number for the same purpose.
+#ifndef CANDELA_SHARED_DIMENSIONS_H
+#define CANDELA_SHARED_DIMENSIONS_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#define CANDELA_DIMENSION inline constexpr std::uint32_t
+namespace candela {
+#else
+#define CANDELA_DIMENSION const uint
+#endif
+
+// The camera's block.
+CANDELA_DIMENSION kDimensionFilterX = 0u;
+CANDELA_DIMENSION kDimensionFilterY = 1u;
+CANDELA_DIMENSION kDimensionLensU = 2u;
+CANDELA_DIMENSION kDimensionLensV = 3u;
+CANDELA_DIMENSION kDimensionTime = 4u;
+CANDELA_DIMENSION kCameraDimensionCount = 8u;
+
+// The block of path vertex n (n = 1 is the camera ray's hit) starts at kCameraDimensionCount + (n - 1) *
+// kVertexDimensionCount; these are offsets into it.
+CANDELA_DIMENSION kDimensionLightChoice = 0u;
+CANDELA_DIMENSION kDimensionLightU = 1u;
+CANDELA_DIMENSION kDimensionLightV = 2u;
+CANDELA_DIMENSION kDimensionLobe = 3u;
+CANDELA_DIMENSION kDimensionBsdfU = 4u;
+CANDELA_DIMENSION kDimensionBsdfV = 5u;
+CANDELA_DIMENSION kDimensionRoulette = 6u;
+CANDELA_DIMENSION kVertexDimensionCount = 8u;
+
+#undef CANDELA_DIMENSION
+#ifdef __cplusplus
+}  // namespace candela
+#endif
+#endif
