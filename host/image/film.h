@@ -7,7 +7,9 @@
 
 namespace candela {
 
-/// A 96-bit unsigned integer, least significant word first, in units of 2^-40.
+/// A 96-bit unsigned integer, least significant word first, in units of 2^-40. Sums wrap. A channel's cannot: samples
+/// are at most 2^20, so 2^36 fit, more than sampleCount counts. The second moment holds 2^56 / Y^2 samples of luminance
+/// Y: 2^36 at Y = 1024, and 65,535 if every single one has the largest value there is.
 using FixedSum = std::array<std::uint32_t, 3>;
 
 /// One pixel's sums. 64 bytes; the device writes this very layout.
@@ -44,9 +46,11 @@ class Film {
 
   /// Mean of the pixel's samples, linear RGB; 0 where there are none.
   glm::dvec3 mean(std::uint32_t x, std::uint32_t y) const;
-  /// Unbiased variance of the luminance of one sample (not of the mean); 0 below two samples.
+  /// Unbiased variance of the luminance of one sample (not of the mean); 0 below two samples. Squares below 2^-40 are
+  /// truncated away, so it is 0 where every luminance is below 2^-20.
   double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
-  /// Adds the sums of a film of equal size, sample for sample.
+  /// Adds the sums of a film of equal size. Throws UsageError, and leaves the film as it was, if the sizes differ or a
+  /// pixel's sampleCount would pass 2^32 - 1.
   void merge(const Film& other);
   /// FNV-1a (64 bits) over size and sums: equal films, equal hashes.
   std::uint64_t hash() const;

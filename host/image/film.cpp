@@ -1,0 +1,151 @@
+// The film's arithmetic: 96-bit sums, and the means and variances that they give.
+#include "host/image/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/core/errors.h"
+
+namespace candela {
+namespace {
+
+constexpr double kTwoTo64 = 18446744073709551616.0;
+
+void add(FixedSum& sum, const FixedSum& term) {
+  std::uint64_t carry = 0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    carry += std::uint64_t{sum[i]} + term[i];
+    sum[i] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+}
+
+/// floor(value * 2^40) for value in [0, 2^40]. Every step is exact: a product with a power of two, and a difference of
+/// doubles that share their low bits.
+FixedSum toFixed(double value) {
+  const double scaled = std::floor(value * kFilmScale);
+  const double high = std::floor(scaled / kTwoTo64);
+  const auto low = static_cast<std::uint64_t>(scaled - high * kTwoTo64);
+  return {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(high)};
+}
+
+double toDouble(const FixedSum& sum) {
+  const std::uint64_t low = (std::uint64_t{sum[1]} << 32) | sum[0];
+  return (sum[2] * kTwoTo64 + static_cast<double>(low)) / kFilmScale;
+}
+
+/// The value that a channel adds; `bad` is set if it is not the one given.
+double inRange(double value, bool& bad) {
+  if (!std::isfinite(value) || value < 0) {
+    bad = true;
+    return 0;
+  }
+  if (value > kFilmMaximum) {
+    bad = true;
+    return kFilmMaximum;
+  }
+  return value;
+}
+
+/// The lower of two of FilmPixel::firstBadSample, in which 0 means none.
+std::uint32_t earlier(std::uint32_t a, std::uint32_t b) { return std::min(a - 1, b - 1) + 1; }
+
+void add(FilmPixel& sums, const FilmPixel& terms) {
+  add(sums.red, terms.red);
+  add(sums.green, terms.green);
+  add(sums.blue, terms.blue);
+  add(sums.luminanceSquared, terms.luminanceSquared);
+  sums.sampleCount += terms.sampleCount;
+  sums.badCount += terms.badCount;
+  sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
+}
+
+/// FNV-1a over the little-endian bytes of 32-bit words.
+class Fnv1a {
+ public:
+  void add(std::uint32_t word) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      hash_ = (hash_ ^ ((word >> shift) & 0xffu)) * 0x100000001b3u;
+    }
+  }
+  void add(const FixedSum& sum) {
+    for (const std::uint32_t word : sum) add(word);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace
+
+Film::Film(std::uint32_t width, std::uint32_t height)
+    : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
+
+void Film::addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex) {
+  bool bad = false;
+  const glm::dvec3 kept(inRange(radiance.x, bad), inRange(radiance.y, bad), inRange(radiance.z, bad));
+  const double keptLuminance = luminance(kept);
+
+  FilmPixel sample;
+  sample.red = toFixed(kept.x);
+  sample.green = toFixed(kept.y);
+  sample.blue = toFixed(kept.z);
+  sample.luminanceSquared = toFixed(keptLuminance * keptLuminance);
+  sample.sampleCount = 1;
+  sample.badCount = bad ? 1 : 0;
+  sample.firstBadSample = bad ? sampleIndex + 1 : 0;
+  add(at(x, y), sample);
+}
+
+glm::dvec3 Film::mean(std::uint32_t x, std::uint32_t y) const {
+  const FilmPixel& pixel = at(x, y);
+  if (pixel.sampleCount == 0) return glm::dvec3(0);
+  return glm::dvec3(toDouble(pixel.red), toDouble(pixel.green), toDouble(pixel.blue)) /
+         static_cast<double>(pixel.sampleCount);
+}
+
+double Film::luminanceVariance(std::uint32_t x, std::uint32_t y) const {
+  const FilmPixel& pixel = at(x, y);
+  if (pixel.sampleCount < 2) return 0;
+  const double count = pixel.sampleCount;
+  const double meanLuminance = luminance(mean(x, y));
+  const double meanOfSquares = toDouble(pixel.luminanceSquared) / count;
+  // Truncation makes the second moment a little too small, so equal samples may give a negative difference.
+  return std::max(0.0, meanOfSquares - meanLuminance * meanLuminance) * (count / (count - 1));
+}
+
+void Film::merge(const Film& other) {
+  if (width_ != other.width_ || height_ != other.height_) {
+    throw UsageError(fmt::format("cannot merge a film of {} x {} pixels into one of {} x {}", other.width_,
+                                 other.height_, width_, height_));
+  }
+  constexpr std::uint32_t kMaximumCount = std::numeric_limits<std::uint32_t>::max();
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    if (other.pixels_[i].sampleCount > kMaximumCount - pixels_[i].sampleCount) {
+      throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaximumCount));
+    }
+  }
+  for (std::size_t i = 0; i < pixels_.size(); ++i) add(pixels_[i], other.pixels_[i]);
+}
+
+std::uint64_t Film::hash() const {
+  Fnv1a hash;
+  hash.add(width_);
+  hash.add(height_);
+  for (const FilmPixel& pixel : pixels_) {
+    hash.add(pixel.red);
+    hash.add(pixel.green);
+    hash.add(pixel.blue);
+    hash.add(pixel.luminanceSquared);
+    hash.add(pixel.sampleCount);
+    hash.add(pixel.badCount);
+    hash.add(pixel.firstBadSample);
+  }
+  return hash.value();
+}
+
+}  // namespace candela
