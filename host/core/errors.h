@@ -9,12 +9,12 @@ namespace candela {
 enum class ExitCode : int {
   done = 0,
   usage = 1,
-  file = 2,           ///< scene, image or file error; also sizes beyond stated limits
-  differ = 3,         ///< compared images differ, verification failed
-  noDevice = 4,       ///< no usable Vulkan device
-  deviceLost = 5,     ///< device lost beyond recovery
+  file = 2,        ///< scene, image or file error; also sizes beyond stated limits
+  differ = 3,      ///< compared images differ, verification failed
+  noDevice = 4,    ///< no usable Vulkan device
+  deviceLost = 5,  ///< device lost beyond recovery
   outOfMemory = 6,
-  interrupted = 7,    ///< what was done is written
+  interrupted = 7,  ///< what was done is written
   internal = 70,
 };
 

@@ -1,0 +1,27 @@
+// Signal handlers that set a flag once and then step aside.
+#include "host/core/interrupt.h"
+
+#include <csignal>
+
+namespace candela {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
+
+void onSignal(int) { interrupted.store(true); }
+
+}  // namespace
+
+const std::atomic<bool>& watchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  // After the first signal the default action is back: a second Ctrl-C ends the program even if it hangs.
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return interrupted;
+}
+
+}  // namespace candela
