@@ -13,8 +13,8 @@ struct DeviceInfo {
   std::string driver;      ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   std::string apiVersion;  ///< "1.3.230"
   bool usable = false;
-  std::string whyNot;      ///< if not usable: what is missing
-  std::uint64_t memoryBytes = 0;             ///< of device-local heaps
+  std::string whyNot;             ///< if not usable: what is missing
+  std::uint64_t memoryBytes = 0;  ///< of device-local heaps
   std::uint64_t maxStorageBufferRange = 0;
   std::uint64_t maxTexelBufferElements = 0;
   std::uint32_t maxWorkgroupInvocations = 0;

@@ -1,0 +1,23 @@
+// The Vulkan handles behind a Buffer.
+#pragma once
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/device_impl.h"
+
+namespace candela::vulkan {
+
+struct Buffer::Impl {
+  std::shared_ptr<Device::Impl> device;
+  RawBuffer raw;
+  Usage usage;
+  vk::raii::BufferView texelView{nullptr};  ///< for Usage::uniformTexel
+
+  Impl(std::shared_ptr<Device::Impl> device, std::uint64_t bytes, Usage usage);
+  ~Impl();
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  /// Throws InternalError unless [offset, offset + size) lies within and both are multiples of 4.
+  void requireRange(std::uint64_t offset, std::uint64_t size) const;
+};
+
+}  // namespace candela::vulkan

@@ -1,0 +1,86 @@
+// Records dispatches, fills and copies with the barriers between them.
+#include "host/vulkan/command_recorder.h"
+
+#include <fmt/format.h>
+
+#include "host/core/errors.h"
+#include "host/vulkan/binding_set_impl.h"
+#include "host/vulkan/buffer_impl.h"
+#include "host/vulkan/command_recorder_impl.h"
+#include "host/vulkan/compute_pipeline_impl.h"
+
+namespace candela::vulkan {
+namespace {
+
+using Access = vk::AccessFlagBits;
+using Stage = vk::PipelineStageFlagBits;
+
+constexpr vk::PipelineStageFlags kDeviceStages = Stage::eComputeShader | Stage::eTransfer;
+constexpr vk::AccessFlags kWrites = Access::eShaderWrite | Access::eTransferWrite;
+constexpr vk::AccessFlags kReads = Access::eShaderRead | Access::eUniformRead | Access::eTransferRead;
+
+void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
+  const auto& most = limits.maxComputeWorkGroupCount;
+  const bool isNone = groups.x == 0 || groups.y == 0 || groups.z == 0;
+  if (!isNone && groups.x <= most[0] && groups.y <= most[1] && groups.z <= most[2]) return;
+  throw InternalError(fmt::format("a dispatch of {} x {} x {} workgroups where {} x {} x {} is the limit", groups.x,
+                                  groups.y, groups.z, most[0], most[1], most[2]));
+}
+
+}  // namespace
+
+void CommandRecorder::Impl::makeVisibleToNext() const {
+  const vk::MemoryBarrier barrier(kWrites, kReads | kWrites);
+  device.commands.pipelineBarrier(kDeviceStages, kDeviceStages, {}, barrier, {}, {});
+}
+
+void CommandRecorder::Impl::makeVisibleToHost() const {
+  const vk::MemoryBarrier barrier(kWrites, Access::eHostRead);
+  device.commands.pipelineBarrier(kDeviceStages, Stage::eHost, {}, barrier, {}, {});
+}
+
+void CommandRecorder::Impl::copy(vk::Buffer from, std::uint64_t fromOffset, vk::Buffer to, std::uint64_t toOffset,
+                                 std::uint64_t bytes) const {
+  makeVisibleToNext();
+  device.commands.copyBuffer(from, to, vk::BufferCopy(fromOffset, toOffset, bytes));
+}
+
+void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
+                               std::span<const std::byte> pushConstants, GroupCount groups) {
+  const ComputePipeline::Impl& shader = *pipeline.impl();
+  requireGroups(impl_.device.limits, groups);
+  if (pushConstants.size() != shader.pushConstantBytes) {
+    throw InternalError(fmt::format("{} bytes of push constants for a pipeline made with {}", pushConstants.size(),
+                                    shader.pushConstantBytes));
+  }
+  const vk::raii::CommandBuffer& commands = impl_.device.commands;
+  impl_.makeVisibleToNext();
+  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *shader.handle);
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *shader.layout, 0, *bindings.impl()->handle, {});
+  if (!pushConstants.empty()) {
+    const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
+    commands.pushConstants<std::byte>(*shader.layout, vk::ShaderStageFlagBits::eCompute, 0, bytes);
+  }
+  commands.dispatch(groups.x, groups.y, groups.z);
+}
+
+void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes) {
+  buffer.impl()->requireRange(offset, bytes);
+  if (bytes == 0) return;
+  impl_.makeVisibleToNext();
+  impl_.device.commands.fillBuffer(*buffer.impl()->raw.handle, offset, bytes, word);
+}
+
+void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word) {
+  fillBuffer(buffer, word, 0, buffer.bytes());
+}
+
+void CommandRecorder::copyBuffer(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+                                 std::uint64_t bytes) {
+  from.impl()->requireRange(fromOffset, bytes);
+  to.impl()->requireRange(toOffset, bytes);
+  if (bytes == 0) return;
+  impl_.copy(*from.impl()->raw.handle, fromOffset, *to.impl()->raw.handle, toOffset, bytes);
+}
+
+}  // namespace candela::vulkan

@@ -1,0 +1,41 @@
+// What can be asked of the device within one submission: dispatches, fills and copies, each after the one before.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace candela::vulkan {
+
+class BindingSet;
+class Buffer;
+class ComputePipeline;
+
+struct GroupCount {
+  std::uint32_t x = 1, y = 1, z = 1;  ///< workgroups, each 1 to 65,535
+};
+
+/// Records commands into the submission of one Device::run. Each command sees all that earlier ones wrote: a barrier
+/// stands between any two, which costs nothing measurable since every command here fills the device.
+class CommandRecorder {
+ public:
+  /// Runs `pipeline` on `bindings`. `pushConstants` has the size that the pipeline was made with.
+  void dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, std::span<const std::byte> pushConstants,
+                GroupCount groups);
+  /// Sets `bytes` (a multiple of 4) of `buffer` at `offset` (a multiple of 4) to `word`.
+  void fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes);
+  void fillBuffer(const Buffer& buffer, std::uint32_t word);
+  /// Copies `bytes` from one buffer into another, or within one if the two ranges are apart.
+  void copyBuffer(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+                  std::uint64_t bytes);
+
+  /// Made by Device::run alone.
+  struct Impl;
+  explicit CommandRecorder(const Impl& impl) : impl_(impl) {}
+  CommandRecorder(const CommandRecorder&) = delete;
+  CommandRecorder& operator=(const CommandRecorder&) = delete;
+
+ private:
+  const Impl& impl_;
+};
+
+}  // namespace candela::vulkan

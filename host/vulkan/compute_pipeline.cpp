@@ -1,0 +1,70 @@
+// Makes compute pipelines out of SPIR-V.
+#include "host/vulkan/compute_pipeline.h"
+
+#include "host/vulkan/compute_pipeline_impl.h"
+#include "host/vulkan/device.h"
+#include "host/vulkan/vulkan_errors.h"
+
+namespace candela::vulkan {
+namespace {
+
+vk::raii::DescriptorSetLayout makeSetLayout(const vk::raii::Device& device, const std::vector<BindingKind>& kinds) {
+  std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  for (const BindingKind kind : kinds) {
+    const auto binding = static_cast<std::uint32_t>(bindings.size());
+    bindings.emplace_back(binding, descriptorType(kind), 1, vk::ShaderStageFlagBits::eCompute);
+  }
+  return {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
+}
+
+vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::DescriptorSetLayout setLayout,
+                                    std::uint32_t pushConstantBytes) {
+  const vk::PushConstantRange range(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
+  vk::PipelineLayoutCreateInfo info({}, setLayout);
+  if (pushConstantBytes > 0) info.setPushConstantRanges(range);
+  return {device, info};
+}
+
+vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
+                                std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
+  const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (const Specialisation& constant : options.specialisations) {
+    const std::size_t offset = entries.size() * sizeof(Specialisation) + offsetof(Specialisation, value);
+    entries.emplace_back(constant.id, static_cast<std::uint32_t>(offset), sizeof constant.value);
+  }
+  const vk::SpecializationInfo specialisation(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                              options.specialisations.size() * sizeof(Specialisation),
+                                              options.specialisations.data());
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry,
+                                                &specialisation);
+  return {device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+}
+
+}  // namespace
+
+vk::DescriptorType descriptorType(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::uniformTexelBuffer:
+      return vk::DescriptorType::eUniformTexelBuffer;
+    case BindingKind::uniformBuffer:
+      return vk::DescriptorType::eUniformBuffer;
+    default:
+      return vk::DescriptorType::eStorageBuffer;
+  }
+}
+
+ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> spirv, const PipelineOptions& options)
+    : impl_(std::make_shared<Impl>()) {
+  impl_->device = device.impl();
+  impl_->bindings = options.bindings;
+  impl_->pushConstantBytes = options.pushConstantBytes;
+  guarded("make a compute pipeline", [&] {
+    const vk::raii::Device& handle = device.impl()->handle;
+    impl_->setLayout = makeSetLayout(handle, options.bindings);
+    impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
+    impl_->handle = makePipeline(handle, *impl_->layout, spirv, options);
+  });
+}
+
+}  // namespace candela::vulkan

@@ -1,0 +1,40 @@
+// A compute shader made ready to run: bindings of set 0, push constants and specialisation constants.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace candela::vulkan {
+
+class Device;
+
+enum class BindingKind { storageBuffer, uniformTexelBuffer, uniformBuffer };
+
+/// The value of a 32-bit specialisation constant; bool: 0 or 1; float: its bits.
+struct Specialisation {
+  std::uint32_t id = 0;
+  std::uint32_t value = 0;
+};
+
+struct PipelineOptions {
+  std::vector<BindingKind> bindings;    ///< bindings[i] is layout(set = 0, binding = i)
+  std::uint32_t pushConstantBytes = 0;  ///< a multiple of 4, at most 128
+  std::vector<Specialisation> specialisations{};
+  const char* entry = "main";
+};
+
+/// A pipeline of one compute shader. Some drivers compile here, some (lavapipe) at the first dispatch.
+class ComputePipeline {
+ public:
+  /// `spirv`: a SPIR-V module for Vulkan 1.2. Throws OutOfMemoryError, or InternalError if the driver refuses it.
+  ComputePipeline(Device& device, std::span<const std::uint32_t> spirv, const PipelineOptions& options);
+
+  struct Impl;
+  const std::shared_ptr<Impl>& impl() const { return impl_; }
+
+ private:
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace candela::vulkan

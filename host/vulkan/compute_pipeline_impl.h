@@ -1,0 +1,19 @@
+// The Vulkan handles behind a ComputePipeline.
+#pragma once
+#include "host/vulkan/compute_pipeline.h"
+#include "host/vulkan/device_impl.h"
+
+namespace candela::vulkan {
+
+struct ComputePipeline::Impl {
+  std::shared_ptr<Device::Impl> device;
+  std::vector<BindingKind> bindings;
+  std::uint32_t pushConstantBytes = 0;
+  vk::raii::DescriptorSetLayout setLayout{nullptr};
+  vk::raii::PipelineLayout layout{nullptr};
+  vk::raii::Pipeline handle{nullptr};
+};
+
+vk::DescriptorType descriptorType(BindingKind kind);
+
+}  // namespace candela::vulkan

@@ -1,0 +1,18 @@
+// DeviceInfo of Vulkan's physical devices.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "host/vulkan/device_info.h"
+
+namespace candela::vulkan {
+
+/// The first queue family that computes.
+std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device);
+
+DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index);
+std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>& devices);
+
+}  // namespace candela::vulkan

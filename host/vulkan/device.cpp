@@ -1,0 +1,109 @@
+// Opens devices and runs what is recorded on them.
+#include "host/vulkan/device.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <limits>
+
+#include "host/core/errors.h"
+#include "host/vulkan/command_recorder_impl.h"
+#include "host/vulkan/describe.h"
+#include "host/vulkan/device_choice.h"
+#include "host/vulkan/device_impl.h"
+#include "host/vulkan/vulkan_errors.h"
+
+namespace candela::vulkan {
+namespace {
+
+// A device that implements a subset of Vulkan says so by this extension, which must then be enabled. Its name is in a
+// beta header only.
+constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
+
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {
+  const float priority = 1.0f;
+  const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
+  std::vector<const char*> extensions;
+  for (const vk::ExtensionProperties& extension : physicalDevice.enumerateDeviceExtensionProperties()) {
+    if (std::strcmp(extension.extensionName, kPortabilitySubset) == 0) extensions.push_back(kPortabilitySubset);
+  }
+  return {physicalDevice, vk::DeviceCreateInfo({}, queue, {}, extensions)};
+}
+
+}  // namespace
+
+Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
+                   const DeviceOptions& deviceOptions)
+    : info(deviceInfo),
+      options(deviceOptions),
+      instance(std::move(openedInstance)),
+      physicalDevice(std::move(device)),
+      limits(physicalDevice.getProperties().limits),
+      memoryProperties(physicalDevice.getMemoryProperties()) {
+  const std::uint32_t queueFamily = findComputeQueue(physicalDevice).value();
+  handle = createDevice(physicalDevice, queueFamily);
+  queue = handle.getQueue(queueFamily, 0);
+  commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});
+  const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);
+  commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
+  fence = handle.createFence({});
+}
+
+double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record) {
+  guarded("start recording commands", [&] {
+    commandPool.reset();
+    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+  });
+  const CommandRecorder::Impl recorder{*this};
+  record(recorder);
+  recorder.makeVisibleToHost();
+  return guarded("run commands on the device", [&] {
+    commands.end();
+    return submitAndWait();
+  });
+}
+
+double Device::Impl::submitAndWait() {
+  handle.resetFences(*fence);
+  const vk::SubmitInfo submission({}, {}, *commands);
+  const auto start = std::chrono::steady_clock::now();
+  queue.submit(submission, *fence);
+  const vk::Result result = handle.waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (result != vk::Result::eSuccess) throw InternalError("waiting for the device ended with " + vk::to_string(result));
+  return elapsed.count();
+}
+
+Device Device::open(const std::string& selector, const DeviceOptions& options) {
+  std::optional<Instance> instance = openInstance();
+  std::vector<vk::raii::PhysicalDevice> devices;
+  if (instance) devices = instance->physicalDevices();
+  const std::vector<DeviceInfo> infos = describeAll(devices);
+  const DeviceInfo& info = chooseDevice(infos, selector);
+  return Device(guarded("open the device", [&] {
+    return std::make_shared<Impl>(std::move(*instance), std::move(devices[info.index]), info, options);
+  }));
+}
+
+Device Device::open(const DeviceInfo& info, const DeviceOptions& options) {
+  Device device = open(std::to_string(info.index), options);
+  if (device.info().name != info.name) {
+    throw NoDeviceError(fmt::format("Vulkan device {} was \"{}\" and is now \"{}\": devices have changed", info.index,
+                                    info.name, device.info().name));
+  }
+  return device;
+}
+
+const DeviceInfo& Device::info() const { return impl_->info; }
+MemoryUse Device::memoryUse() const { return impl_->memoryUse; }
+
+double Device::run(const std::function<void(CommandRecorder&)>& record) {
+  return impl_->run([&record](const CommandRecorder::Impl& commands) {
+    CommandRecorder recorder(commands);
+    record(recorder);
+  });
+}
+
+}  // namespace candela::vulkan

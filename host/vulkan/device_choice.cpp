@@ -1,0 +1,89 @@
+// Which of several devices a selector means.
+#include "host/vulkan/device_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+
+#include "host/core/errors.h"
+
+namespace candela::vulkan {
+namespace {
+
+constexpr const char* kHowToInstall =
+    "a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The selector as an index into the list, if it is one. "3060" is none where there are two devices, but may be in a
+/// name.
+std::optional<std::size_t> asIndex(const std::string& selector, std::size_t count) {
+  std::size_t index = 0;
+  const char* end = selector.data() + selector.size();
+  const auto [rest, error] = std::from_chars(selector.data(), end, index);
+  if (error != std::errc{} || rest != end || index >= count) return std::nullopt;
+  return index;
+}
+
+/// Position in the order of preference; lower is better.
+std::size_t rank(const DeviceInfo& device) {
+  static const std::array<std::string, 4> kOrder{"discrete GPU", "integrated GPU", "virtual GPU", "CPU"};
+  return static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), device.type) - kOrder.begin());
+}
+
+const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices) {
+  const DeviceInfo* best = nullptr;
+  for (const DeviceInfo& device : devices) {
+    if (device.usable && (best == nullptr || rank(device) < rank(*best))) best = &device;
+  }
+  return best;
+}
+
+/// The first usable device that the selector names, else the first that it names at all, else null.
+const DeviceInfo* namedDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
+  if (const auto index = asIndex(selector, devices.size())) return &devices[*index];
+  const DeviceInfo* named = nullptr;
+  for (const DeviceInfo& device : devices) {
+    if (lowerCase(device.name).find(lowerCase(selector)) == std::string::npos) continue;
+    if (named == nullptr || (device.usable && !named->usable)) named = &device;
+  }
+  return named;
+}
+
+}  // namespace
+
+std::string describeDevices(std::span<const DeviceInfo> devices) {
+  std::string text;
+  for (const DeviceInfo& device : devices) {
+    text += fmt::format("\n  {}: {} ({})", device.index, device.name, device.type);
+    if (!device.usable) text += fmt::format(", not usable: {}", device.whyNot);
+  }
+  return text;
+}
+
+const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
+  if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found; {}", kHowToInstall));
+  const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);
+  if (device == nullptr && selector.empty()) {
+    throw NoDeviceError(
+        fmt::format("no usable Vulkan device; {}; there is:{}", kHowToInstall, describeDevices(devices)));
+  }
+  if (device == nullptr) {
+    throw NoDeviceError(fmt::format("no Vulkan device \"{}\"; there is:{}", selector, describeDevices(devices)));
+  }
+  if (!device->usable) {
+    throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; there is:{}", device->index, device->name,
+                                    device->whyNot, describeDevices(devices)));
+  }
+  return *device;
+}
+
+}  // namespace candela::vulkan

@@ -1,0 +1,111 @@
+// Asks Vulkan what devices there are and what they can do.
+#include "host/vulkan/device_info.h"
+
+#include <fmt/format.h>
+
+#include "host/vulkan/describe.h"
+#include "host/vulkan/device_choice.h"
+#include "host/vulkan/instance.h"
+
+namespace candela {
+namespace vulkan {
+namespace {
+
+std::string versionText(std::uint32_t version) {
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                     VK_API_VERSION_PATCH(version));
+}
+
+const char* typeName(vk::PhysicalDeviceType type) {
+  switch (type) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+      return "CPU";
+    default:
+      return "other";
+  }
+}
+
+std::uint64_t deviceLocalBytes(const vk::raii::PhysicalDevice& device) {
+  const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
+  std::uint64_t bytes = 0;
+  for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+    if (memory.memoryHeaps[heap].flags & vk::MemoryHeapFlagBits::eDeviceLocal) bytes += memory.memoryHeaps[heap].size;
+  }
+  return bytes;
+}
+
+void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
+  info.maxStorageBufferRange = limits.maxStorageBufferRange;
+  info.maxTexelBufferElements = limits.maxTexelBufferElements;
+  info.maxWorkgroupInvocations = limits.maxComputeWorkGroupInvocations;
+  for (std::size_t axis = 0; axis < 3; ++axis) info.maxWorkgroupSize[axis] = limits.maxComputeWorkGroupSize[axis];
+}
+
+/// What only Vulkan 1.2 tells. These two structures alone: SwiftShader prints a warning about any that it does not
+/// know.
+void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
+  const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
+                                           vk::PhysicalDeviceSubgroupProperties>();
+  const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+  info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+  while (!info.driver.empty() && info.driver.back() == ' ') info.driver.pop_back();
+  info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device) {
+  const std::vector<vk::QueueFamilyProperties> families = device.getQueueFamilyProperties();
+  for (std::uint32_t family = 0; family < families.size(); ++family) {
+    if (families[family].queueFlags & vk::QueueFlagBits::eCompute) return family;
+  }
+  return std::nullopt;
+}
+
+DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index) {
+  const vk::PhysicalDeviceProperties properties = device.getProperties();
+  DeviceInfo info;
+  info.index = index;
+  info.name = properties.deviceName.data();
+  info.type = typeName(properties.deviceType);
+  info.apiVersion = versionText(properties.apiVersion);
+  info.memoryBytes = deviceLocalBytes(device);
+  fillLimits(info, properties.limits);
+  if (properties.apiVersion < VK_API_VERSION_1_2) {
+    info.whyNot = fmt::format("Vulkan {} only, 1.2 is needed", info.apiVersion);
+    return info;
+  }
+  fillDriver(info, device);
+  if (!findComputeQueue(device)) {
+    info.whyNot = "no compute queue";
+    return info;
+  }
+  info.usable = true;
+  return info;
+}
+
+std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>& devices) {
+  std::vector<DeviceInfo> infos;
+  for (const vk::raii::PhysicalDevice& device : devices) {
+    infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
+  }
+  return infos;
+}
+
+}  // namespace vulkan
+
+std::vector<DeviceInfo> listDevices() {
+  const std::optional<vulkan::Instance> instance = vulkan::openInstance();
+  if (!instance) return {};
+  return vulkan::describeAll(instance->physicalDevices());
+}
+
+DeviceInfo selectDevice(const std::string& selector) { return vulkan::chooseDevice(listDevices(), selector); }
+
+}  // namespace candela

@@ -1,0 +1,107 @@
+// Opens Vulkan instances: the loader, the API version, portability and validation.
+#include "host/vulkan/instance.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "host/core/errors.h"
+#include "host/vulkan/validation.h"
+#include "host/vulkan/validation_log.h"
+#include "host/vulkan/vulkan_errors.h"
+
+namespace candela::vulkan {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr std::array kValidationFeatures{vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                              const VkDebugUtilsMessengerCallbackDataEXT* data, void*) noexcept {
+  addValidationMessage(data->pMessage != nullptr ? data->pMessage : "message without text");
+  return VK_FALSE;
+}
+
+/// Warnings and errors of the layer; the loader's own chatter is of type "general".
+vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
+  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+  return {{}, Severity::eWarning | Severity::eError, Type::eValidation | Type::ePerformance, collectMessage};
+}
+
+bool hasExtension(const std::vector<vk::ExtensionProperties>& extensions, const char* name) {
+  return std::any_of(extensions.begin(), extensions.end(),
+                     [name](const auto& extension) { return std::strcmp(extension.extensionName, name) == 0; });
+}
+
+void requireValidationLayer(const vk::raii::Context& context) {
+  for (const vk::LayerProperties& layer : context.enumerateInstanceLayerProperties()) {
+    if (std::strcmp(layer.layerName, kValidationLayer) == 0) return;
+  }
+  throw NoDeviceError(std::string("CANDELA_VALIDATION asks for the Vulkan layer ") + kValidationLayer +
+                      ", which is not installed; on Debian: apt-get install vulkan-validationlayers");
+}
+
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+  const vk::ApplicationInfo application("candela", 0, "candela", 0, VK_API_VERSION_1_2);
+  const vk::ValidationFeaturesEXT features(kValidationFeatures);
+  vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
+  messenger.pNext = &features;
+
+  vk::InstanceCreateInfo info({}, &application);
+  std::vector<const char*> extensions;
+  std::vector<const char*> layers;
+  if (validation) {
+    layers.push_back(kValidationLayer);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    info.pNext = &messenger;
+  }
+  // Without this, implementations layered on another API (MoltenVK) are hidden.
+  if (hasExtension(context.enumerateInstanceExtensionProperties(), VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+    extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    info.flags |= vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+  }
+  info.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions);
+  return vk::raii::Instance(context, info);
+}
+
+std::optional<vk::raii::Context> openLoader() {
+  try {
+    return std::make_optional<vk::raii::Context>();
+  } catch (const std::runtime_error&) {  // no libvulkan
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<vk::raii::PhysicalDevice> Instance::physicalDevices() const {
+  try {
+    return handle.enumeratePhysicalDevices();
+  } catch (const vk::InitializationFailedError&) {  // the loader's answer if no driver has a device
+    return {};
+  } catch (const vk::SystemError& error) {
+    throwTranslated(error, "list Vulkan devices");
+  }
+}
+
+std::optional<Instance> openInstance() {
+  std::optional<vk::raii::Context> context = openLoader();
+  if (!context) return std::nullopt;
+  const bool validation = validationRequested();
+  if (validation) requireValidationLayer(*context);
+  try {
+    Instance instance{std::move(*context)};
+    instance.handle = createInstance(instance.context, validation);
+    if (validation) instance.messenger = instance.handle.createDebugUtilsMessengerEXT(messengerInfo());
+    return instance;
+  } catch (const vk::IncompatibleDriverError&) {  // a loader without any driver
+    return std::nullopt;
+  } catch (const vk::SystemError& error) {
+    throwTranslated(error, "open Vulkan");
+  }
+}
+
+}  // namespace candela::vulkan

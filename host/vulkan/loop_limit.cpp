@@ -1,0 +1,38 @@
+// Measures how many loop turns a device grants an invocation.
+#include "host/vulkan/loop_limit.h"
+
+#include <array>
+
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/compute_pipeline.h"
+#include "host/vulkan/device.h"
+#include "spirv/loop_probe.h"
+
+namespace candela::vulkan {
+namespace {
+
+constexpr std::uint32_t kTurnsAsked = 1u << 20;
+
+/// The buffer of shaders/loop_probe.comp.
+struct ProbeData {
+  std::uint32_t turnsAsked = 0;
+  std::uint32_t turnsDone = 0;
+  std::uint32_t state = 0;
+  std::uint32_t padding = 0;
+};
+
+}  // namespace
+
+std::uint32_t probeLoopLimit(Device& device) {
+  std::array<ProbeData, 1> data{ProbeData{.turnsAsked = kTurnsAsked}};
+  Buffer buffer(device, sizeof data, Usage::storage);
+  buffer.upload(std::as_bytes(std::span(data)));
+  const ComputePipeline pipeline(device, spirv::loop_probe, {.bindings = {BindingKind::storageBuffer}});
+  const BindingSet bindings(pipeline, {&buffer});
+  device.run([&](CommandRecorder& recorder) { recorder.dispatch(pipeline, bindings, {}, {}); });
+  buffer.download(std::as_writable_bytes(std::span(data)));
+  return data[0].turnsDone >= kTurnsAsked ? kUnlimitedTurns : data[0].turnsDone;
+}
+
+}  // namespace candela::vulkan

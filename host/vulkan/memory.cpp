@@ -1,0 +1,93 @@
+// Chooses memory for buffers: which of a device's memory types, in which order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "host/core/errors.h"
+#include "host/vulkan/device_impl.h"
+#include "host/vulkan/vulkan_errors.h"
+
+namespace candela::vulkan {
+namespace {
+
+using Flag = vk::MemoryPropertyFlagBits;
+
+bool contains(vk::MemoryPropertyFlags set, vk::MemoryPropertyFlags flags) { return (set & flags) == flags; }
+
+/// Memory that both sides reach at full speed. Device memory that the host maps but does not cache (a discrete GPU's
+/// behind its bus) is a hundred times slower to read than a copy through staging.
+bool isUnified(vk::MemoryPropertyFlags flags) {
+  return contains(flags, Flag::eDeviceLocal | Flag::eHostVisible | Flag::eHostCoherent | Flag::eHostCached);
+}
+
+/// How well a memory type suits; higher is better, 0 is not at all.
+int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
+  const bool isMappable = contains(flags, Flag::eHostVisible | Flag::eHostCoherent);
+  if (flags & (Flag::eLazilyAllocated | Flag::eProtected)) return 0;
+  if (preference == MemoryPreference::host) {
+    if (!isMappable) return 0;
+    return (flags & Flag::eHostCached) ? 2 : 1;
+  }
+  if (isUnified(flags)) return 4;
+  if (flags & Flag::eDeviceLocal) return isMappable ? 2 : 3;
+  return 1;
+}
+
+/// Indices of the memory types among `allowedTypes` (a bit mask) that suit, best first.
+std::vector<std::uint32_t> suitableTypes(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowedTypes,
+                                         MemoryPreference preference) {
+  std::vector<std::uint32_t> types;
+  const auto scoreOf = [&](std::uint32_t type) { return score(memory.memoryTypes[type].propertyFlags, preference); };
+  for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+    if ((allowedTypes >> type & 1u) != 0 && scoreOf(type) > 0) types.push_back(type);
+  }
+  std::stable_sort(types.begin(), types.end(), [&](auto a, auto b) { return scoreOf(a) > scoreOf(b); });
+  return types;
+}
+
+/// Null if the type's heap has no room.
+vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t bytes, std::uint32_t type) {
+  const vk::MemoryHeap& heap = device.memoryProperties.memoryHeaps[device.memoryProperties.memoryTypes[type].heapIndex];
+  if (bytes > heap.size) return nullptr;
+  try {
+    return device.handle.allocateMemory({bytes, type});
+  } catch (const vk::OutOfDeviceMemoryError&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference) {
+  const std::string doing = fmt::format("make a buffer of {} bytes on {}", bytes, info.name);
+  try {
+    RawBuffer buffer;
+    buffer.bytes = bytes;
+    buffer.handle = handle.createBuffer({{}, bytes, usage, vk::SharingMode::eExclusive});
+    const vk::MemoryRequirements needs = buffer.handle.getMemoryRequirements();
+    for (const std::uint32_t type : suitableTypes(memoryProperties, needs.memoryTypeBits, preference)) {
+      buffer.memory = tryAllocate(*this, needs.size, type);
+      if (!*buffer.memory) continue;
+      buffer.handle.bindMemory(*buffer.memory, 0);
+      const bool map = preference == MemoryPreference::host ||
+                       (options.mapDeviceMemory && isUnified(memoryProperties.memoryTypes[type].propertyFlags));
+      if (map) buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
+      return buffer;
+    }
+  } catch (const vk::SystemError& error) {
+    throwTranslated(error, doing);
+  }
+  throw OutOfMemoryError(fmt::format("cannot {}, which holds {} bytes in buffers already and has {} in all", doing,
+                                     memoryUse.currentBytes, info.memoryBytes));
+}
+
+RawBuffer& Device::Impl::staging() {
+  if (!stagingBuffer) {
+    const auto usage = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
+    stagingBuffer = allocate(options.stagingBytes, usage, MemoryPreference::host);
+  }
+  return *stagingBuffer;
+}
+
+}  // namespace candela::vulkan

@@ -1,0 +1,11 @@
+// The precompiled header of host/vulkan, the only folder that sees Vulkan: vulkan_raii.hpp alone takes 10 s to compile.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>

@@ -1,0 +1,23 @@
+// Counts how many turns of one loop the device lets one invocation run; see host/vulkan/loop_limit.h.
+#version 450
+
+layout(local_size_x = 1) in;
+
+layout(std430, set = 0, binding = 0) buffer Probe {
+  uint turnsAsked;
+  uint turnsDone;
+  uint state;
+  uint padding;
+} probe;
+
+void main() {
+  uint state = probe.state;
+  uint turns = 0u;
+  while (turns < probe.turnsAsked) {
+    // A chain that no compiler can shorten, so that the turns are run and not computed.
+    state = (state ^ (state >> 15)) * 0x2c1b3c6du + turns;
+    ++turns;
+  }
+  probe.state = state;
+  probe.turnsDone = turns;
+}
