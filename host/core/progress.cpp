@@ -68,7 +68,7 @@ void Progress::update(double fraction, std::uint64_t samplesDone) {
   }
 }
 
-void Progress::finish() {
+Progress::~Progress() {
   if (style_ == ProgressStyle::terminal) sink_ << kClearLine << std::flush;
 }
 

@@ -22,14 +22,15 @@ class Progress {
  public:
   using Clock = std::function<double()>;
 
-  /// Time counts from here.
+  /// Time counts from here. The destructor removes the terminal's line.
   Progress(std::ostream& sink, ProgressStyle style, Clock clock = monotonicSeconds);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   /// May be called often and from several threads. `fraction` is in [0, 1]. A terminal sees at most ten updates a
   /// second; a plain log a line after at least 5 s that brought 10 %, or else after a minute.
   void update(double fraction, std::uint64_t samplesDone);
-  /// Removes the terminal's line.
-  void finish();
 
  private:
   bool isDue(double now, double fraction) const;

@@ -1,5 +1,7 @@
 // Progress: how often it speaks, and what it says.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <optional>
 #include <sstream>
 
 #include "host/core/progress.h"
@@ -16,12 +18,13 @@ std::size_t count(const std::string& text, char character) {
 TEST_CASE("a quiet render says nothing about its progress") {
   std::ostringstream sink;
   double now = 0;
-  Progress progress(sink, ProgressStyle::none, [&] { return now; });
-  for (int i = 0; i <= 100; ++i) {
-    now = i;
-    progress.update(i / 100.0, 10);
+  {
+    Progress progress(sink, ProgressStyle::none, [&] { return now; });
+    for (int i = 0; i <= 100; ++i) {
+      now = i;
+      progress.update(i / 100.0, 10);
+    }
   }
-  progress.finish();
   CHECK(sink.str().empty());
   CHECK(progressStyle(Verbosity::quiet) == ProgressStyle::none);
 }
@@ -29,16 +32,16 @@ TEST_CASE("a quiet render says nothing about its progress") {
 TEST_CASE("a terminal's line is rewritten at most ten times a second and removed at the end") {
   std::ostringstream sink;
   double now = 0;
-  Progress progress(sink, ProgressStyle::terminal, [&] { return now; });
+  std::optional<Progress> progress(std::in_place, sink, ProgressStyle::terminal, [&] { return now; });
   for (int i = 1; i <= 1000; ++i) {  // a second, in steps of a millisecond
     now = i / 1000.0;
-    progress.update(i / 1000.0, 1000);
+    progress->update(i / 1000.0, 1000);
   }
   const std::string whileRunning = sink.str();
   CHECK(count(whileRunning, '\r') <= 10);
   CHECK(count(whileRunning, '\r') >= 9);
   CHECK(count(whileRunning, '\n') == 0);
-  progress.finish();
+  progress.reset();
   CHECK(sink.str() == whileRunning + "\r\x1b[K");
 }
 
@@ -51,7 +54,6 @@ TEST_CASE("a plain log has few lines: none for a render of two seconds, one per 
     now = seconds * i / 100.0;
     progress.update(i / 100.0, 1000);
   }
-  progress.finish();
   if (seconds == 2) CHECK(sink.str().empty());
   if (seconds == 200) CHECK((count(sink.str(), '\n') >= 9 && count(sink.str(), '\n') <= 10));
   CHECK(count(sink.str(), '\r') == 0);
