@@ -1,0 +1,59 @@
+// A command line after parsing.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/core/log.h"
+#include "host/image/image.h"
+#include "host/render/settings.h"
+
+namespace candela::cli {
+
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8 };
+
+/// Samples per pixel of `compare SCENE` unless the command line says otherwise; the file's request does not count
+/// there.
+inline constexpr std::uint32_t kComparisonSampleCount = 1;
+
+/// Default-constructed, it holds the default of every option; the option table reads them from here.
+struct Arguments {
+  Command command = Command::render;
+  bool commandNamed = false;       ///< `render` may be left out
+  std::vector<std::string> files;  ///< what is not an option: scenes or images
+
+  /// Absent: what the scene file asks for. `settings` has the rest; resolveSettings() joins both.
+  std::optional<std::uint32_t> sampleCount;
+  std::optional<Extent> size;
+  std::optional<AccelKind> accel;
+  RenderSettings settings;
+
+  bool lenient = false;
+  std::vector<std::filesystem::path> allowedPaths;
+
+  std::string device;  ///< "cpu", or a selector as selectDevice() takes it
+  std::vector<std::filesystem::path> outputs;
+  DisplayTransform display;
+
+  std::optional<double> tolerance;  ///< largest relMSE that passes
+  std::filesystem::path differenceFile;
+  std::filesystem::path flipFile;
+
+  std::string json;  ///< a file, "-" for stdout, empty for none
+  bool printStatistics = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool help = false;
+  bool version = false;
+
+  std::set<std::string> given;  ///< names (the long ones) of the options that the command line had
+
+  Verbosity verbosity() const {
+    if (quiet) return Verbosity::quiet;
+    return verbose ? Verbosity::verbose : Verbosity::normal;
+  }
+};
+
+}  // namespace candela::cli

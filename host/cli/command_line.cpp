@@ -1,0 +1,164 @@
+// CLI11 splits the words; the option table says what they mean.
+#include "host/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "host/cli/commands.h"
+#include "host/cli/option_table.h"
+#include "host/core/errors.h"
+#include "host/scene/suggestion.h"
+
+namespace candela::cli {
+namespace {
+
+[[noreturn]] void fail(Command command, const std::string& message) {
+  throw UsageError(fmt::format("{}\nsee candela {} --help", message, commandInfo(command).name));
+}
+
+std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  std::vector<Spelling> spellings;
+  for (const std::string& candidate : candidates) spellings.push_back({candidate, candidate});
+  return suggest(word, spellings);
+}
+
+std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto meant = nearest(word, candidates);
+  return meant ? fmt::format("; did you mean {}?", *meant) : "";
+}
+
+// "rendr" is a mistyped command rather than a scene: no such file, and nothing of a path about it.
+void refuseMistypedCommand(const std::string& word) {
+  if (word.find_first_of("./-") != std::string::npos || std::filesystem::exists(word)) return;
+  std::vector<std::string> names;
+  for (const CommandInfo& info : commandTable()) names.push_back(info.name);
+  if (!nearest(word, names)) return;
+  throw UsageError(fmt::format("unknown command {}{}\nsee candela --help", word, didYouMean(word, names)));
+}
+
+// Takes the command's name off `words`; "render" may be left out.
+void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
+  for (const CommandInfo& info : commandTable()) {
+    if (words.front() != info.name) continue;
+    words = words.subspan(1);
+    arguments.command = info.command;
+    arguments.commandNamed = true;
+    return;
+  }
+  refuseMistypedCommand(words.front());
+}
+
+void refuseUnknownOption(Command command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> known;
+  for (const Option& option : optionTable()) {
+    if (option.isFor(command)) {
+      known.push_back(option.name());
+    } else if (option.name() == name) {
+      fail(command, fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
+    }
+  }
+  fail(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
+}
+
+void apply(const Option& option, const std::vector<std::string>& values, Arguments& arguments) {
+  for (const std::string& value : values) {
+    if (!option.apply(arguments, value)) {
+      fail(arguments.command, fmt::format("{}: expected {}, got \"{}\"", option.name(), option.expected, value));
+    }
+  }
+  if (!values.empty()) arguments.given.insert(option.name());
+}
+
+// Of several values the last counts, or all do where the option is repeatable: `apply` knows.
+CLI::Option* declare(CLI::App& app, const Option& option) {
+  if (option.isFlag()) return app.add_flag(option.names);
+  return app.add_option(option.names)->expected(1)->allow_extra_args(false)->take_all();
+}
+
+void split(std::span<const std::string> words, Arguments& arguments) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  std::vector<std::pair<const Option*, CLI::Option*>> declared;
+  for (const Option& option : optionTable()) {
+    if (option.isFor(arguments.command)) declared.emplace_back(&option, declare(app, option));
+  }
+  app.add_option("files", arguments.files);
+
+  std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants them
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string message = error.what();  // "--spp: 1 required ..."
+    fail(arguments.command, message.substr(0, message.find(':')) + " needs a value");
+  } catch (const CLI::ParseError& error) {
+    fail(arguments.command, error.what());
+  }
+  for (const std::string& extra : app.remaining()) {
+    if (extra != "--") refuseUnknownOption(arguments.command, extra);
+  }
+  for (const auto& [option, parsed] : declared) apply(*option, parsed->results(), arguments);
+}
+
+void requireFileCount(const Arguments& arguments) {
+  const CommandInfo& info = commandInfo(arguments.command);
+  const std::size_t count = arguments.files.size();
+  if (count < info.fewestFiles) fail(info.command, fmt::format("no {} given", info.fileNoun));
+  if (count > info.mostFiles)
+    fail(info.command, fmt::format("too many files: {} is unexpected", arguments.files.back()));
+}
+
+// Options for tracing say nothing about two images; to ignore them would hide a misunderstanding.
+void refuseTracingOptionsForImages(const Arguments& arguments) {
+  if (arguments.command != Command::compare || arguments.files.size() != 2) return;
+  for (const Option& option : optionTable()) {
+    const bool tracing = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile ||
+                         option.group == OptionGroup::execution;
+    if (tracing && arguments.given.contains(option.name())) {
+      fail(Command::compare, fmt::format("{} is for comparing one scene, not two images", option.name()));
+    }
+  }
+}
+
+void refuseImageOptionsForScene(const Arguments& arguments) {
+  if (arguments.command != Command::compare || arguments.files.size() != 1) return;
+  for (const Option& option : optionTable()) {
+    if (option.group == OptionGroup::comparison && arguments.given.contains(option.name())) {
+      fail(Command::compare, fmt::format("{} is for comparing two images, not one scene", option.name()));
+    }
+  }
+}
+
+void requireOutput(const Arguments& arguments) {
+  if (arguments.command != Command::render) return;
+  if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
+  fail(Command::render, "no output given: -o FILE writes the image, --stats or --json FILE measure alone");
+}
+
+void requireOneReaderOfStdout(const Arguments& arguments) {
+  if (arguments.printStatistics && arguments.json == "-") {
+    fail(arguments.command, "--stats and --json - both write to stdout");
+  }
+}
+
+}  // namespace
+
+Arguments parseCommandLine(std::span<const std::string> words) {
+  if (words.empty()) throw UsageError("no scene given\nsee candela --help");
+  Arguments arguments;
+  takeCommand(words, arguments);
+  split(words, arguments);
+  if (arguments.help || arguments.version) return arguments;
+  requireFileCount(arguments);
+  refuseTracingOptionsForImages(arguments);
+  refuseImageOptionsForScene(arguments);
+  requireOutput(arguments);
+  requireOneReaderOfStdout(arguments);
+  return arguments;
+}
+
+}  // namespace candela::cli

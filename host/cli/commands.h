@@ -1,0 +1,33 @@
+// The commands: what they are called, what they take, and the functions that carry them out.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "host/cli/arguments.h"
+#include "host/core/errors.h"
+
+namespace candela::cli {
+
+struct CommandInfo {
+  Command command;
+  std::string name;
+  std::string usage;     ///< after the program's name
+  std::string summary;   ///< completes "it ..."
+  std::string fileNoun;  ///< what a missing file is called
+  std::size_t fewestFiles;
+  std::size_t mostFiles;
+  ExitCode (*run)(const Arguments&, const Log&);
+};
+
+std::span<const CommandInfo> commandTable();
+const CommandInfo& commandInfo(Command command);
+
+// One file each. They return an exit code for results (done, differ, interrupted, invalid scenes) and throw Error for
+// what kept them from a result.
+ExitCode runRender(const Arguments& arguments, const Log& log);
+ExitCode runDevices(const Arguments& arguments, const Log& log);
+ExitCode runCheck(const Arguments& arguments, const Log& log);
+ExitCode runCompare(const Arguments& arguments, const Log& log);
+
+}  // namespace candela::cli

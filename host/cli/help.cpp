@@ -1,0 +1,113 @@
+// Lays out help in two columns.
+#include "host/cli/help.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "host/cli/commands.h"
+#include "host/cli/option_table.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::size_t kTextColumn = 32;
+constexpr std::size_t kLineWidth = 100;
+
+struct GroupTitle {
+  OptionGroup group;
+  const char* title;
+};
+constexpr std::array kGroupTitles{
+    GroupTitle{OptionGroup::output, "Output"},
+    GroupTitle{OptionGroup::image, "What decides the image"},
+    GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
+    GroupTitle{OptionGroup::execution, "How it is computed (no setting but the device changes a bit of the image)"},
+    GroupTitle{OptionGroup::comparison, "Comparing images"},
+    GroupTitle{OptionGroup::general, "General"},
+};
+
+struct ExitCodeText {
+  ExitCode code;
+  const char* text;
+};
+constexpr std::array kExitCodeTexts{
+    ExitCodeText{ExitCode::done, "done"},
+    ExitCodeText{ExitCode::usage, "wrong usage"},
+    ExitCodeText{ExitCode::file, "a scene, image or file is wrong, or a size beyond the limits"},
+    ExitCodeText{ExitCode::differ, "the images differ"},
+    ExitCodeText{ExitCode::noDevice, "no usable device"},
+    ExitCodeText{ExitCode::deviceLost, "the device was lost"},
+    ExitCodeText{ExitCode::outOfMemory, "out of memory"},
+    ExitCodeText{ExitCode::interrupted, "interrupted; what was done is written"},
+    ExitCodeText{ExitCode::internal, "an error of Candela's own"},
+};
+
+// `head` in the left column, `text` wrapped in the right one.
+std::string twoColumns(const std::string& head, const std::string& text) {
+  std::string out = "  " + head;
+  std::size_t column = out.size();
+  const auto startLine = [&] {
+    out += "\n" + std::string(kTextColumn, ' ');
+    column = kTextColumn;
+  };
+  if (column + 2 > kTextColumn) {
+    startLine();
+  } else {
+    out.append(kTextColumn - column, ' ');
+    column = kTextColumn;
+  }
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (column > kTextColumn && column + 1 + word.size() > kLineWidth) startLine();
+    if (column > kTextColumn) out += ' ';
+    column += word.size() + (column > kTextColumn ? 1 : 0);
+    out += word;
+  }
+  return out + "\n";
+}
+
+std::string optionHead(const Option& option) {
+  std::string names = option.names;
+  const std::size_t comma = names.find(',');
+  if (comma != std::string::npos) names.replace(comma, 1, ", ");
+  return option.isFlag() ? names : names + " " + option.metavar;
+}
+
+std::string optionText(const Option& option) {
+  const bool named = option.isFlag() || option.defaultText.empty();
+  return named ? option.help : fmt::format("{} (default: {})", option.help, option.defaultText);
+}
+
+std::string usageText(std::optional<Command> command) {
+  std::string out = "Usage:\n";
+  for (const CommandInfo& info : commandTable()) {
+    if (command && info.command != *command) continue;
+    out += twoColumns("candela " + info.usage, info.summary);
+  }
+  return out;
+}
+
+std::string groupText(const GroupTitle& title, std::optional<Command> command) {
+  std::string rows;
+  for (const Option& option : optionTable()) {
+    if (option.group != title.group || (command && !option.isFor(*command))) continue;
+    rows += twoColumns(optionHead(option), optionText(option));
+  }
+  return rows.empty() ? "" : fmt::format("\n{}:\n{}", title.title, rows);
+}
+
+}  // namespace
+
+std::string helpText(std::optional<Command> command) {
+  std::string out = "Candela: a path tracer in Vulkan compute shaders, and a second tracer that checks it.\n\n";
+  out += usageText(command);
+  for (const GroupTitle& title : kGroupTitles) out += groupText(title, command);
+  out += "\nExit codes:\n";
+  for (const auto& [code, text] : kExitCodeTexts) out += fmt::format("  {:>2}  {}\n", static_cast<int>(code), text);
+  return out;
+}
+
+}  // namespace candela::cli

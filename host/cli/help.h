@@ -1,0 +1,13 @@
+// The texts of --help, made from the tables of options and commands.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "host/cli/arguments.h"
+
+namespace candela::cli {
+
+/// Usage, options and exit codes of one command, or of all (README quotes that one). Lines have at most 100 columns.
+std::string helpText(std::optional<Command> command);
+
+}  // namespace candela::cli

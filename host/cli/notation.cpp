@@ -1,0 +1,55 @@
+// Reading and printing of numbers and sizes.
+#include "host/cli/notation.h"
+
+#include <fmt/format.h>
+
+namespace candela::cli {
+namespace {
+
+std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t lowest, std::uint32_t highest) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  if (value < lowest || value > highest) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest) {
+  return {"N", fmt::format("a whole number from {} to {}", lowest, highest),
+          [=](const std::string& word) { return parseWhole(word, lowest, highest); },
+          [](const std::uint32_t& value) { return fmt::to_string(value); }};
+}
+
+Notation<Extent> extent(std::string metavar, std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<Extent> {
+    const std::size_t cross = word.find('x');
+    if (cross == std::string::npos) return std::nullopt;
+    const auto width = parseWhole(std::string_view(word).substr(0, cross), 1, highest);
+    const auto height = parseWhole(std::string_view(word).substr(cross + 1), 1, highest);
+    if (!width || !height) return std::nullopt;
+    return Extent{*width, *height};
+  };
+  const auto print = [](const Extent& value) { return fmt::format("{}x{}", value.width, value.height); };
+  return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, print};
+}
+
+Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {
+  const auto parse = [](const std::string& word) { return word.empty() ? std::nullopt : std::optional(word); };
+  const auto print = [empty](const std::string& value) { return value.empty() ? empty : value; };
+  return {std::move(metavar), std::move(expected), parse, print};
+}
+
+std::string joinAlternatives(const std::vector<std::string>& words) {
+  std::string joined;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) joined += i + 1 == words.size() ? " or " : ", ";
+    joined += words[i];
+  }
+  return joined;
+}
+
+std::string printReal(double value) { return fmt::format("{}", value); }
+
+}  // namespace candela::cli

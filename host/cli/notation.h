@@ -1,0 +1,92 @@
+// How values are written on the command line: one Notation per kind of value, used for reading, printing and help.
+#pragma once
+#include <charconv>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/render/settings.h"
+
+namespace candela::cli {
+
+template <class T>
+struct Notation {
+  std::string metavar;   ///< stands for the value in help
+  std::string expected;  ///< completes "expected ..." in messages
+  std::function<std::optional<T>(const std::string&)> parse;
+  std::function<std::string(const T&)> print;
+};
+
+/// lowest to highest, decimal.
+Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest);
+/// lowest to highest; infinities and NaN are refused.
+template <class Real>
+Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
+/// "WxH", both from 1 to `highest`.
+Notation<Extent> extent(std::string metavar, std::uint32_t highest);
+/// Any text; an empty value, which can only be the default, prints as `empty`.
+Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
+/// One of a list of names.
+template <class T>
+Notation<T> choice(std::vector<std::pair<std::string, T>> names);
+/// As `inner`, and `absent` for no value. A word that `inner` reads too is a value.
+template <class T>
+Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// "a, b or c".
+std::string joinAlternatives(const std::vector<std::string>& words);
+std::string printReal(double value);
+
+template <class Real>
+Notation<Real> realNumber(std::string metavar, Real lowest, Real highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<Real> {
+    Real value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    if (!(value >= lowest && value <= highest)) return std::nullopt;
+    return value;
+  };
+  const std::string expected = "a number from " + printReal(lowest) + " to " + printReal(highest);
+  return {std::move(metavar), expected, parse, [](const Real& value) { return printReal(value); }};
+}
+
+template <class T>
+Notation<T> choice(std::vector<std::pair<std::string, T>> names) {
+  std::string metavar;
+  std::vector<std::string> words;
+  for (const auto& [name, value] : names) {
+    metavar += (metavar.empty() ? "" : "|") + name;
+    words.push_back(name);
+  }
+  const auto parse = [names](const std::string& word) -> std::optional<T> {
+    for (const auto& [name, value] : names) {
+      if (name == word) return value;
+    }
+    return std::nullopt;
+  };
+  const auto print = [names](const T& wanted) -> std::string {
+    for (const auto& [name, value] : names) {
+      if (value == wanted) return name;
+    }
+    return {};
+  };
+  return {metavar, joinAlternatives(words), parse, print};
+}
+
+template <class T>
+Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent) {
+  const auto parse = [inner, absent](const std::string& word) -> std::optional<std::optional<T>> {
+    if (const std::optional<T> value = inner.parse(word)) return std::optional<T>(value);
+    if (word == absent) return std::optional<T>(std::nullopt);
+    return std::nullopt;
+  };
+  const auto print = [inner, absent](const std::optional<T>& value) { return value ? inner.print(*value) : absent; };
+  return {inner.metavar, inner.expected, parse, print};
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,231 @@
+// The option table: a row per option.
+#include "host/cli/option_table.h"
+
+#include <limits>
+
+#include "host/cli/notation.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr unsigned kRender = static_cast<unsigned>(Command::render);
+constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
+constexpr unsigned kCheck = static_cast<unsigned>(Command::check);
+constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
+constexpr unsigned kTracing = kRender | kCompare;
+constexpr unsigned kReadingScenes = kTracing | kCheck;
+constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare;
+
+constexpr std::uint32_t kMostSamples = 1u << 30;
+constexpr std::uint32_t kMostSegments = 1u << 20;
+constexpr std::uint32_t kLargestSide = 65535;
+constexpr std::uint32_t kLargestWorkgroupSide = 1024;
+constexpr std::uint32_t kMostThreads = 1024;
+
+const Arguments kDefaults;
+
+struct Row {
+  const char* names;
+  unsigned commands;
+  OptionGroup group;
+  const char* help;
+};
+
+// `get` maps Arguments& to the option's field, a reference.
+template <class T, class Get>
+Option valued(const Row& row, const Notation<T>& notation, Get get) {
+  Option option{row.names, row.commands, row.group, row.help, notation.metavar, notation.expected, "", {}, {}};
+  option.apply = [=](Arguments& arguments, const std::string& word) {
+    const auto value = notation.parse(word);
+    if (value) get(arguments) = *value;
+    return value.has_value();
+  };
+  option.show = [=](const Arguments& arguments) { return std::vector{notation.print(get(arguments))}; };
+  option.defaultText = notation.print(get(std::as_const(kDefaults)));
+  return option;
+}
+
+template <class Get>
+Option flag(const Row& row, Get get) {
+  Option option{row.names, row.commands, row.group, row.help, "", "no value", "", {}, {}};
+  option.apply = [=](Arguments& arguments, const std::string& word) {
+    get(arguments) = true;
+    return word == "true";  // what CLI11 gives for a flag without a value
+  };
+  option.show = [=](const Arguments& arguments) { return std::vector<std::string>(get(arguments) ? 1 : 0, "on"); };
+  return option;
+}
+
+template <class Get>
+Option path(const Row& row, const char* metavar, Get get) {
+  Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
+  option.apply = [=](Arguments& arguments, const std::string& word) {
+    get(arguments) = word;
+    return !word.empty();
+  };
+  option.show = [=](const Arguments& arguments) { return std::vector{get(arguments).string()}; };
+  return option;
+}
+
+// An option that may be given several times.
+template <class Get>
+Option paths(const Row& row, const char* metavar, Get get) {
+  Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
+  option.apply = [=](Arguments& arguments, const std::string& word) {
+    get(arguments).emplace_back(word);
+    return !word.empty();
+  };
+  option.show = [=](const Arguments& arguments) {
+    const auto& all = get(arguments);
+    return std::vector<std::string>(all.begin(), all.end());
+  };
+  return option;
+}
+
+const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
+const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
+    {"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}, {"sobol", SamplerKind::sobol}};
+const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::none},
+                                                             {"srgb", ToneMap::srgb},
+                                                             {"aces", ToneMap::aces},
+                                                             {"agx", ToneMap::agx},
+                                                             {"neutral", ToneMap::neutral}};
+
+// NOLINTBEGIN: one row each, however long.
+// clang-format off
+std::vector<Option> imageOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::image;
+  const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
+  return {
+    valued({"--spp", kTracing, kGroup, "samples per pixel; absent, the file's `spp` goes before the default; `compare` takes 1"},
+           orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
+    valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
+           wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
+    valued({"--size", kTracing, kGroup, "of the image, in pixels"},
+           orAbsent(extent("WxH", kLargestSide), "the file's"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--max-depth", kTracing, kGroup, "longest path, in rays; the camera ray is the first"},
+           wholeNumber(1, kMostSegments), [](auto& a) -> auto& { return a.settings.maxDepth; }),
+    valued({"--rr-start", kTracing, kGroup, "path vertices that never face Russian roulette"},
+           wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
+    valued({"--integrator", kTracing, kGroup, "what is computed"},
+           choice<Integrator>({{"path", Integrator::path}}), [](auto& a) -> auto& { return a.settings.integrator; }),
+    valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every vertex"},
+           choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
+    valued({"--sampler", kTracing, kGroup, "random numbers"},
+           choice(kSamplers), [](auto& a) -> auto& { return a.settings.sampler; }),
+    valued({"--filter", kTracing, kGroup, "pixel filter"},
+           choice<FilterKind>({{"box", FilterKind::box}, {"tent", FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
+    valued({"--lens", kTracing, kGroup, "shape of the lens, where the file has an aperture"},
+           choice<LensKind>({{"disc", LensKind::disc}, {"square", LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
+    flag({"--one-sided", kTracing, kGroup, "rays pass through the back of opaque polygons and planes, as in NFF"},
+         [](auto& a) -> auto& { return a.settings.oneSided; }),
+  };
+}
+
+std::vector<Option> sceneFileOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::sceneFile;
+  return {
+    flag({"--lenient", kReadingScenes, kGroup, "skip what is unknown, complete what is short, with warnings"},
+         [](auto& a) -> auto& { return a.lenient; }),
+    paths({"--allow-path", kReadingScenes, kGroup, "folder outside the scene's own that a scene may read; repeatable"}, "DIR",
+          [](auto& a) -> auto& { return a.allowedPaths; }),
+  };
+}
+
+std::vector<Option> executionOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::execution;
+  return {
+    valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
+           text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
+    valued({"--accel", kTracing, kGroup, "search structure; absent, the file's `accel` goes before the default"},
+           orAbsent(choice<AccelKind>({{"bvh", AccelKind::bvh}, {"none", AccelKind::none}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup"},
+           extent("XxY", kLargestWorkgroupSide), [](auto& a) -> auto& { return a.settings.workgroup; }),
+    valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},
+           orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.settings.tile; }),
+    valued({"--segments-per-dispatch", kTracing, kGroup, "path segments that one dispatch advances; `auto`: chosen by timing"},
+           orAbsent(wholeNumber(1, kMostSegments), "auto"), [](auto& a) -> auto& { return a.settings.segmentsPerDispatch; }),
+    valued({"-t,--threads", kTracing, kGroup, "of the reference tracer; 0: one per core"},
+           wholeNumber(0, kMostThreads), [](auto& a) -> auto& { return a.settings.threads; }),
+  };
+}
+
+std::vector<Option> outputOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::output;
+  return {
+    paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
+          [](auto& a) -> auto& { return a.outputs; }),
+    valued({"--tonemap", kRender, kGroup, "curve of 8-bit files; `none`: linear and clipped"},
+           choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
+    valued({"--exposure", kRender, kGroup, "brightness of 8-bit files; each stop doubles it"},
+           realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
+  };
+}
+
+std::vector<Option> comparisonOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::comparison;
+  return {
+    valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes; absent, no verdict is given"},
+           orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
+    path({"--diff", kCompare, kGroup, "image of the absolute differences"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
+    path({"--flip", kCompare, kGroup, "image of the FLIP error map"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+  };
+}
+
+std::vector<Option> generalOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::general;
+  return {
+    flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
+    valued({"--json", kAll, kGroup, "write the report as JSON; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
+    flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
+    flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
+    flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),
+    flag({"-h,--help", kAll, kGroup, "print this"}, [](auto& a) -> auto& { return a.help; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace
+
+const std::vector<Option>& optionTable() {
+  static const std::vector<Option> table = [] {
+    std::vector<Option> all;
+    for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
+                             comparisonOptions(), generalOptions()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }();
+  return table;
+}
+
+std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged) {
+  std::string line;
+  for (const Option& option : optionTable()) {
+    if (option.group != group) continue;
+    for (const std::string& value : option.show(arguments)) {
+      if (value.empty() || (onlyChanged && value == option.defaultText)) continue;
+      line += (line.empty() ? "" : " ") + option.name();
+      if (!option.isFlag()) line += " " + shellQuoted(value);
+    }
+  }
+  return line;
+}
+
+std::string shellQuoted(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char character : word) {
+    if (character == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += character;
+    }
+  }
+  return quoted + "'";
+}
+
+}  // namespace candela::cli

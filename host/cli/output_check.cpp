@@ -1,0 +1,38 @@
+// Checks of output files.
+#include "host/cli/output_check.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "host/core/errors.h"
+#include "host/image/image.h"
+
+namespace candela::cli {
+namespace {
+
+void requireWritableFile(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw FileError(fmt::format("{}: is a folder", file.string()));
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw FileError(fmt::format("{}: there is no folder {}", file.string(), folder.string()));
+  }
+  // A device or a pipe is written in place; everything else is renamed into its folder.
+  const bool inPlace = std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
+  if (access(inPlace ? file.c_str() : folder.c_str(), W_OK) != 0) {
+    throw FileError(fmt::format("{}: no permission to write there", file.string()));
+  }
+}
+
+}  // namespace
+
+void requireWritableImage(const std::filesystem::path& file) {
+  checkImageFormat(file);
+  requireWritableFile(file);
+}
+
+void requireWritableReport(const std::string& target) {
+  if (!target.empty() && target != "-") requireWritableFile(target);
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,76 @@
+// `candela render`: a scene file in, images and a report out.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/bad_samples.h"
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/option_table.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_job.h"
+#include "host/cli/statistics_report.h"
+#include "host/core/progress.h"
+#include "host/core/version.h"
+
+namespace candela::cli {
+namespace {
+
+// What a file that outlives the command line should say about itself.
+std::map<std::string, std::string> imageMetadata(const RenderJob& job, const RenderResult& result) {
+  const RenderStatistics& statistics = result.statistics;
+  std::string settings = commandLineOf(job.arguments, OptionGroup::image, false);
+  const std::string reading = commandLineOf(job.arguments, OptionGroup::sceneFile, true);
+  if (!reading.empty()) settings += " " + reading;
+  return {{"candela.version", versionText()},
+          {"candela.scene", job.scene.name},
+          {"candela.sceneHash", hashText(job.scene.hash)},
+          {"candela.filmHash", hashText(result.film.hash())},
+          {"candela.samplesPerPixel", fmt::to_string(job.settings.sampleCount)},
+          {"candela.seed", fmt::to_string(job.settings.seed)},
+          {"candela.device", statistics.device},
+          {"candela.driver", statistics.driver},
+          {"candela.settings", settings},
+          {"candela.interrupted", result.interrupted ? "yes" : "no"}};
+}
+
+void writeImages(const RenderJob& job, const RenderResult& result) {
+  if (job.arguments.outputs.empty()) return;
+  Image image = toImage(result.film);
+  image.metadata.merge(imageMetadata(job, result));
+  for (const auto& file : job.arguments.outputs) writeImage(file, image, job.arguments.display);
+}
+
+void summarise(const RenderReport& report, const Log& log) {
+  const RenderSettings& settings = report.job.settings;
+  const std::string done =
+      report.result.interrupted
+          ? fmt::format("interrupted after {} samples; what was done is written", report.result.statistics.samples)
+          : fmt::format("{} samples per pixel", settings.sampleCount);
+  log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.size.width, settings.size.height, done,
+                       report.totalSeconds, report.result.statistics.device));
+}
+
+}  // namespace
+
+ExitCode runRender(const Arguments& arguments, const Log& log) {
+  const double start = monotonicSeconds();
+  for (const auto& file : arguments.outputs) requireWritableImage(file);
+  requireWritableReport(arguments.json);
+  const RenderJob job = loadJob(arguments, log);
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  const RenderResult result = trace(*renderer, job, log);
+
+  const double writeStart = monotonicSeconds();
+  writeImages(job, result);
+  const double end = monotonicSeconds();
+  const RenderReport report{job, result, end - writeStart, end - start};
+  for (const std::string& line : badSampleReport(result.film, job)) log.problem(line);
+  summarise(report, log);
+  if (arguments.printStatistics) std::cout << toText(report) << std::flush;
+  writeJson(arguments.json, toJson(report));
+  return result.interrupted ? ExitCode::interrupted : ExitCode::done;
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,89 @@
+// Reads scenes, joins requests with options, runs tracers.
+#include "host/cli/render_job.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+#include "host/core/errors.h"
+#include "host/core/interrupt.h"
+#include "host/core/progress.h"
+#include "host/render/make_renderer.h"
+#include "host/scene/load.h"
+
+namespace candela::cli {
+namespace {
+
+void requirePixelLimit(const Extent& size) {
+  if (std::uint64_t{size.width} * size.height <= kMaximumImagePixels) return;
+  throw FileError(fmt::format("an image of {}x{} pixels is beyond the limit of {} pixels", size.width, size.height,
+                              kMaximumImagePixels));
+}
+
+// The film alone must fit: to ask for more would not fail, but drive the machine into swapping or worse.
+void requireMemoryForFilm(const Extent& size) {
+  const double needed = static_cast<double>(size.width) * size.height * sizeof(FilmPixel);
+  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed <= present) return;
+  constexpr double kGiB = 1024.0 * 1024 * 1024;
+  throw OutOfMemoryError(fmt::format("an image of {}x{} pixels needs {:.1f} GiB; this machine has {:.1f} GiB",
+                                     size.width, size.height, needed / kGiB, present / kGiB));
+}
+
+AccelKind requestedAccel(const Scene& scene, const Log& log) {
+  constexpr std::uint32_t kNone = 0;
+  constexpr std::uint32_t kGrid = 1;
+  if (scene.requestedAccel == kNone) return AccelKind::none;
+  if (scene.requestedAccel == kGrid) log.note("the file asks for a uniform grid; a BVH takes its place");
+  return AccelKind::bvh;
+}
+
+}  // namespace
+
+void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
+  if (!arguments.sampleCount && scene.requestedSamples) {
+    log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
+  }
+  if (!arguments.sampleCount) arguments.sampleCount = scene.requestedSamples.value_or(RenderSettings{}.sampleCount);
+  if (!arguments.accel) arguments.accel = requestedAccel(scene, log);
+  if (!arguments.size) arguments.size = Extent{scene.camera->width, scene.camera->height};
+  arguments.settings.sampleCount = *arguments.sampleCount;
+  arguments.settings.accel = *arguments.accel;
+  arguments.settings.size = *arguments.size;
+}
+
+RenderJob loadJob(const Arguments& arguments, const Log& log) {
+  const double start = monotonicSeconds();
+  LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
+  for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  requireCamera(loaded.scene);
+  RenderJob job{arguments, {}, std::move(loaded.scene), 0};
+  resolveRequests(job.arguments, job.scene, log);
+  job.settings = job.arguments.settings;
+  job.parseSeconds = monotonicSeconds() - start;
+  requirePixelLimit(job.settings.size);
+  requireMemoryForFilm(job.settings.size);
+  return job;
+}
+
+std::unique_ptr<Renderer> makeRenderer(const std::string& device) {
+  return device == "cpu" ? makeReferenceRenderer() : makeGpuRenderer(device);
+}
+
+RenderResult trace(Renderer& renderer, const RenderJob& job, const Log& log) {
+  Progress progress(std::cerr, progressStyle(log.verbosity()));
+  RenderControl control;
+  control.stop = &watchInterrupts();
+  control.progress = [&](double fraction, std::uint64_t samples) { progress.update(fraction, samples); };
+  RenderResult result = renderer.render(job.scene, job.settings, control);
+  if (result.statistics.truncated != 0) {
+    throw InternalError(
+        fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing "
+                    "is written. Fewer --segments-per-dispatch may help",
+                    result.statistics.truncated));
+  }
+  return result;
+}
+
+}  // namespace candela::cli

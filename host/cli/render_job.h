@@ -1,0 +1,34 @@
+// A scene that is ready to be traced: read, its requests and the command line joined, its limits checked.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "host/cli/arguments.h"
+#include "host/core/log.h"
+#include "host/render/renderer.h"
+#include "host/scene/scene.h"
+
+namespace candela::cli {
+
+struct RenderJob {
+  Arguments arguments;  ///< with nothing left to the file
+  RenderSettings settings;
+  Scene scene;
+  double parseSeconds = 0;
+};
+
+/// Reads the first of `arguments.files`; the file's warnings go to the log. Throws SceneError, FileError and
+/// OutOfMemoryError (a film larger than the machine's memory).
+RenderJob loadJob(const Arguments& arguments, const Log& log);
+
+/// The file's requests take the place of options that are absent. A request for a uniform grid becomes a BVH.
+void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
+
+/// "cpu": the reference; everything else: a Vulkan device. Throws NoDeviceError.
+std::unique_ptr<Renderer> makeRenderer(const std::string& device);
+
+/// Renders with progress on stderr; SIGINT and SIGTERM end it early. Throws InternalError if work was truncated, since
+/// the image would be wrong.
+RenderResult trace(Renderer& renderer, const RenderJob& job, const Log& log);
+
+}  // namespace candela::cli

@@ -1,0 +1,141 @@
+// Derives rates and percentiles, and lays them out.
+#include "host/cli/statistics_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/option_table.h"
+#include "host/core/version.h"
+
+namespace candela::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array kPhases{"parse", "build", "upload", "pipeline", "trace", "readBack", "write", "total"};
+
+double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
+
+// "--max-depth" -> "maxDepth".
+std::string jsonKey(const std::string& optionName) {
+  std::string key;
+  bool raise = false;
+  for (const char character : optionName.substr(2)) {
+    if (character != '-') key += raise ? static_cast<char>(std::toupper(character)) : character;
+    raise = character == '-';
+  }
+  return key;
+}
+
+ordered_json jsonValue(const Option& option, const Arguments& arguments) {
+  const std::vector<std::string> values = option.show(arguments);
+  if (option.isFlag()) return !values.empty();
+  if (values.size() != 1) return values;
+  const ordered_json number = ordered_json::parse(values[0], nullptr, false);
+  return number.is_number() ? number : ordered_json(values[0]);
+}
+
+ordered_json settingsJson(const Arguments& arguments) {
+  ordered_json settings;
+  for (const Option& option : optionTable()) {
+    if (option.group == OptionGroup::image || option.group == OptionGroup::sceneFile) {
+      settings[jsonKey(option.name())] = jsonValue(option, arguments);
+    }
+  }
+  return settings;
+}
+
+ordered_json secondsJson(const RenderReport& report) {
+  ordered_json seconds;
+  for (const char* phase : kPhases) seconds[phase] = 0.0;
+  for (const auto& [phase, value] : report.result.statistics.seconds) seconds[phase] = value;
+  seconds["parse"] = report.job.parseSeconds;
+  seconds["write"] = report.writeSeconds;
+  seconds["total"] = report.totalSeconds;
+  return seconds;
+}
+
+// The smallest value that is not below a share `q` of all (nearest rank); 0 for none.
+double percentile(const std::vector<double>& sorted, double q) {
+  if (sorted.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+ordered_json dispatchJson(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  return {{"count", seconds.size()},
+          {"median", percentile(seconds, 0.5)},
+          {"p99", percentile(seconds, 0.99)},
+          {"max", percentile(seconds, 1)}};
+}
+
+std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
+
+// Leaves of nested objects as "seconds.trace".
+void appendRows(const ordered_json& object, const std::string& prefix, std::string& out) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      appendRows(value, prefix + key + ".", out);
+      continue;
+    }
+    const std::string shown = value.is_number_float() ? fmt::format("{:.5g}", value.get<double>())
+                              : value.is_string()     ? value.get<std::string>()
+                                                      : value.dump();
+    out += fmt::format("{:<32} {}\n", prefix + key, shown);
+  }
+}
+
+}  // namespace
+
+std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+ordered_json toJson(const RenderReport& report) {
+  const RenderStatistics& statistics = report.result.statistics;
+  const std::uint64_t rays = statistics.cameraRays + statistics.bounceRays + statistics.shadowRays;
+  const ordered_json seconds = secondsJson(report);
+  const double traceSeconds = seconds["trace"];
+  ordered_json json;
+  json["version"] = versionText();
+  json["scene"] = report.job.scene.name;
+  json["sceneHash"] = hashText(report.job.scene.hash);
+  json["filmHash"] = hashText(report.result.film.hash());
+  json["settings"] = settingsJson(report.job.arguments);
+  json["interrupted"] = report.result.interrupted;
+  json["device"] = statistics.device;
+  json["driver"] = statistics.driver;
+  json["kernel"] = statistics.kernel;
+  json["structure"] = statistics.structure;
+  json["structureQuality"] = statistics.structureQuality;
+  json["sceneLoads"] = statistics.sceneLoads;
+  json["workgroup"] = extentText(statistics.workgroup);
+  json["tile"] = extentText(statistics.tile);
+  json["segmentsPerDispatch"] = statistics.maxSegmentsPerDispatch;
+  json["threads"] = statistics.threads;
+  json["deviceBytes"] = statistics.deviceBytes;
+  json["samples"] = statistics.samples;
+  json["rays"] = {{"camera", statistics.cameraRays},
+                  {"bounce", statistics.bounceRays},
+                  {"shadow", statistics.shadowRays},
+                  {"total", rays}};
+  json["traversalSteps"] = statistics.traversalSteps;
+  json["verticesPerSample"] = ratio(static_cast<double>(statistics.vertices), static_cast<double>(statistics.samples));
+  json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
+  json["mraysPerSecond"] = ratio(static_cast<double>(rays) / 1e6, traceSeconds);
+  json["truncated"] = statistics.truncated;
+  json["badSamples"] = statistics.badSamples;
+  json["dispatch"] = dispatchJson(statistics.dispatchSeconds);
+  json["seconds"] = seconds;
+  return json;
+}
+
+std::string toText(const RenderReport& report) {
+  std::string out;
+  appendRows(toJson(report), "", out);
+  return out;
+}
+
+}  // namespace candela::cli

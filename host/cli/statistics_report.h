@@ -1,0 +1,25 @@
+// The statistics of a render, for people and for programs.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "host/cli/render_job.h"
+
+namespace candela::cli {
+
+struct RenderReport {
+  const RenderJob& job;
+  const RenderResult& result;
+  double writeSeconds = 0;
+  double totalSeconds = 0;
+};
+
+/// All figures, keys in lowerCamel. Rates are per second of the phase `trace`.
+nlohmann::ordered_json toJson(const RenderReport& report);
+/// The same as a table.
+std::string toText(const RenderReport& report);
+
+/// The hash of a scene or a film as reports write it: 16 hexadecimal digits.
+std::string hashText(std::uint64_t hash);
+
+}  // namespace candela::cli

@@ -1,0 +1,59 @@
+// argv -> command -> exit code, and the only catch.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+#include "host/cli/command_line.h"
+#include "host/cli/commands.h"
+#include "host/cli/help.h"
+#include "host/core/version.h"
+#include "host/vulkan/validation.h"
+
+namespace candela {
+namespace {
+
+ExitCode runCommand(const std::vector<std::string>& words) {
+  const cli::Arguments arguments = cli::parseCommandLine(words);
+  if (arguments.help) {
+    std::cout << cli::helpText(arguments.commandNamed ? std::optional(arguments.command) : std::nullopt) << std::flush;
+    return ExitCode::done;
+  }
+  if (arguments.version) {
+    std::cout << "candela " << versionText() << std::endl;
+    return ExitCode::done;
+  }
+  return cli::commandInfo(arguments.command).run(arguments, Log(std::cerr, arguments.verbosity()));
+}
+
+// What the validation layer says, where it is asked for, is an error of the program whatever the image looks like.
+ExitCode afterValidation(ExitCode code) {
+  const std::vector<std::string> messages = vulkan::validationMessages();
+  for (const std::string& message : messages) std::cerr << "candela: validation: " << message << std::endl;
+  return messages.empty() ? code : ExitCode::internal;
+}
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  std::cerr << "candela: " << message << std::endl;
+  return code;
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+  try {
+    return afterValidation(runCommand(words));
+  } catch (const Error& error) {
+    return afterValidation(fail(error.code(), error.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::outOfMemory, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal, fmt::format("internal error: {}", error.what()));
+  }
+}
+
+}  // namespace
+}  // namespace candela
+
+int main(int argc, char** argv) {
+  return static_cast<int>(candela::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)));
+}
