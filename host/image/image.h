@@ -26,33 +26,53 @@ struct Image {
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
 };
 
-/// The film's means, rounded once to binary32, with variance and counts.
+/// The film's means, rounded once to binary32, with variance and counts. If samples were bad, the metadata entry
+/// "candela.badSamples" says how many.
 Image toImage(const Film& film);
 
 enum class ToneMap { none, srgb, aces, agx, neutral };
 
 /// How linear RGB becomes 8-bit pixels: radiance * 2^exposure, then the curve, then (all but `none`) the sRGB transfer
-/// function, then round(255 x). `none` clips the linear value and applies no transfer function.
+/// function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and negative
+/// values show as black. The curves: `aces` Narkowicz' fit (2016), `agx` Wrensch's polynomial (2023), `neutral` Khronos
+/// PBR Neutral (2024), `srgb` none at all.
 struct DisplayTransform {
   ToneMap toneMap = ToneMap::srgb;
   float exposure = 0;  ///< stops
 };
 glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform);
 
-/// Formats, by extension: .png (8 bit, display transform), .jpg, .hdr, .pfm, .exr (linear; EXR carries channels
-/// R G B, `variance.Y`, `samples` and the metadata as string attributes).
-/// Throws UsageError for an extension that is not one of them.
-void checkImageFormat(const std::filesystem::path& file);
-/// Writes beside, syncs, renames: an error leaves no half-written file. Throws FileError.
-void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
-/// Reads .png, .jpg (decoded from sRGB), .hdr, .pfm and .exr. Hostile files give a FileError, never a crash.
-Image readImage(const std::filesystem::path& file);
-/// 8-bit RGB pixels of a .png, .jpg or .jpeg, 3 bytes each from the top, as stored. Throws FileError.
+/// Largest images that are read or written.
+inline constexpr std::uint32_t kMaximumImageSide = 65535;
+inline constexpr std::uint64_t kMaximumImagePixels = std::uint64_t{1} << 28;
+
+/// 8-bit RGB pixels, 3 bytes each, row by row from the top.
 struct Pixels8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> rgb;
 };
+Pixels8 toPixels8(const Image& image, const DisplayTransform& transform);
+/// Decodes sRGB.
+Image toImage(const Pixels8& pixels);
+
+/// Formats, by extension in any case: .png (8 bit, display transform), .jpg and .jpeg (quality 95), .hdr (Radiance
+/// RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32 linear Rec. 709, ZIP; channels R G
+/// B, `variance.Y`, `samples` as far as the image has them, and the metadata as string attributes). Throws UsageError
+/// for an extension that is not one of them.
+void checkImageFormat(const std::filesystem::path& file);
+/// Writes beside, syncs, renames: an error leaves no half-written file. Equal images give equal bytes. Throws
+/// UsageError for the extension; FileError if the image is empty or too large, for metadata names that EXR reserves,
+/// or if the file cannot be written.
+void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
+/// Reads PNG and JPEG (decoded from sRGB), HDR, PFM and EXR, told apart by their first bytes. Of an EXR file the data
+/// window of the first part is read: R, G and B, or Y alone as grey, `variance.Y`, `samples` and string attributes.
+/// HDR pixels are divided by the file's EXPOSURE; the size of PFM's scale is ignored, only its sign counts.
+/// Hostile files give a FileError, never a crash.
+Image readImage(const std::filesystem::path& file);
+/// The pixels of a PNG or JPEG file as stored. Grey becomes equal channels, palettes are looked up, 16 bits are rounded
+/// to 8, transparent pixels are composed on black, a PNG that states another gamma than sRGB's is converted.
+/// Throws FileError.
 Pixels8 readPixels8(const std::filesystem::path& file);
 
 }  // namespace candela

@@ -1,0 +1,44 @@
+// Reads bytes in order and never past their end.
+#pragma once
+#include <algorithm>
+#include <string_view>
+
+#include "host/core/errors.h"
+#include "host/image/codecs.h"
+
+namespace candela {
+
+class ByteCursor {
+ public:
+  explicit ByteCursor(ByteView bytes) : rest_(bytes) {}
+
+  std::size_t remaining() const { return rest_.size(); }
+
+  /// The next `count` bytes. Throws FileError if there are fewer.
+  ByteView take(std::size_t count) {
+    if (count > rest_.size()) throw FileError("the file is cut short");
+    const ByteView taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  std::uint8_t takeByte() { return std::to_integer<std::uint8_t>(take(1)[0]); }
+
+  /// Characters up to the first one for which `isEnd` holds, which is skipped. Throws FileError if none of the next
+  /// `kMaximumText` does.
+  template <typename Predicate>
+  std::string_view takeUntil(Predicate isEnd) {
+    constexpr std::size_t kMaximumText = 4096;
+    const std::string_view text(reinterpret_cast<const char*>(rest_.data()), std::min(rest_.size(), kMaximumText));
+    const auto end = std::find_if(text.begin(), text.end(), isEnd);
+    if (end == text.end()) throw FileError("the header does not end");
+    const auto length = static_cast<std::size_t>(end - text.begin());
+    take(length + 1);
+    return text.substr(0, length);
+  }
+
+ private:
+  ByteView rest_;
+};
+
+}  // namespace candela

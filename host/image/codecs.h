@@ -1,0 +1,33 @@
+// One encoder and decoder a format, between images and bytes in memory. Internal to the image layer.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/image/image.h"
+
+namespace candela {
+
+using Bytes = std::vector<std::byte>;
+using ByteView = std::span<const std::byte>;
+
+/// Throws FileError unless 1 <= width, height <= kMaximumImageSide and there are at most kMaximumImagePixels. Decoders
+/// call it before they allocate.
+void checkImageSize(std::uint64_t width, std::uint64_t height);
+
+/// Decoders take any bytes and throw FileError, without the file's name, on those that are no image.
+Pixels8 decodePng(ByteView file);
+Pixels8 decodeJpeg(ByteView file);
+Image decodeHdr(ByteView file);
+Image decodePfm(ByteView file);
+Image decodeExr(ByteView file);
+
+/// Encoders take images that pass checkImageSize.
+Bytes encodePng(const Pixels8& pixels);
+Bytes encodeJpeg(const Pixels8& pixels);
+Bytes encodeHdr(const Image& image);
+Bytes encodePfm(const Image& image);
+Bytes encodeExr(const Image& image);
+
+}  // namespace candela

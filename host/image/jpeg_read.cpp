@@ -1,0 +1,108 @@
+// JPEG files by libjpeg. Its errors leave by longjmp, so between setjmp and the jump no object with a destructor lives.
+#include <fmt/format.h>
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include <csetjmp>
+#include <cstdio>
+
+#include "host/core/errors.h"
+#include "host/image/codecs.h"
+
+namespace candela {
+namespace {
+
+/// A progressive file may repeat scans at will, each of which costs a pass over the whole image.
+constexpr int kMaximumScans = 500;
+
+struct ErrorHandler {
+  jpeg_error_mgr base;  // first, so that libjpeg's pointer to it is one to this
+  std::jmp_buf jump;
+  char message[JMSG_LENGTH_MAX];
+};
+
+[[noreturn]] void leave(j_common_ptr info) {
+  auto* handler = reinterpret_cast<ErrorHandler*>(info->err);
+  info->err->format_message(info, handler->message);
+  std::longjmp(handler->jump, 1);
+}
+
+/// Damaged data is only a warning to libjpeg, which would go on with grey pixels.
+void refuseDamage(j_common_ptr info, int level) {
+  const int code = info->err->msg_code;
+  const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR || code == JWRN_ADOBE_XFORM;
+  if (level < 0 && !harmless) leave(info);
+}
+
+void limitScans(j_common_ptr info) {
+  const auto* decompressor = reinterpret_cast<const jpeg_decompress_struct*>(info);
+  if (decompressor->input_scan_number <= kMaximumScans) return;
+  auto* handler = reinterpret_cast<ErrorHandler*>(info->err);
+  std::snprintf(handler->message, sizeof handler->message, "more than %d scans", kMaximumScans);
+  std::longjmp(handler->jump, 1);
+}
+
+class JpegReader {
+ public:
+  explicit JpegReader(ByteView file) {
+    info_.err = jpeg_std_error(&errors_.base);
+    errors_.base.error_exit = leave;
+    errors_.base.emit_message = refuseDamage;
+    if (!open(file)) fail();
+  }
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
+  ~JpegReader() { jpeg_destroy_decompress(&info_); }
+
+  std::uint32_t width() const { return info_.image_width; }
+  std::uint32_t height() const { return info_.image_height; }
+
+  void readRgb(std::uint8_t* rgb) {
+    if (!decode(rgb)) fail();
+  }
+
+ private:
+  bool open(ByteView file) {
+    if (setjmp(errors_.jump)) {
+      jpeg_destroy_decompress(&info_);  // the destructor does not run where the constructor fails
+      return false;
+    }
+    jpeg_create_decompress(&info_);
+    progress_.progress_monitor = limitScans;
+    info_.progress = &progress_;
+    jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(file.data()), file.size());
+    jpeg_read_header(&info_, TRUE);
+    return true;
+  }
+
+  bool decode(std::uint8_t* rgb) {
+    if (setjmp(errors_.jump)) return false;
+    info_.out_color_space = JCS_RGB;
+    jpeg_start_decompress(&info_);
+    while (info_.output_scanline < info_.output_height) {
+      JSAMPROW row = rgb + std::size_t{3} * info_.output_width * info_.output_scanline;
+      jpeg_read_scanlines(&info_, &row, 1);
+    }
+    jpeg_finish_decompress(&info_);
+    return true;
+  }
+
+  [[noreturn]] void fail() const { throw FileError(fmt::format("not a valid JPEG file: {}", errors_.message)); }
+
+  jpeg_decompress_struct info_{};
+  ErrorHandler errors_{};
+  jpeg_progress_mgr progress_{};
+};
+
+}  // namespace
+
+Pixels8 decodeJpeg(ByteView file) {
+  JpegReader reader(file);
+  checkImageSize(reader.width(), reader.height());
+  const std::size_t byteCount = std::size_t{3} * reader.width() * reader.height();
+  Pixels8 pixels{reader.width(), reader.height(), std::vector<std::uint8_t>(byteCount)};
+  reader.readRgb(pixels.rgb.data());
+  return pixels;
+}
+
+}  // namespace candela

@@ -1,0 +1,58 @@
+// PNG, JPEG and HDR files by stb_image_write.
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/core/errors.h"
+#include "host/image/codecs.h"
+
+namespace candela {
+namespace {
+
+constexpr int kJpegQuality = 95;
+
+void append(void* bytes, void* data, int size) {
+  const auto* first = static_cast<const std::byte*>(data);
+  static_cast<Bytes*>(bytes)->insert(static_cast<Bytes*>(bytes)->end(), first, first + size);
+}
+
+Bytes checked(int succeeded, Bytes bytes) {
+  if (!succeeded) throw OutOfMemoryError("not enough memory to compress the image");
+  return bytes;
+}
+
+/// What RGBE can hold: shared exponents up to 2^127. NaN becomes 0.
+float rgbeValue(float value) {
+  constexpr float kLargest = 1.6e38f;
+  return value > 0 ? std::min(value, kLargest) : 0;
+}
+
+}  // namespace
+
+Bytes encodePng(const Pixels8& pixels) {
+  const auto width = static_cast<int>(pixels.width);
+  const auto height = static_cast<int>(pixels.height);
+  Bytes bytes;
+  const int succeeded = stbi_write_png_to_func(append, &bytes, width, height, 3, pixels.rgb.data(), 3 * width);
+  return checked(succeeded, std::move(bytes));
+}
+
+Bytes encodeJpeg(const Pixels8& pixels) {
+  const auto width = static_cast<int>(pixels.width);
+  const auto height = static_cast<int>(pixels.height);
+  Bytes bytes;
+  const int succeeded = stbi_write_jpg_to_func(append, &bytes, width, height, 3, pixels.rgb.data(), kJpegQuality);
+  return checked(succeeded, std::move(bytes));
+}
+
+Bytes encodeHdr(const Image& image) {
+  std::vector<glm::vec3> rgb(image.rgb);
+  for (glm::vec3& pixel : rgb) pixel = {rgbeValue(pixel.x), rgbeValue(pixel.y), rgbeValue(pixel.z)};
+  Bytes bytes;
+  const int succeeded = stbi_write_hdr_to_func(append, &bytes, static_cast<int>(image.width),
+                                               static_cast<int>(image.height), 3, &rgb.data()->x);
+  return checked(succeeded, std::move(bytes));
+}
+
+}  // namespace candela

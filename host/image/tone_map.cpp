@@ -1,0 +1,89 @@
+// From linear radiance to 8-bit pixels.
+#include <algorithm>
+#include <cmath>
+
+#include "host/image/colour_transfer.h"
+#include "host/image/image.h"
+
+namespace candela {
+namespace {
+
+using glm::dmat3;
+using glm::dvec3;
+
+/// Krzysztof Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), channel by channel.
+dvec3 aces(const dvec3& x) { return (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14); }
+
+/// AgX's contrast curve: the polynomial of degree 6 by Benjamin Wrensch.
+dvec3 agxContrast(const dvec3& x) {
+  return -0.00232 + x * (0.1191 + x * (0.4298 + x * (-6.868 + x * (31.96 + x * (-40.14 + x * 15.5)))));
+}
+
+/// Troy Sobotka's AgX in the approximation by Benjamin Wrensch, "Minimal AgX Implementation" (2023), without a look.
+/// Its curve ends in a signal for a display of gamma 2.2, from which the linear value is taken.
+dvec3 agx(const dvec3& linear) {
+  const dmat3 inset(0.842479062253094, 0.0423282422610123, 0.0423756549057051,  //
+                    0.0784335999999992, 0.878468636469772, 0.0784336,           //
+                    0.0792237451477643, 0.0791661274605434, 0.879142973793104);
+  const dmat3 outset(1.19687900512017, -0.0528968517574562, -0.0529716355144438,  //
+                     -0.0980208811401368, 1.15190312990417, -0.0980434501171241,  //
+                     -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
+  constexpr double kMinimumStop = -12.47393;
+  constexpr double kMaximumStop = 4.026069;
+  const dvec3 stops = glm::clamp(glm::log2(inset * linear), kMinimumStop, kMaximumStop);
+  const dvec3 signal = outset * agxContrast((stops - kMinimumStop) / (kMaximumStop - kMinimumStop));
+  return glm::pow(glm::max(signal, 0.0), dvec3(2.2));
+}
+
+/// Khronos PBR Neutral, in the symbols of its specification (KhronosGroup/ToneMapping, 2024).
+dvec3 neutral(const dvec3& linear) {
+  constexpr double kF90 = 0.04;
+  constexpr double kS = 0.8 - kF90;
+  constexpr double kD = 0.15;
+  const double x = std::min({linear.x, linear.y, linear.z});
+  const double f = x <= 2 * kF90 ? x - x * x / (4 * kF90) : kF90;
+  const dvec3 shifted = linear - f;
+  const double p = std::max({shifted.x, shifted.y, shifted.z});
+  if (p <= kS) return shifted;
+  const double pn = 1 - (1 - kS) * (1 - kS) / (p + 1 - 2 * kS);
+  const double g = 1 / (kD * (p - pn) + 1);
+  return shifted * (pn / p * g) + pn * (1 - g);
+}
+
+dvec3 applyCurve(const dvec3& linear, ToneMap toneMap) {
+  switch (toneMap) {
+    case ToneMap::none:
+    case ToneMap::srgb:
+      return linear;
+    case ToneMap::aces:
+      return aces(linear);
+    case ToneMap::agx:
+      return agx(linear);
+    case ToneMap::neutral:
+      return neutral(linear);
+  }
+  return linear;
+}
+
+/// A curve meets finite values >= 0 only. The limit is far above what any of them tells from white.
+double sanitized(double value) {
+  constexpr double kLimit = 1e30;
+  return std::isnan(value) ? 0 : std::clamp(value, 0.0, kLimit);
+}
+
+std::uint8_t quantized(double signal) { return static_cast<std::uint8_t>(std::lround(255 * signal)); }
+
+}  // namespace
+
+glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform) {
+  const double gain = std::exp2(double{transform.exposure});
+  const dvec3 gained = dvec3(linear) * gain;
+  const dvec3 exposed(sanitized(gained.x), sanitized(gained.y), sanitized(gained.z));
+  dvec3 signal = glm::clamp(applyCurve(exposed, transform.toneMap), 0.0, 1.0);
+  if (transform.toneMap != ToneMap::none) {
+    signal = dvec3(srgbEncode(signal.x), srgbEncode(signal.y), srgbEncode(signal.z));
+  }
+  return {quantized(signal.x), quantized(signal.y), quantized(signal.z)};
+}
+
+}  // namespace candela

@@ -1,0 +1,73 @@
+// Files that are there as a whole or not at all.
+#include "host/image/atomic_write.h"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <future>
+
+#include "host/core/errors.h"
+#include "tests/image/temporary_folder.h"
+#include "tests/image/test_images.h"
+
+using namespace candela;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t fileCount(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("an atomic write creates and replaces a file and leaves nothing beside it") {
+  TemporaryFolder folder;
+  writeFileAtomically(folder / "a.txt", toBytes("first"));
+  CHECK(readText(folder / "a.txt") == "first");
+  writeFileAtomically(folder / "a.txt", toBytes("2"));
+  CHECK(readText(folder / "a.txt") == "2");
+  writeFileAtomically(folder / "empty", {});
+  CHECK(fs::file_size(folder / "empty") == 0);
+  CHECK(fileCount(folder.path()) == 2);
+}
+
+TEST_CASE("an atomic write to a relative name works") {
+  TemporaryFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  writeFileAtomically("plain", toBytes("x"));
+  fs::current_path(before);
+  CHECK(readText(folder / "plain") == "x");
+}
+
+TEST_CASE("an atomic write that fails names the file and leaves no trace") {
+  TemporaryFolder folder;
+  CHECK_THROWS_WITH(writeFileAtomically(folder / "no/such/folder", toBytes("x")),
+                    Catch::Contains("no/such/folder") && Catch::Contains("No such file or directory"));
+  fs::create_directory(folder / "directory");
+  writeText(folder / "directory/inside", "x");
+  CHECK_THROWS_AS(writeFileAtomically(folder / "directory", toBytes("x")), FileError);
+  CHECK(fileCount(folder.path()) == 1);
+}
+
+TEST_CASE("an atomic write goes through a symbolic link and keeps it") {
+  TemporaryFolder folder;
+  writeText(folder / "target", "old");
+  fs::create_symlink("target", folder / "link");
+  writeFileAtomically(folder / "link", toBytes("new"));
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(readText(folder / "target") == "new");
+}
+
+TEST_CASE("an atomic write never replaces a device or a pipe") {
+  writeFileAtomically("/dev/null", toBytes("gone"));
+  CHECK(fs::is_character_file("/dev/null"));
+
+  TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  auto reader = std::async(std::launch::async, [&] { return readText(folder / "pipe"); });
+  writeFileAtomically(folder / "pipe", toBytes("through"));
+  CHECK(reader.get() == "through");
+  CHECK(fs::is_fifo(folder / "pipe"));
+}

@@ -1,0 +1,224 @@
+// Image files keep what they promise to keep.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "host/core/errors.h"
+#include "host/image/image.h"
+#include "tests/image/temporary_folder.h"
+#include "tests/image/test_images.h"
+
+using namespace candela;
+
+TEST_CASE("an image of a film has its means, variances and counts") {
+  Film film(2, 1);
+  film.addSample(0, 0, {1, 2, 4}, 0);
+  film.addSample(0, 0, {3, 2, 0}, 1);
+  const Image image = toImage(film);
+  CHECK(image.width == 2);
+  CHECK(image.height == 1);
+  CHECK(image.at(0, 0) == glm::vec3(2, 2, 2));
+  CHECK(image.at(1, 0) == glm::vec3(0));
+  // Luminances 1.9318 and 2.0682: half their squared difference.
+  CHECK(image.luminanceVariance[0] == Approx(0.1364 * 0.1364 / 2).epsilon(1e-6));
+  CHECK(image.sampleCounts == std::vector<std::uint32_t>{2, 0});
+  CHECK(image.metadata.empty());
+
+  film.addSample(1, 0, {-1, 0, 0}, 0);
+  CHECK(toImage(film).metadata.at("candela.badSamples") == "1");
+}
+
+TEST_CASE("EXR files keep every bit of an image") {
+  TemporaryFolder folder;
+  const Image image = testImage(37, 21);
+  writeImage(folder / "a.exr", image, {});
+  const Image back = readImage(folder / "a.exr");
+  CHECK(back.width == 37);
+  CHECK(back.height == 21);
+  CHECK(back.rgb == image.rgb);
+  CHECK(back.luminanceVariance == image.luminanceVariance);
+  CHECK(back.sampleCounts == image.sampleCounts);
+  CHECK(back.metadata == image.metadata);
+}
+
+TEST_CASE("EXR files without variance and counts read as such") {
+  TemporaryFolder folder;
+  Image image = testImage(3, 2);
+  image.luminanceVariance.clear();
+  image.sampleCounts.clear();
+  image.metadata.clear();
+  writeImage(folder / "a.exr", image, {});
+  const Image back = readImage(folder / "a.exr");
+  CHECK(back.rgb == image.rgb);
+  CHECK(back.luminanceVariance.empty());
+  CHECK(back.sampleCounts.empty());
+  CHECK(back.metadata.empty());
+}
+
+TEST_CASE("EXR metadata cannot overwrite what the format needs") {
+  TemporaryFolder folder;
+  Image image = testImage(1, 1);
+  for (const char* name : {"channels", "compression", "type"}) {
+    image.metadata = {{name, "x"}};
+    CHECK_THROWS_WITH(writeImage(folder / "a.exr", image, {}), Catch::Contains(name));
+  }
+  CHECK(!std::filesystem::exists(folder / "a.exr"));
+}
+
+TEST_CASE("PFM files keep every bit of the colours") {
+  TemporaryFolder folder;
+  const Image image = testImage(5, 3);
+  writeImage(folder / "a.pfm", image, {});
+  CHECK(readText(folder / "a.pfm").substr(0, 12) == "PF\n5 3\n-1.0\n");
+  CHECK(std::filesystem::file_size(folder / "a.pfm") == 12 + 5 * 3 * 12);
+  CHECK(readImage(folder / "a.pfm").rgb == image.rgb);
+}
+
+TEST_CASE("PFM files are read in both byte orders, in colour and grey, bottom row first") {
+  TemporaryFolder folder;
+  using namespace std::string_literals;
+  // 1.0f is 3f800000, 2.0f is 40000000.
+  writeText(folder / "big.pfm", "Pf\n1 2\n1.0\n\x3f\x80\0\0\x40\0\0\0"s);
+  const Image big = readImage(folder / "big.pfm");
+  CHECK(big.at(0, 0) == glm::vec3(2));
+  CHECK(big.at(0, 1) == glm::vec3(1));
+  writeText(folder / "little.pfm", "PF 1 1 -5\n\0\0\x80\x3f\0\0\0\x40\0\0\0\0"s);
+  CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(1, 2, 0));
+}
+
+TEST_CASE("HDR files keep colours to one part in 128 of the largest channel") {
+  TemporaryFolder folder;
+  for (const std::uint32_t width : {1u, 7u, 8u, 200u}) {  // below 8 pixels rows are not compressed
+    const Image image = testImage(width, 3);
+    writeImage(folder / "a.hdr", image, {});
+    const Image back = readImage(folder / "a.hdr");
+    REQUIRE(back.rgb.size() == image.rgb.size());
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+      const glm::vec3 difference = image.rgb[i] - back.rgb[i];
+      const float largest = std::max({image.rgb[i].x, image.rgb[i].y, image.rgb[i].z});
+      for (int c = 0; c < 3; ++c) {
+        CHECK(difference[c] >= 0);  // RGBE truncates
+        CHECK(difference[c] <= largest / 128);
+      }
+    }
+  }
+}
+
+TEST_CASE("HDR files hold extremes without wrapping") {
+  TemporaryFolder folder;
+  Image image{8, 1, std::vector<glm::vec3>(8, glm::vec3(1)), {}, {}, {}};
+  image.rgb[0] = glm::vec3(-1, std::nanf(""), 0);
+  image.rgb[1] = glm::vec3(INFINITY, 1, 0);
+  image.rgb[2] = glm::vec3(3e38f, 3e38f, 0);
+  writeImage(folder / "a.hdr", image, {});
+  const Image back = readImage(folder / "a.hdr");
+  CHECK(back.rgb[0] == glm::vec3(0));
+  CHECK(back.rgb[1].x > 1.5e38f);
+  CHECK(back.rgb[2].y > 1.5e38f);
+  CHECK(back.rgb[3] == glm::vec3(1));
+}
+
+TEST_CASE("HDR files of the old kind are read, and divided by their exposures") {
+  TemporaryFolder folder;
+  using namespace std::string_literals;
+  const std::string pixel = "\x80\x40\x20\x81"s;  // mantissas 128 64 32, exponent 2^(129-136): 1, 1/2, 1/4
+  writeText(folder / "old.hdr", "#?RGBE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE= 2\nEXPOSURE=0.5\n\n-Y 1 +X 300\n" + pixel +
+                                    "\1\1\1\x2a"s + "\1\1\1\1"s + "\x80\x80\x80\x80"s);
+  const Image image = readImage(folder / "old.hdr");  // 1 + 42 + 1 * 256 pixels, then one of value 1/2
+  REQUIRE(image.rgb.size() == 300);
+  CHECK(image.rgb[0] == glm::vec3(1, 0.5f, 0.25f));
+  CHECK(image.rgb[298] == glm::vec3(1, 0.5f, 0.25f));
+  CHECK(image.rgb[299] == glm::vec3(0.5f));
+
+  writeText(folder / "exposed.hdr", "#?RADIANCE\nEXPOSURE=4\n\n-Y 1 +X 1\n" + pixel);
+  CHECK(readImage(folder / "exposed.hdr").rgb[0] == glm::vec3(0.25f, 0.125f, 0.0625f));
+}
+
+TEST_CASE("PNG pixels are the display transform of what EXR stores") {
+  TemporaryFolder folder;
+  const Image image = testImage(64, 32);
+  writeImage(folder / "a.exr", image, {});
+  const Image linear = readImage(folder / "a.exr");
+  for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
+    const DisplayTransform transform{toneMap, 1.5f};
+    writeImage(folder / "a.png", image, transform);
+    const Pixels8 stored = readPixels8(folder / "a.png");
+    REQUIRE(stored.width == 64);
+    REQUIRE(stored.height == 32);
+    bool equal = true;
+    for (std::size_t i = 0; i < linear.rgb.size(); ++i) {
+      const glm::u8vec3 expected = toDisplay(linear.rgb[i], transform);
+      for (std::size_t c = 0; c < 3; ++c) {
+        equal = equal && stored.rgb[3 * i + c] == expected[static_cast<glm::length_t>(c)];
+      }
+    }
+    CHECK(equal);
+  }
+}
+
+TEST_CASE("PNG files keep every 8-bit value") {
+  TemporaryFolder folder;
+  const Pixels8 pixels = testPixels();
+  writeImage(folder / "a.png", toImage(pixels), {});
+  CHECK(readPixels8(folder / "a.png").rgb == pixels.rgb);
+  CHECK(readImage(folder / "a.png").rgb == toImage(pixels).rgb);
+}
+
+TEST_CASE("JPEG files come close") {
+  TemporaryFolder folder;
+  Pixels8 pixels{24, 16, {}};
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 24; ++x) {
+      for (const int value : {10 * x, 15 * y, 128}) pixels.rgb.push_back(static_cast<std::uint8_t>(value));
+    }
+  }
+  for (const char* name : {"a.jpg", "a.JPEG"}) {
+    writeImage(folder / name, toImage(pixels), {});
+    const Pixels8 back = readPixels8(folder / name);
+    REQUIRE(back.width == 24);
+    REQUIRE(back.height == 16);
+    for (std::size_t i = 0; i < pixels.rgb.size(); ++i) CHECK(std::abs(int{back.rgb[i]} - pixels.rgb[i]) <= 6);
+  }
+}
+
+TEST_CASE("equal images give equal bytes in every format") {
+  TemporaryFolder folder;
+  const Image image = testImage(33, 40);
+  for (const std::string extension : {".png", ".jpg", ".hdr", ".pfm", ".exr"}) {
+    writeImage(folder / ("a" + extension), image, {});
+    writeImage(folder / ("b" + extension), image, {});
+    CHECK(readText(folder / ("a" + extension)) == readText(folder / ("b" + extension)));
+  }
+}
+
+TEST_CASE("image formats are told by extension when written and by content when read") {
+  checkImageFormat("a.png");
+  checkImageFormat("folder.x/A.ExR");
+  CHECK_THROWS_AS(checkImageFormat("a.bmp"), UsageError);
+  CHECK_THROWS_AS(checkImageFormat("png"), UsageError);
+  CHECK_THROWS_AS(writeImage("a.tiff", testImage(1, 1), {}), UsageError);
+
+  TemporaryFolder folder;
+  writeImage(folder / "a.png", toImage(testPixels()), {});
+  std::filesystem::rename(folder / "a.png", folder / "a.jpg");
+  CHECK(readPixels8(folder / "a.jpg").rgb == testPixels().rgb);
+}
+
+TEST_CASE("images without pixels and folders that do not exist are refused") {
+  TemporaryFolder folder;
+  for (const std::string extension : {".png", ".jpg", ".hdr", ".pfm", ".exr"}) {
+    CHECK_THROWS_AS(writeImage(folder / ("a" + extension), Image(), {}), FileError);
+    CHECK_THROWS_AS(writeImage(folder / ("none/a" + extension), testImage(2, 2), {}), FileError);
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("errors of image files name the file") {
+  TemporaryFolder folder;
+  CHECK_THROWS_WITH(readImage(folder / "none.exr"),
+                    Catch::Contains("none.exr") && Catch::Contains("No such file or directory"));
+  CHECK_THROWS_AS(readImage(folder.path()), FileError);
+  writeText(folder / "text.png", "hello");
+  CHECK_THROWS_WITH(readPixels8(folder / "text.png"), Catch::Contains("text.png"));
+  writeImage(folder / "a.pfm", testImage(1, 1), {});
+  CHECK_THROWS_WITH(readPixels8(folder / "a.pfm"), Catch::Contains("not a PNG or JPEG"));
+}
