@@ -14,10 +14,6 @@ namespace candela::cli {
 
 enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8 };
 
-/// Samples per pixel of `compare SCENE` unless the command line says otherwise; the file's request does not count
-/// there.
-inline constexpr std::uint32_t kComparisonSampleCount = 1;
-
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
   Command command = Command::render;

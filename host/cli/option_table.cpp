@@ -97,7 +97,7 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
   return {
-    valued({"--spp", kTracing, kGroup, "samples per pixel; absent, the file's `spp` goes before the default; `compare` takes 1"},
+    valued({"--spp", kTracing, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),

@@ -52,6 +52,12 @@ void summarise(const RenderReport& report, const Log& log) {
                        report.totalSeconds, report.result.statistics.device));
 }
 
+RenderResult trace(const RenderJob& job, const Log& log) {
+  const std::unique_ptr<Renderer> renderer = makeRenderer(job.arguments.device);
+  Progress progress(std::cerr, progressStyle(log.verbosity()));
+  return renderer->render(job.scene, job.settings, makeControl(progress));
+}
+
 }  // namespace
 
 ExitCode runRender(const Arguments& arguments, const Log& log) {
@@ -59,8 +65,8 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
-  const RenderResult result = trace(*renderer, job, log);
+  const RenderResult result = trace(job, log);
+  requireComplete(result.statistics);
 
   const double writeStart = monotonicSeconds();
   writeImages(job, result);

@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <iostream>
-
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
-#include "host/core/progress.h"
 #include "host/render/make_renderer.h"
 #include "host/scene/load.h"
 
@@ -71,19 +68,19 @@ std::unique_ptr<Renderer> makeRenderer(const std::string& device) {
   return device == "cpu" ? makeReferenceRenderer() : makeGpuRenderer(device);
 }
 
-RenderResult trace(Renderer& renderer, const RenderJob& job, const Log& log) {
-  Progress progress(std::cerr, progressStyle(log.verbosity()));
+RenderControl makeControl(Progress& progress) {
   RenderControl control;
   control.stop = &watchInterrupts();
-  control.progress = [&](double fraction, std::uint64_t samples) { progress.update(fraction, samples); };
-  RenderResult result = renderer.render(job.scene, job.settings, control);
-  if (result.statistics.truncated != 0) {
-    throw InternalError(
-        fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing "
-                    "is written. Fewer --segments-per-dispatch may help",
-                    result.statistics.truncated));
-  }
-  return result;
+  control.progress = [&progress](double fraction, std::uint64_t samples) { progress.update(fraction, samples); };
+  return control;
+}
+
+void requireComplete(const RenderStatistics& statistics) {
+  if (statistics.truncated == 0) return;
+  throw InternalError(
+      fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
+                  "Fewer --segments-per-dispatch may help",
+                  statistics.truncated));
 }
 
 }  // namespace candela::cli

@@ -5,6 +5,7 @@
 
 #include "host/cli/arguments.h"
 #include "host/core/log.h"
+#include "host/core/progress.h"
 #include "host/render/renderer.h"
 #include "host/scene/scene.h"
 
@@ -27,8 +28,10 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
 /// "cpu": the reference; everything else: a Vulkan device. Throws NoDeviceError.
 std::unique_ptr<Renderer> makeRenderer(const std::string& device);
 
-/// Renders with progress on stderr; SIGINT and SIGTERM end it early. Throws InternalError if work was truncated, since
-/// the image would be wrong.
-RenderResult trace(Renderer& renderer, const RenderJob& job, const Log& log);
+/// Progress on stderr; SIGINT and SIGTERM stop.
+RenderControl makeControl(Progress& progress);
+
+/// Throws InternalError if work was truncated, since the image would be wrong.
+void requireComplete(const RenderStatistics& statistics);
 
 }  // namespace candela::cli

@@ -1,0 +1,11 @@
+// `candela compare`: two images, or two tracers.
+#include "host/cli/commands.h"
+#include "host/cli/comparison.h"
+
+namespace candela::cli {
+
+ExitCode runCompare(const Arguments& arguments, const Log& log) {
+  return arguments.files.size() == 2 ? compareImageFiles(arguments) : compareTracersOnScene(arguments, log);
+}
+
+}  // namespace candela::cli

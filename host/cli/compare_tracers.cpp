@@ -1,0 +1,30 @@
+// `candela compare SCENE`: does the device compute what the reference computes?
+#include <iostream>
+
+#include "host/cli/comparison.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_job.h"
+#include "host/render/agreement.h"
+#include "host/render/make_renderer.h"
+
+namespace candela::cli {
+
+ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
+  requireWritableReport(arguments.json);
+  const RenderJob job = loadJob(arguments, log);
+  const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
+  const AgreementReport report = [&] {
+    Progress progress(std::cerr, progressStyle(log.verbosity()));
+    return compareTracers(job.scene, job.settings, *device, *reference, makeControl(progress));
+  }();
+  requireComplete(report.deviceStatistics);
+  if (arguments.json != "-") std::cout << report.toText() << std::flush;
+  writeJson(arguments.json, report.toJson());
+  if (report.interrupted) return ExitCode::interrupted;
+  return report.agree() ? ExitCode::done : ExitCode::differ;
+}
+
+}  // namespace candela::cli
