@@ -1,0 +1,39 @@
+// Axis-aligned boxes in single precision.
+#pragma once
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <limits>
+
+namespace candela {
+
+/// The box of all points p with min <= p <= max on each axis. Starts out empty: min above max.
+struct Aabb {
+  glm::vec3 min{std::numeric_limits<float>::infinity()};
+  glm::vec3 max{-std::numeric_limits<float>::infinity()};
+
+  bool isEmpty() const { return min.x > max.x || min.y > max.y || min.z > max.z; }
+
+  void extend(const glm::vec3& point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+  }
+  void extend(const Aabb& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+
+  bool contains(const Aabb& other) const {
+    return glm::all(glm::lessThanEqual(min, other.min)) && glm::all(glm::greaterThanEqual(max, other.max));
+  }
+
+  glm::dvec3 extent() const { return isEmpty() ? glm::dvec3(0) : glm::dvec3(max) - glm::dvec3(min); }
+  /// In double, so that no finite box overflows; 0 if empty.
+  double surfaceArea() const {
+    const glm::dvec3 e = extent();
+    return 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
+  }
+
+  bool operator==(const Aabb&) const = default;
+};
+
+}  // namespace candela

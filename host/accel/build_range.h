@@ -1,0 +1,78 @@
+// One step of building a hierarchy: summing up a range of boxes, choosing where to split it, and splitting it.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "host/accel/bvh.h"
+
+namespace candela {
+
+/// A box in four lanes, so that compilers make one vector instruction of each line. What lane 3 holds is of no account.
+struct Box4 {
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  alignas(16) float min[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
+  alignas(16) float max[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+
+  void extend(const Box4& other) {
+    for (int i = 0; i < 4; ++i) min[i] = other.min[i] < min[i] ? other.min[i] : min[i];
+    for (int i = 0; i < 4; ++i) max[i] = other.max[i] > max[i] ? other.max[i] : max[i];
+  }
+  void extend(const float (&point)[4]) {
+    for (int i = 0; i < 4; ++i) min[i] = point[i] < min[i] ? point[i] : min[i];
+    for (int i = 0; i < 4; ++i) max[i] = point[i] > max[i] ? point[i] : max[i];
+  }
+  /// Half the surface, in double: no box within +-2^100 overflows. Not of an empty box.
+  double halfArea() const {
+    const double x = double{max[0]} - double{min[0]}, y = double{max[1]} - double{min[1]},
+                 z = double{max[2]} - double{min[2]};
+    return x * y + (x + y) * z;
+  }
+  Aabb toAabb() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
+};
+
+/// A box to be sorted into the tree, with its index in the otherwise unused lane: 32 bytes that move together.
+struct BuildItem {
+  Box4 box;
+
+  BuildItem() = default;
+  BuildItem(const Aabb& bounds, std::uint32_t index);
+  std::uint32_t index() const { return std::bit_cast<std::uint32_t>(box.min[3]); }
+  /// Twice the centre along `axis`, which sorts as the centre does.
+  float centre2(int axis) const { return box.min[axis] + box.max[axis]; }
+};
+static_assert(sizeof(BuildItem) == 32);
+
+/// The boxes of a range together, and the box of their doubled centres.
+struct RangeSummary {
+  Box4 bounds;
+  Box4 centres2;
+
+  void extend(const Box4& box) {
+    float centre[4];
+    for (int i = 0; i < 4; ++i) centre[i] = box.min[i] + box.max[i];
+    bounds.extend(box);
+    centres2.extend(centre);
+  }
+};
+RangeSummary summarize(std::span<const BuildItem> items);
+
+/// A range cut in two: items [0, leftCount) and the rest, both not empty.
+struct RangeSplit {
+  std::size_t leftCount = 0;
+  RangeSummary left;
+  RangeSummary right;
+};
+
+/// Fewest steps down from a node of `itemCount` items to leaves of `maxLeafSize`, by halving.
+std::uint32_t levelsNeeded(std::size_t itemCount, std::uint32_t maxLeafSize);
+
+/// Reorders `items` and cuts them where binned SAH finds it cheapest, or nowhere if they are better off in one leaf.
+/// At most `levels` steps may lie below this node; where the cheapest cut leaves a side that does not fit below, the
+/// median cuts, and it fits: levelsNeeded(items.size()) <= levels. The result is a function of the items' order alone.
+std::optional<RangeSplit> splitRange(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
+                                     const BvhOptions& options);
+
+}  // namespace candela

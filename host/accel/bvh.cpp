@@ -1,0 +1,172 @@
+#include "host/accel/bvh.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "host/accel/build_range.h"
+#include "host/accel/task_pool.h"
+#include "host/core/errors.h"
+
+namespace candela {
+namespace {
+
+constexpr float kMaxMagnitude = 0x1p100f;
+constexpr std::size_t kMaxPrimitives = std::size_t{1} << 31;
+// Ranges below this many items are one task. A constant of the tree, not of the machine.
+constexpr std::size_t kTaskItems = std::size_t{1} << 14;
+
+void requireOptions(const BvhOptions& options, std::size_t itemCount) {
+  if (itemCount > kMaxPrimitives) {
+    throw InternalError(fmt::format("BVH over {} primitives, at most {} fit", itemCount, kMaxPrimitives));
+  }
+  if (options.maxLeafSize < 1) throw InternalError("BVH leaves of 0 primitives");
+  if (!(options.traversalCost > 0 && options.intersectionCost > 0)) {
+    throw InternalError(
+        fmt::format("BVH costs {} and {}, both must be above 0", options.traversalCost, options.intersectionCost));
+  }
+  const std::uint32_t needed = levelsNeeded(itemCount, options.maxLeafSize);
+  if (options.maxDepth < needed) {
+    throw InternalError(fmt::format("BVH depth {} for {} primitives, {} a leaf: at least {} is needed",
+                                    options.maxDepth, itemCount, options.maxLeafSize, needed));
+  }
+}
+
+// Written so that a NaN fails it.
+bool isProper(const Aabb& b) {
+  const bool ordered = b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
+  const bool above = b.min.x >= -kMaxMagnitude && b.min.y >= -kMaxMagnitude && b.min.z >= -kMaxMagnitude;
+  const bool below = b.max.x <= kMaxMagnitude && b.max.y <= kMaxMagnitude && b.max.z <= kMaxMagnitude;
+  return ordered && above && below;
+}
+
+std::vector<BuildItem> makeItems(std::span<const Aabb> bounds) {
+  std::vector<BuildItem> items;
+  items.reserve(bounds.size());
+  for (const Aabb& b : bounds) {
+    if (!isProper(b)) {
+      throw InternalError(fmt::format("BVH box {} is ({} {} {}) to ({} {} {})", items.size(), b.min.x, b.min.y, b.min.z,
+                                      b.max.x, b.max.y, b.max.z));
+    }
+    items.emplace_back(b, static_cast<std::uint32_t>(items.size()));
+  }
+  return items;
+}
+
+// A range of all items on its way into the tree, `levels` steps above the depth limit.
+struct Range {
+  std::size_t first;
+  std::size_t count;
+  std::uint32_t levels;
+  RangeSummary summary;
+};
+
+// The trunk of the tree while it grows: a branch either forks, or has its whole subtree in `nodes`, root first.
+struct Branch {
+  Aabb bounds;
+  std::unique_ptr<std::array<Branch, 2>> fork;
+  std::vector<BvhNode> nodes;
+};
+
+class Builder {
+ public:
+  Builder(std::span<const Aabb> bounds, const BvhOptions& options)
+      : options_(options), items_(makeItems(bounds)), pool_(threadCount(options, bounds.size())) {}
+
+  Bvh build() {
+    grow(root_, {0, items_.size(), options_.maxDepth, summarize(items_)});
+    pool_.wait();
+    Bvh bvh;
+    bvh.nodes.reserve(nodeCount_);
+    bvh.nodes.emplace_back();
+    append(root_, 0, bvh.nodes);
+    bvh.primitiveIndices.reserve(items_.size());
+    for (const BuildItem& item : items_) bvh.primitiveIndices.push_back(item.index());
+    return bvh;
+  }
+
+ private:
+  static std::uint32_t threadCount(const BvhOptions& options, std::size_t itemCount) {
+    if (itemCount < 2 * kTaskItems) return 1;
+    return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  // Forks large ranges, each side a task of its own; small ones become subtrees at once.
+  void grow(Branch& branch, const Range& range) {
+    branch.bounds = range.summary.bounds.toAabb();
+    const auto halves = range.count < kTaskItems ? std::nullopt : divide(range);
+    if (!halves) {
+      branch.nodes.reserve(range.count);
+      branch.nodes.emplace_back();
+      growSubtree(branch.nodes, 0, range);
+      nodeCount_ += branch.nodes.size();
+      return;
+    }
+    nodeCount_ += 1;
+    branch.fork = std::make_unique<std::array<Branch, 2>>();
+    for (std::size_t side : {0, 1}) {
+      pool_.submit([this, &child = (*branch.fork)[side], half = (*halves)[side]] { grow(child, half); });
+    }
+  }
+
+  // Recursion ends at options_.maxDepth.
+  void growSubtree(std::vector<BvhNode>& nodes, std::size_t slot, const Range& range) {
+    const auto halves = divide(range);
+    nodes[slot].bounds = range.summary.bounds.toAabb();
+    if (!halves) {
+      nodes[slot].first = static_cast<std::uint32_t>(range.first);
+      nodes[slot].count = static_cast<std::uint32_t>(range.count);
+      return;
+    }
+    const std::size_t children = nodes.size();
+    nodes[slot].first = static_cast<std::uint32_t>(children);
+    nodes.resize(children + 2);
+    growSubtree(nodes, children, (*halves)[0]);
+    growSubtree(nodes, children + 1, (*halves)[1]);
+  }
+
+  std::optional<std::array<Range, 2>> divide(const Range& range) {
+    const auto items = std::span(items_).subspan(range.first, range.count);
+    const auto split = splitRange(items, range.summary, range.levels, options_);
+    if (!split) return std::nullopt;
+    const std::size_t leftCount = split->leftCount;
+    return {{Range{range.first, leftCount, range.levels - 1, split->left},
+             Range{range.first + leftCount, range.count - leftCount, range.levels - 1, split->right}}};
+  }
+
+  // Puts a branch's root into `slot` and the rest behind all others, as growSubtree() would have done.
+  static void append(Branch& branch, std::size_t slot, std::vector<BvhNode>& out) {
+    const std::size_t behind = out.size();
+    if (branch.fork) {
+      out[slot] = {branch.bounds, static_cast<std::uint32_t>(behind), 0};
+      out.resize(behind + 2);
+      append((*branch.fork)[0], behind, out);
+      append((*branch.fork)[1], behind + 1, out);
+      return;
+    }
+    const auto shift = static_cast<std::uint32_t>(behind - 1);
+    for (BvhNode& node : branch.nodes) node.first += node.isLeaf() ? 0 : shift;
+    out[slot] = branch.nodes.front();
+    out.insert(out.end(), branch.nodes.begin() + 1, branch.nodes.end());
+    branch.nodes = {};
+  }
+
+  const BvhOptions options_;
+  std::vector<BuildItem> items_;
+  Branch root_;
+  std::atomic<std::size_t> nodeCount_ = 0;
+  TaskPool pool_;  ///< last member: its threads end before what they work on
+};
+
+}  // namespace
+
+Bvh buildBvh(std::span<const Aabb> bounds, const BvhOptions& options) {
+  requireOptions(options, bounds.size());
+  if (bounds.empty()) return {};
+  return Builder(bounds, options).build();
+}
+
+}  // namespace candela

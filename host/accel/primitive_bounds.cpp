@@ -1,0 +1,100 @@
+#include "host/accel/primitive_bounds.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host/core/errors.h"
+
+namespace candela {
+namespace {
+
+struct ExactBounds {
+  glm::dvec3 min;
+  glm::dvec3 max;
+};
+
+ExactBounds boundsOf(const Sphere& sphere) {
+  const glm::dvec3 centre(sphere.centre);
+  const glm::dvec3 radius(std::abs(double{sphere.radius}));
+  return {centre - radius, centre + radius};
+}
+
+ExactBounds boundsOf(const Triangle& triangle) {
+  const glm::dvec3 p0(triangle.p[0]), p1(triangle.p[1]), p2(triangle.p[2]);
+  return {glm::min(p0, glm::min(p1, p2)), glm::max(p0, glm::max(p1, p2))};
+}
+
+ExactBounds boundsOf(const Box& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
+
+// The convex hull of a truncated cone is that of its two circles. A circle of radius r about the unit axis w reaches
+// r sqrt(1 - w_i^2) along axis i; 1 - w_i^2 is taken as the sum of the other two squares, which does not cancel.
+ExactBounds boundsOf(const Cone& cone) {
+  const glm::dvec3 base(cone.base), apex(cone.apex);
+  const glm::dvec3 w = glm::normalize(apex - base);
+  const glm::dvec3 reach = glm::sqrt(glm::dvec3(w.y * w.y + w.z * w.z, w.z * w.z + w.x * w.x, w.x * w.x + w.y * w.y));
+  const glm::dvec3 atBase = reach * double{cone.baseRadius}, atApex = reach * double{cone.apexRadius};
+  return {glm::min(base - atBase, apex - atApex), glm::max(base + atBase, apex + atApex)};
+}
+
+float roundDown(double x) {
+  const float nearest = static_cast<float>(x);
+  return double{nearest} <= x ? nearest : std::nextafter(nearest, -INFINITY);
+}
+
+Aabb padOutward(const ExactBounds& exact) {
+  const glm::dvec3 magnitudes = glm::max(glm::abs(exact.min), glm::abs(exact.max));
+  const double largest = std::max({magnitudes.x, magnitudes.y, magnitudes.z});
+  const glm::dvec3 min = exact.min - largest * double{kBoundsPad};
+  const glm::dvec3 max = exact.max + largest * double{kBoundsPad};
+  return {{roundDown(min.x), roundDown(min.y), roundDown(min.z)},
+          {-roundDown(-max.x), -roundDown(-max.y), -roundDown(-max.z)}};
+}
+
+std::optional<ExactBounds> exactBounds(const Scene& scene, const Primitive& primitive) {
+  switch (primitive.kind) {
+    case PrimitiveKind::sphere:
+      return boundsOf(scene.spheres[primitive.index]);
+    case PrimitiveKind::triangle:
+      return boundsOf(scene.triangles[primitive.index]);
+    case PrimitiveKind::box:
+      return boundsOf(scene.boxes[primitive.index]);
+    case PrimitiveKind::cone:
+      return boundsOf(scene.cones[primitive.index]);
+    case PrimitiveKind::plane:
+      return std::nullopt;
+  }
+  throw InternalError(fmt::format("unknown primitive kind {}", static_cast<int>(primitive.kind)));
+}
+
+}  // namespace
+
+std::optional<Aabb> primitiveBounds(const Scene& scene, const Primitive& primitive) {
+  const std::optional<ExactBounds> exact = exactBounds(scene, primitive);
+  if (!exact) return std::nullopt;
+  const Aabb bounds = padOutward(*exact);
+  const Aabb limits{glm::vec3(-kMaxCoordinate), glm::vec3(kMaxCoordinate)};
+  if (!limits.contains(bounds)) {
+    throw FileError(fmt::format("{}: a primitive reaches beyond {:.3g}, the largest coordinate that can be traced",
+                                scene.name.empty() ? "scene" : scene.name, kMaxCoordinate));
+  }
+  return bounds;
+}
+
+SceneBounds boundPrimitives(const Scene& scene) {
+  SceneBounds result;
+  result.bounds.reserve(scene.primitives.size());
+  result.finite.reserve(scene.primitives.size());
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+    const std::optional<Aabb> bounds = primitiveBounds(scene, scene.primitives[i]);
+    if (!bounds) {
+      result.infinite.push_back(i);
+      continue;
+    }
+    result.bounds.push_back(*bounds);
+    result.finite.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace candela

@@ -1,0 +1,42 @@
+// Runs tasks that may start further tasks, on a fixed number of threads.
+#pragma once
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace candela {
+
+/// Threads live from construction to destruction. The thread that calls wait() works too, so `threadCount` 1 starts
+/// none. Tasks run in no particular order.
+class TaskPool {
+ public:
+  explicit TaskPool(std::uint32_t threadCount);
+  ~TaskPool();
+  TaskPool(const TaskPool&) = delete;
+  TaskPool& operator=(const TaskPool&) = delete;
+
+  /// From any thread, also from within a task.
+  void submit(std::function<void()> task);
+  /// Returns when all tasks are done, those included that they submitted. Rethrows the first exception of a task;
+  /// tasks not begun by then are dropped.
+  void wait();
+
+ private:
+  void work();
+  void runOne(std::unique_lock<std::mutex>& lock);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::function<void()>> queue_;
+  std::size_t unfinishedCount_ = 0;  ///< queued or running
+  std::exception_ptr failure_;
+  bool closing_ = false;
+  std::vector<std::jthread> threads_;  ///< last member: joined before the rest goes
+};
+
+}  // namespace candela

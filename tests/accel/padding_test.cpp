@@ -1,0 +1,165 @@
+// The promise of primitive_bounds.h: no ray that a primitive test accepts, in either precision, is lost at its box.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "tests/accel/inputs.h"
+#include "tests/accel/ray_tests.h"
+
+using namespace candela;
+using namespace candela::test;
+
+namespace {
+
+// A place and a size for primitives and rays.
+struct Setting {
+  const char* name;
+  glm::dvec3 centre;
+  double scale;
+};
+
+const Setting kSettings[] = {
+    {"at the origin", {0, 0, 0}, 1},
+    {"at the origin, small", {0, 0, 0}, 1e-3},
+    {"far away", {148376, 1234, -223423}, 1},
+    {"far away, large", {148376, 1234, -223423}, 1e3},
+    {"far away, a few float spacings large", {148376, 1234, -223423}, 0.25},
+};
+
+glm::dvec3 across(const glm::dvec3& v, Random& random) { return glm::normalize(glm::cross(v, random.direction())); }
+
+// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just meet, or miss: on an
+// edge, a rim, or, for a sphere, on the outline as seen from `eye`.
+glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
+                         Scene& scene) {
+  const auto point = [&] { return glm::vec3(setting.centre + setting.scale * random.inCube(-1, 1)); };
+  const auto length = [&] { return static_cast<float>(setting.scale * std::exp2(random.real(-10, 0))); };
+  scene.primitives = {{kind, 0, 0}};
+  switch (kind) {
+    case PrimitiveKind::sphere: {
+      const Sphere sphere{point(), length()};
+      scene.spheres = {sphere};
+      const glm::dvec3 toCentre = glm::dvec3(sphere.centre) - eye;
+      const double sine = std::min(1.0, double{sphere.radius} / glm::length(toCentre));
+      const glm::dvec3 outline =
+          across(toCentre, random) * std::sqrt(1 - sine * sine) - glm::normalize(toCentre) * sine;
+      return glm::dvec3(sphere.centre) + double{sphere.radius} * outline;
+    }
+    case PrimitiveKind::triangle: {
+      const glm::vec3 p = point();
+      const float size = length();
+      const auto near = [&] { return p + size * glm::vec3(random.direction()); };
+      scene.triangles = {{{p, near(), near()}}};
+      if (random.real() < 0.2) scene.triangles[0].p[2].y = scene.triangles[0].p[1].y = p.y;
+      const auto& corners = scene.triangles[0].p;
+      return glm::mix(glm::dvec3(corners[0]), glm::dvec3(corners[1]), std::max(0.0, random.real(-0.2, 1)));
+    }
+    case PrimitiveKind::box: {
+      const Aabb box = boxAround(glm::dvec3(point()), {length(), length(), length()});
+      scene.boxes = {{box.min, box.max}};
+      return {box.min.x, box.max.y, random.real(double{box.min.z}, double{box.max.z})};
+    }
+    default: {
+      const Cone cone{point(), length(), point(), random.real() < 0.3 ? 0 : length()};
+      scene.cones = {cone};
+      const glm::dvec3 axis = glm::dvec3(cone.apex) - glm::dvec3(cone.base);
+      if (axis == glm::dvec3(0)) scene.primitives.clear();
+      return glm::dvec3(cone.base) + double{cone.baseRadius} * across(axis, random);
+    }
+  }
+}
+
+glm::dvec3 makeEye(const Setting& setting, Random& random) {
+  const double choice = random.real();
+  if (choice < 0.4) return setting.centre + setting.scale * random.inCube(-2, 2);
+  if (choice < 0.7) return setting.centre + 1000 * setting.scale * random.direction();
+  if (choice < 0.9) return random.inCube(-1, 1);
+  return glm::dvec3(0);
+}
+
+struct Tally {
+  int hits = 0;
+  int lost = 0;
+};
+
+template <class T>
+void count(const Ray<float>& ray, const Scene& scene, const Aabb& box, Tally& tally) {
+  const Ray<T> same{Vec<T>(ray.origin), Vec<T>(ray.direction)};
+  const auto t = intersect(same, scene, scene.primitives[0]);
+  if (!t) return;
+  ++tally.hits;
+  // The box must not only be met but met in time, or a hit that is nearer than all others is still skipped.
+  if (!SlabRay<float>(ray).enter(box, static_cast<float>(*t))) ++tally.lost;
+}
+
+}  // namespace
+
+TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
+  constexpr int kRays = 70000;
+  for (const PrimitiveKind kind :
+       {PrimitiveKind::sphere, PrimitiveKind::triangle, PrimitiveKind::box, PrimitiveKind::cone}) {
+    for (const Setting& setting : kSettings) {
+      INFO("kind " << static_cast<int>(kind) << ", " << setting.name);
+      Random random(11);
+      Tally exact, rounded;
+      for (int i = 0; i < kRays; ++i) {
+        Scene scene;
+        const glm::vec3 eye(makeEye(setting, random));
+        const glm::dvec3 target = makePrimitive(kind, setting, glm::dvec3(eye), random, scene);
+        const glm::dvec3 path = target - glm::dvec3(eye);
+        if (scene.primitives.empty() || path == glm::dvec3(0)) continue;
+        Ray<float> ray{eye, glm::vec3(glm::normalize(path))};
+        if (random.real() < 0.1) ray.direction = glm::vec3(0, 0, i % 2 ? 1 : -1);
+        const Aabb box = *primitiveBounds(scene, scene.primitives[0]);
+        count<double>(ray, scene, box, exact);
+        count<float>(ray, scene, box, rounded);
+      }
+      CHECK(exact.lost == 0);
+      CHECK(rounded.lost == 0);
+      // Rays at an edge hit about as often as they miss.
+      CHECK(exact.hits > kRays / 20);
+      CHECK(rounded.hits > kRays / 20);
+    }
+  }
+}
+
+TEST_CASE("without the pads hits are lost, so that the test above tests something") {
+  Random random(12);
+  const Setting setting = kSettings[0];
+  Tally tally;
+  for (int i = 0; i < 20000; ++i) {
+    Scene scene;
+    const glm::vec3 eye(makeEye(setting, random));
+    const glm::dvec3 target = makePrimitive(PrimitiveKind::box, setting, glm::dvec3(eye), random, scene);
+    const Ray<float> ray{eye, glm::vec3(glm::normalize(target - glm::dvec3(eye)))};
+    const auto t = intersect(Ray<double>{ray.origin, ray.direction}, scene.boxes[0]);
+    if (!t) continue;
+    ++tally.hits;
+    SlabRay<float> bare(ray);
+    bare.originForMin = bare.originForMax = ray.origin;
+    if (!bare.enter({scene.boxes[0].min, scene.boxes[0].max}, static_cast<float>(*t))) ++tally.lost;
+  }
+  CHECK(tally.hits > 5000);
+  CHECK(tally.lost > 10);
+}
+
+TEST_CASE("a box accepted in single precision has accepted ancestors, at no greater distance") {
+  Random random(13);
+  int accepted = 0;
+  bool monotonic = true;
+  for (int i = 0; i < 200000; ++i) {
+    const Aabb child = boxAround(random.inCube(-1, 1), random.inCube(0, 0.5));
+    Aabb parent = child;
+    for (int face = 0; face < 3; ++face) {
+      if (random.real() < 0.5) parent.min[face] = std::nextafter(parent.min[face], -2.0f);
+      if (random.real() < 0.5) parent.max[face] += static_cast<float>(random.real(0, 1e-6));
+    }
+    const SlabRay<float> ray({glm::vec3(random.inCube(-2, 2)), glm::vec3(random.direction())});
+    const auto atChild = ray.enter(child, 100.0f);
+    if (!atChild) continue;
+    ++accepted;
+    const auto atParent = ray.enter(parent, 100.0f);
+    monotonic = monotonic && atParent && *atParent <= *atChild;
+  }
+  CHECK(accepted > 1000);
+  CHECK(monotonic);
+}
