@@ -1,7 +1,8 @@
 // Reads NFF and P3F files in all their dialects.
 #pragma once
+#include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,12 @@ struct LoadOptions {
   std::vector<std::filesystem::path> allowedPaths;  ///< folders outside the scene's own that `env` may name
 };
 
+/// How many statements of each kind the file had: "sphere", "polygon", "patch", "material", ...
+using StatementCounts = std::map<std::string, std::uint64_t>;
+
 struct LoadedScene {
   Scene scene;
+  StatementCounts counts;
   std::vector<Diagnostic> warnings;
 };
 

@@ -14,12 +14,12 @@ struct Camera {
   glm::vec3 from{0, 0, 1};
   glm::vec3 at{0, 0, 0};
   glm::vec3 up{0, 1, 0};
-  float angle = 45;            ///< vertical field of view, degrees, in (0, 180)
-  float hither = 0;            ///< parsed and kept; neither tracer clips by it
-  std::uint32_t width = 512;   ///< `resolution`, pixels, in [1, 65535]
+  float angle = 45;           ///< vertical field of view, degrees, in (0, 180)
+  float hither = 0;           ///< parsed and kept; neither tracer clips by it
+  std::uint32_t width = 512;  ///< `resolution`, pixels, in [1, 65535]
   std::uint32_t height = 512;
-  float aperture = 0;          ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
-  float focal = 1;             ///< distance of the plane in focus, as a multiple of |from - at|
+  float aperture = 0;  ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
+  float focal = 1;     ///< distance of the plane in focus, as a multiple of |from - at|
 };
 
 /// An `f` line, read in one dialect or another; what the dialect does not give has the default here. The rules that
@@ -29,11 +29,11 @@ struct Material {
   float kd = 1;
   glm::vec3 specular{1, 1, 1};
   float ks = 0;
-  float shine = 1;        ///< Blinn-Phong exponent, >= 0
-  float t = 0;            ///< share of transmitted light
+  float shine = 1;  ///< Blinn-Phong exponent, >= 0
+  float t = 0;      ///< share of transmitted light
   float ior = 1;
-  float ka = 0;           ///< ambient, Whitted only
-  float roughness = 0;    ///< parsed and kept
+  float ka = 0;                 ///< ambient, Whitted only
+  float roughness = 0;          ///< parsed and kept
   glm::vec3 emission{0, 0, 0};  ///< radiance, W/(sr m^2) in arbitrary units, >= 0
 };
 

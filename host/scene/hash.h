@@ -1,0 +1,14 @@
+// FNV-1a, 64 bits.
+#pragma once
+#include <cstdint>
+#include <span>
+
+namespace candela {
+
+/// Continues `hash` over `bytes` (Fowler, Noll, Vo).
+inline std::uint64_t fnv1a(std::span<const std::uint8_t> bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3ull;
+  return hash;
+}
+
+}  // namespace candela

@@ -1,0 +1,86 @@
+// The statement loop: keyword, handler, recovery.
+#include "host/scene/parser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/scene/keywords.h"
+#include "host/scene/number.h"
+#include "host/scene/quote.h"
+
+namespace candela {
+namespace {
+
+void checkSurplus(Parser& parser) {
+  if (!parser.in.numberOnLine()) return;
+  const Token& surplus = parser.tokens.peek();
+  parser.deviation("surplus number", surplus.position,
+                   fmt::format("unexpected number {}; the form is: {}", quote(surplus.text), parser.in.form()));
+  parser.in.skipStatement();
+}
+
+void parseStatement(Parser& parser, const Keyword& keyword) {
+  parser.keyword = parser.in.begin(keyword.form).position;
+  try {
+    keyword.parse(parser);
+    ++parser.counts[std::string(keyword.countedAs)];
+    checkSurplus(parser);
+  } catch (StatementError& error) {
+    parser.log.error(error.position, std::move(error.message));
+    parser.in.skipStatement();
+  }
+}
+
+}  // namespace
+
+void Parser::deviation(const std::string& kind, Position position, const std::string& message) {
+  if (options.lenient) {
+    log.warn(kind, position, message + "; skipped");
+  } else {
+    log.error(position, message);
+  }
+}
+
+void Parser::requireNonNegative(std::string_view what, float value, Position position) {
+  if (value < 0) log.error(position, fmt::format("{} must not be negative", what));
+}
+
+void Parser::requireNonNegative(std::string_view what, const glm::vec3& value, Position position) {
+  requireNonNegative(what, std::min({value.x, value.y, value.z}), position);
+}
+
+std::uint32_t Parser::currentMaterial() {
+  if (!material) {
+    log.warn("default material", keyword, "an object before any material (\"f\") is diffuse white");
+    material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.emplace_back();
+  }
+  return *material;
+}
+
+void skipUnknown(Parser& parser) {
+  const Token token = parser.in.begin({});
+  parser.in.skipStatement();
+  if (looksLikeNumber(token.text)) {
+    const std::string found = quote(token.text);
+    parser.deviation(
+        "stray number", token.position,
+        fmt::format("expected a keyword, found {}; optional numbers must be on the line of their keyword", found));
+    return;
+  }
+  parser.deviation("unknown " + std::string(token.text.substr(0, 40)), token.position, describeUnknown(token.text));
+}
+
+void parseStatements(Parser& parser) {
+  while (!parser.tokens.peek().atEnd() && !parser.log.isFull()) {
+    const Keyword* const keyword = findKeyword(parser.tokens.peek().text);
+    if (keyword) {
+      parseStatement(parser, *keyword);
+    } else {
+      skipUnknown(parser);
+    }
+  }
+}
+
+}  // namespace candela

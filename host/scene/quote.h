@@ -1,0 +1,20 @@
+// Words of a file, made fit to be printed.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace candela {
+
+/// `text` in double quotes, cut at 40 bytes, with anything but printable ASCII and UTF-8 bytes shown as '?': a file
+/// cannot send control sequences to a terminal.
+inline std::string quote(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, kLongest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    quoted += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  return quoted + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+}  // namespace candela

@@ -1,0 +1,123 @@
+// Counts what a scene contains.
+#include "host/scene/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+namespace {
+
+/// A box that grows. Computed in double precision, rounded to nearest at the end.
+class Extent3 {
+ public:
+  void add(const glm::dvec3& centre, const glm::dvec3& halfSize = glm::dvec3(0)) {
+    min_ = glm::min(min_, centre - halfSize);
+    max_ = glm::max(max_, centre + halfSize);
+  }
+  std::optional<SceneReport::Bounds> bounds() const {
+    if (min_.x > max_.x) return std::nullopt;
+    return SceneReport::Bounds{glm::vec3(min_), glm::vec3(max_)};
+  }
+
+ private:
+  glm::dvec3 min_{std::numeric_limits<double>::infinity()};
+  glm::dvec3 max_{-std::numeric_limits<double>::infinity()};
+};
+
+/// A circle around a unit axis reaches r sqrt(1 - axis^2) along each coordinate.
+void addCone(Extent3& extent, const Cone& cone) {
+  const glm::dvec3 base = cone.base;
+  const glm::dvec3 apex = cone.apex;
+  const glm::dvec3 axis = glm::normalize(apex - base);
+  const glm::dvec3 reach = glm::sqrt(glm::max(1.0 - axis * axis, 0.0));
+  extent.add(base, static_cast<double>(cone.baseRadius) * reach);
+  extent.add(apex, static_cast<double>(cone.apexRadius) * reach);
+}
+
+std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
+  Extent3 extent;
+  for (const Sphere& s : scene.spheres) extent.add(s.centre, glm::dvec3(std::abs(static_cast<double>(s.radius))));
+  for (const Triangle& t : scene.triangles) {
+    for (const glm::vec3& corner : t.p) extent.add(corner);
+  }
+  for (const Box& box : scene.boxes) {
+    extent.add(box.min);
+    extent.add(box.max);
+  }
+  for (const Cone& cone : scene.cones) addCone(extent, cone);
+  return extent.bounds();
+}
+
+SceneReport::Lights lightsOf(const Scene& scene) {
+  SceneReport::Lights lights;
+  lights.points = scene.pointLights.size();
+  for (const Primitive& primitive : scene.primitives) {
+    if (!isEmissive(scene.materials[primitive.material])) continue;
+    switch (primitive.kind) {
+      case PrimitiveKind::sphere:
+        ++lights.spheres;
+        break;
+      case PrimitiveKind::triangle:
+        ++lights.triangles;
+        break;
+      case PrimitiveKind::cone:
+        ++lights.cones;
+        break;
+      case PrimitiveKind::plane:
+        ++lights.planes;
+        break;
+      case PrimitiveKind::box:  // an emitting one has become triangles
+        break;
+    }
+  }
+  return lights;
+}
+
+SceneReport::Materials materialsOf(const Scene& scene) {
+  SceneReport::Materials materials;
+  for (const Material& m : scene.materials) {
+    if (isEmissive(m)) ++materials.emitting;
+    if (m.kd == 1) {
+      ++materials.diffuse;
+    } else if (m.ks == 1) {
+      ++materials.mirror;
+    } else if (m.kd == 0 && m.ks == 0) {
+      ++materials.dielectric;
+    } else {
+      ++materials.mixture;
+    }
+  }
+  return materials;
+}
+
+std::optional<std::uint32_t> skySideOf(const Scene& scene) {
+  if (!scene.sky) return std::nullopt;
+  std::uint32_t side = 0;
+  for (const SkyFace& face : scene.sky->faces) side = std::max({side, face.width, face.height});
+  return side;
+}
+
+}  // namespace
+
+SceneReport makeReport(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  SceneReport report;
+  report.name = scene.name;
+  report.statements = loaded.counts;
+  report.primitives = {scene.spheres.size(), scene.triangles.size(), scene.boxes.size(), scene.cones.size(),
+                       scene.planes.size()};
+  report.bounds = boundsOf(scene);
+  report.lights = lightsOf(scene);
+  report.materials = materialsOf(scene);
+  report.camera = scene.camera;
+  report.background = scene.background;
+  report.skySide = skySideOf(scene);
+  report.requestedAccel = scene.requestedAccel;
+  report.requestedSamples = scene.requestedSamples;
+  report.hash = scene.hash;
+  for (const Diagnostic& warning : loaded.warnings) report.warnings.push_back(toString(warning));
+  return report;
+}
+
+}  // namespace candela

@@ -1,0 +1,108 @@
+// A scene report as text and as JSON.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/scene/report.h"
+
+namespace candela {
+namespace {
+
+using nlohmann::json;
+
+json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+json toJson(const Camera& camera) {
+  return {{"from", toJson(camera.from)}, {"at", toJson(camera.at)}, {"up", toJson(camera.up)},
+          {"angle", camera.angle},       {"hither", camera.hither}, {"resolution", {camera.width, camera.height}},
+          {"aperture", camera.aperture}, {"focal", camera.focal}};
+}
+
+template <typename Value, typename Convert>
+json orNull(const std::optional<Value>& value, Convert convert) {
+  return value ? convert(*value) : json(nullptr);
+}
+
+std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
+
+std::string toText(const Camera& c) {
+  return fmt::format("from {}, at {}, up {}, angle {:g}, {} x {}, aperture {:g}, focal {:g}", toText(c.from),
+                     toText(c.at), toText(c.up), c.angle, c.width, c.height, c.aperture, c.focal);
+}
+
+std::string statementsText(const StatementCounts& counts) {
+  std::string text;
+  for (const auto& [kind, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+  return text.empty() ? "none" : text;
+}
+
+std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace
+
+std::string toText(const SceneReport& r) {
+  const auto& [spheres, triangles, boxes, cones, planes] = r.primitives;
+  const auto& lights = r.lights;
+  const auto& materials = r.materials;
+  std::string text = r.name + '\n';
+  const auto line = [&](std::string_view label, const std::string& value) {
+    text += fmt::format("  {:<12}{}\n", label, value);
+  };
+  line("statements", statementsText(r.statements));
+  line("primitives", fmt::format("{}: spheres {}, triangles {}, boxes {}, cones {}, planes {}", r.primitives.total(),
+                                 spheres, triangles, boxes, cones, planes));
+  line("bounds", r.bounds ? fmt::format("{} to {}", toText(r.bounds->min), toText(r.bounds->max)) : "none");
+  line("lights", fmt::format("{}: spheres {}, triangles {}, cones {}, planes {}, points {}", lights.total(),
+                             lights.spheres, lights.triangles, lights.cones, lights.planes, lights.points));
+  line("materials",
+       fmt::format("{}: diffuse {}, mirror {}, dielectric {}, mixture {}; {} emit", materials.total(),
+                   materials.diffuse, materials.mirror, materials.dielectric, materials.mixture, materials.emitting));
+  line("camera", r.camera ? toText(*r.camera) : "none");
+  line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
+  if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
+  if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
+  line("hash", hashText(r.hash));
+  for (const std::string& warning : r.warnings) line("warning", warning);
+  return text;
+}
+
+json toJson(const SceneReport& r) {
+  const auto same = [](const auto& value) { return json(value); };
+  const auto bounds = [](const SceneReport::Bounds& b) { return json{{"min", toJson(b.min)}, {"max", toJson(b.max)}}; };
+  const auto camera = [](const Camera& c) { return toJson(c); };
+  return {
+      {"name", r.name},
+      {"hash", hashText(r.hash)},
+      {"statements", r.statements},
+      {"primitives",
+       {{"total", r.primitives.total()},
+        {"spheres", r.primitives.spheres},
+        {"triangles", r.primitives.triangles},
+        {"boxes", r.primitives.boxes},
+        {"cones", r.primitives.cones},
+        {"planes", r.primitives.planes}}},
+      {"bounds", orNull(r.bounds, bounds)},
+      {"lights",
+       {{"total", r.lights.total()},
+        {"spheres", r.lights.spheres},
+        {"triangles", r.lights.triangles},
+        {"cones", r.lights.cones},
+        {"planes", r.lights.planes},
+        {"points", r.lights.points}}},
+      {"materials",
+       {{"total", r.materials.total()},
+        {"diffuse", r.materials.diffuse},
+        {"mirror", r.materials.mirror},
+        {"dielectric", r.materials.dielectric},
+        {"mixture", r.materials.mixture},
+        {"emitting", r.materials.emitting}}},
+      {"camera", orNull(r.camera, camera)},
+      {"background", toJson(r.background)},
+      {"skySide", orNull(r.skySide, same)},
+      {"requestedAccel", orNull(r.requestedAccel, same)},
+      {"requestedSamples", orNull(r.requestedSamples, same)},
+      {"warnings", r.warnings},
+  };
+}
+
+}  // namespace candela

@@ -1,0 +1,26 @@
+// What can only be said of a scene once all of it has been read.
+#include "host/scene/scene_checks.h"
+
+#include <algorithm>
+
+namespace candela {
+namespace {
+
+bool hasLight(const Scene& scene) {
+  if (scene.sky || scene.background != glm::vec3(0)) return true;
+  const auto shines = [](const PointLight& light) { return light.colour != glm::vec3(0); };
+  if (std::ranges::any_of(scene.pointLights, shines)) return true;
+  const auto emits = [&](const Primitive& primitive) { return isEmissive(scene.materials[primitive.material]); };
+  return std::ranges::any_of(scene.primitives, emits);
+}
+
+}  // namespace
+
+void checkScene(const Scene& scene, DiagnosticLog& log) {
+  if (scene.primitives.empty()) log.warn("no objects", {}, "the scene has no objects");
+  if (hasLight(scene)) return;
+  log.warn("no light", {},
+           "the image will be black: no object emits, there is no point light, and the background is black");
+}
+
+}  // namespace candela

@@ -1,0 +1,79 @@
+// Reads the six images of a sky box, from permitted places only.
+#include "host/scene/sky.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/core/errors.h"
+#include "host/image/image.h"
+#include "host/scene/quote.h"
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kFaceNames{"right", "left", "top", "bottom", "front", "back"};
+constexpr std::array kExtensions{".jpg", ".jpeg", ".png"};
+
+/// Absolute, without links and dots; what does not exist is taken as it is written. Empty if that fails.
+fs::path resolve(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return {};
+  const fs::path resolved = fs::weakly_canonical(absolute, error);
+  return error ? fs::path{} : resolved;
+}
+
+bool lies(const fs::path& resolvedPath, const fs::path& folder) {
+  fs::path base = resolve(folder);
+  if (resolvedPath.empty() || base.empty()) return false;
+  if (base.filename().empty()) base = base.parent_path();  // a trailing slash
+  return std::mismatch(base.begin(), base.end(), resolvedPath.begin(), resolvedPath.end()).first == base.end();
+}
+
+void requirePermitted(const fs::path& path, const std::vector<fs::path>& permitted) {
+  const fs::path resolved = resolve(path);
+  const bool inside = std::ranges::any_of(permitted, [&](const fs::path& folder) { return lies(resolved, folder); });
+  if (inside) return;
+  throw FileError(
+      fmt::format("{} leads outside the scene's folder; --allow-path FOLDER permits it", quote(path.string())));
+}
+
+fs::path findFace(const fs::path& folder, const std::string& name) {
+  for (const char* extension : kExtensions) {
+    const fs::path file = folder / (name + extension);
+    std::error_code error;
+    if (fs::exists(file, error)) return file;
+  }
+  throw FileError(fmt::format("the sky box {} has no {}.jpg or {}.png", quote(folder.string()), name, name));
+}
+
+SkyFace readFace(const fs::path& file) {
+  Pixels8 pixels = readPixels8(file);
+  const bool fits = pixels.width <= kLargestSkySide && pixels.height <= kLargestSkySide;
+  if (!fits) {
+    throw FileError(fmt::format("{} is {} x {} pixels; a sky's face may have {} a side", quote(file.string()),
+                                pixels.width, pixels.height, kLargestSkySide));
+  }
+  return {pixels.width, pixels.height, std::move(pixels.rgb)};
+}
+
+}  // namespace
+
+std::optional<Sky> loadSky(const fs::path& folder, const std::vector<fs::path>& permitted) {
+  requirePermitted(folder, permitted);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return std::nullopt;
+  Sky sky;
+  for (std::size_t i = 0; i < kFaceNames.size(); ++i) {
+    const fs::path file = findFace(folder, kFaceNames[i]);
+    requirePermitted(file, permitted);
+    sky.faces[i] = readFace(file);
+  }
+  return sky;
+}
+
+}  // namespace candela

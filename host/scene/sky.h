@@ -1,0 +1,18 @@
+// Reads the six images of a sky box, from permitted places only.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "host/scene/scene.h"
+
+namespace candela {
+
+/// Longest side of a face, in texels.
+inline constexpr std::uint32_t kLargestSkySide = 8192;
+
+/// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
+/// resolved, must lie in one of `permitted`. Empty if there is no such folder. Throws FileError.
+std::optional<Sky> loadSky(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& permitted);
+
+}  // namespace candela

@@ -1,0 +1,70 @@
+// `p` and `pp`: polygons and patches, split into triangles.
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "host/scene/parser.h"
+#include "host/scene/scene_builder.h"
+#include "host/scene/statements.h"
+#include "host/scene/triangulate.h"
+
+namespace candela {
+namespace {
+
+constexpr std::int64_t kMostVertices = 16384;  ///< splitting takes time quadratic in it
+
+/// The vertex count, checked against what the rest of the file can hold.
+std::size_t readCount(Parser& parser, std::size_t numbersPerVertex) {
+  const auto count = static_cast<std::size_t>(parser.in.wholeNumber("the number of vertices", 3, kMostVertices));
+  const std::size_t most = (parser.tokens.bytesLeft() + 1) / 2 / numbersPerVertex;
+  if (count <= most) return count;
+  StatementReader::fail(parser.in.lastNumber(), fmt::format("{} vertices do not fit into the rest of the file", count));
+}
+
+glm::vec3 readNormal(Parser& parser) {
+  const Position position = parser.in.here();
+  const glm::dvec3 normal = parser.in.vector("a vertex normal");
+  const double length = glm::length(normal);
+  if (length == 0) parser.log.error(position, "a vertex normal has length 0");
+  return length == 0 ? glm::vec3(0, 0, 1) : glm::vec3(normal / length);
+}
+
+Triangulation triangulateWithWarnings(Parser& parser, const std::vector<glm::vec3>& vertices) {
+  constexpr double kFlatness = 1e-3;  // of the extent: files print few digits
+  Triangulation split = triangulate(vertices);
+  if (split.planeDeviation > kFlatness) {
+    parser.log.warn("not planar", parser.keyword, "the polygon is not flat; its triangles follow its vertices");
+  }
+  if (!split.simple) {
+    parser.log.warn("crosses itself", parser.keyword, "the polygon crosses itself; its triangles may overlap");
+  }
+  return split;
+}
+
+}  // namespace
+
+void parsePolygon(Parser& parser) {
+  std::vector<glm::vec3> vertices(readCount(parser, 3));
+  for (glm::vec3& vertex : vertices) vertex = parser.in.vector("a vertex");
+  const std::uint32_t material = parser.currentMaterial();
+  for (const auto& [a, b, c] : triangulateWithWarnings(parser, vertices).triangles) {
+    addTriangle(parser.scene, {{vertices[a], vertices[b], vertices[c]}}, material);
+  }
+}
+
+void parsePatch(Parser& parser) {
+  const std::size_t count = readCount(parser, 6);
+  std::vector<glm::vec3> vertices(count), normals(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    vertices[i] = parser.in.vector("a vertex");
+    normals[i] = readNormal(parser);
+  }
+  const std::uint32_t material = parser.currentMaterial();
+  for (const auto& [a, b, c] : triangulateWithWarnings(parser, vertices).triangles) {
+    const auto index = static_cast<std::uint32_t>(parser.scene.vertexNormals.size());
+    parser.scene.vertexNormals.push_back({{normals[a], normals[b], normals[c]}});
+    addTriangle(parser.scene, {{vertices[a], vertices[b], vertices[c]}, index}, material);
+  }
+}
+
+}  // namespace candela

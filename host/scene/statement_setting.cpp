@@ -1,0 +1,61 @@
+// `b`, `env`, `accel` and `spp`: what holds for the whole scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
+#include "host/scene/parser.h"
+#include "host/scene/quote.h"
+#include "host/scene/sky.h"
+#include "host/scene/statements.h"
+
+namespace candela {
+
+void parseBackground(Parser& parser) {
+  const Position position = parser.in.here();
+  parser.scene.background = parser.in.vector("the background's colour");
+  parser.requireNonNegative("the background's colour", parser.scene.background, position);
+}
+
+void parseSky(Parser& parser) {
+  if (!parser.tokens.nextIsOnLine()) parser.in.word("the sky's folder");
+  const Token name = parser.tokens.takeRestOfLine();
+  const bool printable = std::ranges::none_of(name.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  if (!printable) StatementReader::fail(name.position, "the sky's folder has a control character in its name");
+  std::vector<std::filesystem::path> permitted = parser.options.allowedPaths;
+  permitted.push_back(parser.folder);
+  try {
+    parser.scene.sky = loadSky(parser.folder / name.text, permitted);
+  } catch (const FileError& error) {
+    return parser.deviation("sky", name.position, error.what());
+  }
+  if (parser.scene.sky) return;
+  parser.log.warn("no sky", name.position,
+                  fmt::format("there is no folder {}; the background's colour is used", quote(name.text)));
+}
+
+void parseAccel(Parser& parser) {
+  if (parser.in.numberFollows()) {
+    parser.scene.requestedAccel = static_cast<std::uint32_t>(parser.in.wholeNumber("accel", 0, 2));
+    return;
+  }
+  constexpr std::string_view kNames[] = {"none", "grid", "bvh"};
+  const Token word = parser.in.word("0, 1, 2, none, grid or bvh");
+  const auto* const found = std::ranges::find(kNames, word.text);
+  if (found == std::end(kNames)) {
+    StatementReader::fail(word.position,
+                          fmt::format("expected 0, 1, 2, none, grid or bvh, found {}", quote(word.text)));
+  }
+  parser.scene.requestedAccel = static_cast<std::uint32_t>(found - std::begin(kNames));
+}
+
+void parseSamples(Parser& parser) {
+  constexpr std::int64_t kMost = 1'000'000'000;
+  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 1, kMost));
+  parser.scene.requestedSamples = samples;
+  parser.log.warn(
+      "spp", parser.keyword,
+      fmt::format("spp {} is read as {} samples per pixel in total; some programs took it per side", samples, samples));
+}
+
+}  // namespace candela

@@ -1,0 +1,47 @@
+// What a misspelt keyword may have been meant to be.
+#include "host/scene/suggestion.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace candela {
+namespace {
+
+constexpr std::size_t kLongestWord = 24;  ///< nothing longer is a slip of the pen
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
+
+}  // namespace
+
+// Optimal string alignment: the matrix of Wagner and Fischer, three rows of it, with swaps of neighbours.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool equal = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (equal ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], beforeLast[j - 2] + 1);
+    }
+    std::swap(beforeLast, last);
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings) {
+  if (word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> best;
+  std::size_t limit = word.size() / 3 + 1;  // one more than what counts as near
+  for (const Spelling& spelling : spellings) {
+    const std::size_t distance = editDistance(word, spelling.word);
+    if (distance >= limit) continue;
+    limit = distance;
+    best = spelling.keyword;
+  }
+  return best;
+}
+
+}  // namespace candela
