@@ -46,6 +46,8 @@ struct Arguments {
 
   std::set<std::string> given;  ///< names (the long ones) of the options that the command line had
 
+  /// Whether a command that only reports prints its report as text.
+  bool wantsText() const { return !quiet && json != "-"; }
   Verbosity verbosity() const {
     if (quiet) return Verbosity::quiet;
     return verbose ? Verbosity::verbose : Verbosity::normal;

@@ -21,7 +21,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
     return compareTracers(job.scene, job.settings, *device, *reference, makeControl(progress));
   }();
   requireComplete(report.deviceStatistics);
-  if (arguments.json != "-") std::cout << report.toText() << std::flush;
+  if (arguments.wantsText()) std::cout << report.toText() << std::flush;
   writeJson(arguments.json, report.toJson());
   if (report.interrupted) return ExitCode::interrupted;
   return report.agree() ? ExitCode::done : ExitCode::differ;

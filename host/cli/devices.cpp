@@ -49,7 +49,7 @@ ExitCode runDevices(const Arguments& arguments, const Log&) {
   requireWritableReport(arguments.json);
   const std::vector<DeviceInfo> devices = listDevices();
   if (devices.empty()) selectDevice("");  // throws, and says what to install
-  if (arguments.json != "-") {
+  if (arguments.wantsText()) {
     for (const DeviceInfo& device : devices) std::cout << toText(device);
     std::cout << "cpu  the reference tracer, in double precision (--device cpu)\n" << std::flush;
   }

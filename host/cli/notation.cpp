@@ -1,8 +1,6 @@
 // Reading and printing of numbers and sizes.
 #include "host/cli/notation.h"
 
-#include <fmt/format.h>
-
 namespace candela::cli {
 namespace {
 
@@ -49,7 +47,5 @@ std::string joinAlternatives(const std::vector<std::string>& words) {
   }
   return joined;
 }
-
-std::string printReal(double value) { return fmt::format("{}", value); }
 
 }  // namespace candela::cli

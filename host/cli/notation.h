@@ -1,5 +1,7 @@
 // How values are written on the command line: one Notation per kind of value, used for reading, printing and help.
 #pragma once
+#include <fmt/format.h>
+
 #include <charconv>
 #include <functional>
 #include <optional>
@@ -40,7 +42,6 @@ Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);
 
 /// "a, b or c".
 std::string joinAlternatives(const std::vector<std::string>& words);
-std::string printReal(double value);
 
 template <class Real>
 Notation<Real> realNumber(std::string metavar, Real lowest, Real highest) {
@@ -51,8 +52,8 @@ Notation<Real> realNumber(std::string metavar, Real lowest, Real highest) {
     if (!(value >= lowest && value <= highest)) return std::nullopt;
     return value;
   };
-  const std::string expected = "a number from " + printReal(lowest) + " to " + printReal(highest);
-  return {std::move(metavar), expected, parse, [](const Real& value) { return printReal(value); }};
+  const std::string expected = "a number from " + fmt::to_string(lowest) + " to " + fmt::to_string(highest);
+  return {std::move(metavar), expected, parse, [](const Real& value) { return fmt::to_string(value); }};
 }
 
 template <class T>

@@ -1,0 +1,58 @@
+// `candela check`: says what scene files contain, or all that is wrong with them.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/scene/report.h"
+
+namespace candela::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json toJson(const Diagnostic& diagnostic) {
+  return {{"line", diagnostic.line}, {"column", diagnostic.column}, {"message", diagnostic.message}};
+}
+
+ordered_json errorsOf(const FileError& error) {
+  ordered_json errors = ordered_json::array();
+  if (const auto* sceneError = dynamic_cast<const SceneError*>(&error)) {
+    for (const Diagnostic& diagnostic : sceneError->diagnostics) errors.push_back(toJson(diagnostic));
+  } else {
+    errors.push_back(toJson(Diagnostic{"", 0, 0, error.what()}));
+  }
+  return errors;
+}
+
+// One file's entry of the JSON report; text goes out at once. The next file is looked at whatever is wrong with this.
+ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
+  ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
+  try {
+    const SceneReport report = makeReport(loadScene(file, {arguments.lenient, arguments.allowedPaths}));
+    if (arguments.wantsText()) std::cout << candela::toText(report) << std::flush;
+    entry["report"] = candela::toJson(report);
+  } catch (const FileError& error) {
+    log.problem(error.what());
+    entry["valid"] = false;
+    entry["errors"] = errorsOf(error);
+  }
+  return entry;
+}
+
+}  // namespace
+
+ExitCode runCheck(const Arguments& arguments, const Log& log) {
+  requireWritableReport(arguments.json);
+  ordered_json json{{"files", ordered_json::array()}};
+  bool allValid = true;
+  for (const std::string& file : arguments.files) {
+    json["files"].push_back(checkFile(file, arguments, log));
+    allValid = allValid && json["files"].back()["valid"].get<bool>();
+  }
+  writeJson(arguments.json, json);
+  return allValid ? ExitCode::done : ExitCode::file;
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,101 @@
+// Words in, Arguments or a helpful UsageError out.
+#include "host/cli/command_line.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/core/errors.h"
+
+namespace candela::cli {
+namespace {
+
+Arguments parse(const std::vector<std::string>& words) { return parseCommandLine(words); }
+
+std::string messageFor(const std::vector<std::string>& words) {
+  try {
+    parse(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("the word render may be left out") {
+  for (const auto& words : {std::vector<std::string>{"a.p3f", "-o", "a.png"},
+                            {"render", "a.p3f", "-o", "a.png"},
+                            {"-o", "a.png", "a.p3f"},
+                            {"render", "-oa.png", "a.p3f"},
+                            {"--output=a.png", "a.p3f"}}) {
+    const Arguments arguments = parse(words);
+    CHECK(arguments.command == Command::render);
+    CHECK(arguments.files == std::vector<std::string>{"a.p3f"});
+    CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png"});
+  }
+}
+
+TEST_CASE("defaults are those of the settings") {
+  const Arguments arguments = parse({"a.p3f", "-o", "a.png"});
+  CHECK_FALSE(arguments.sampleCount);
+  CHECK_FALSE(arguments.size);
+  CHECK_FALSE(arguments.accel);
+  CHECK(arguments.device.empty());
+  CHECK(arguments.settings.seed == 0);
+  CHECK(arguments.settings.maxDepth == 64);
+  CHECK(arguments.settings.rouletteStart == 5);
+  CHECK(arguments.settings.nextEventEstimation);
+  CHECK(arguments.settings.sampler == SamplerKind::sobol);
+  CHECK(arguments.verbosity() == Verbosity::normal);
+}
+
+TEST_CASE("options may be repeated: outputs add up, of others the last counts") {
+  const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
+  CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
+  CHECK(arguments.settings.seed == 2);
+}
+
+TEST_CASE("a negative number is a value, not an option") {
+  CHECK(parse({"a.p3f", "-o", "a.png", "--exposure", "-1.5"}).display.exposure == -1.5f);
+}
+
+TEST_CASE("a file whose name begins with a dash comes after two dashes") {
+  CHECK(parse({"-o", "a.png", "--", "-a.p3f"}).files == std::vector<std::string>{"-a.p3f"});
+}
+
+TEST_CASE("a wrong command line says what was expected and where help is") {
+  CHECK(messageFor({}) == "no scene given\nsee candela --help");
+  CHECK(messageFor({"a.p3f", "--sp", "4"}) == "unknown option --sp; did you mean --spp?\nsee candela render --help");
+  CHECK(messageFor({"a.p3f", "--size", "70000x1"}) ==
+        "--size: expected WxH with both from 1 to 65535, got \"70000x1\"\nsee candela render --help");
+  CHECK(messageFor({"a.p3f", "--nee", "maybe"}) ==
+        "--nee: expected on or off, got \"maybe\"\nsee candela render --help");
+  CHECK(messageFor({"a.p3f", "-o", "a.png", "--spp"}) == "--spp needs a value\nsee candela render --help");
+  CHECK(messageFor({"a.p3f", "--one-sided=no"}) ==
+        "--one-sided: expected no value, got \"no\"\nsee candela render --help");
+  CHECK(messageFor({"rendr", "a.p3f"}) == "unknown command rendr; did you mean render?\nsee candela --help");
+  CHECK(messageFor({"check"}) == "no scene given\nsee candela check --help");
+  CHECK(messageFor({"a.p3f", "b.p3f", "-o", "a.png"}) ==
+        "too many files: b.p3f is unexpected\nsee candela render --help");
+  CHECK(messageFor({"devices", "--spp", "4"}) ==
+        "--spp is not an option of candela devices\nsee candela devices --help");
+  CHECK(messageFor({"a.p3f"}) ==
+        "no output given: -o FILE writes the image, --stats or --json FILE measure alone\nsee candela render --help");
+  CHECK(messageFor({"a.p3f", "--stats", "--json", "-"}) ==
+        "--stats and --json - both write to stdout\nsee candela render --help");
+}
+
+TEST_CASE("options of one comparison are refused for the other") {
+  CHECK(messageFor({"compare", "a.exr", "b.exr", "--spp", "4"}) ==
+        "--spp is for comparing one scene, not two images\nsee candela compare --help");
+  CHECK(messageFor({"compare", "a.p3f", "--tolerance", "1"}) ==
+        "--tolerance is for comparing two images, not one scene\nsee candela compare --help");
+}
+
+TEST_CASE("help and version need nothing else") {
+  CHECK(parse({"--help"}).help);
+  CHECK_FALSE(parse({"-h"}).commandNamed);
+  CHECK(parse({"compare", "-h"}).commandNamed);
+  CHECK(parse({"--version"}).version);
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,167 @@
+// The option table against what is promised: names, defaults, README.
+#include "host/cli/option_table.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "host/cli/help.h"
+#include "tests/cli/run_program.h"
+
+namespace candela::cli {
+namespace {
+
+const Option& find(const std::string& name) {
+  const auto& table = optionTable();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name() == name; });
+  REQUIRE(found != table.end());
+  return *found;
+}
+
+// The text between "```text" and "```" after a marker.
+std::string readmeBlock(const std::string& marker) {
+  const std::string readme = readFile(CANDELA_SOURCE_DIR "/README.md");
+  const std::string opening = "```text\n";
+  const std::size_t start = readme.find(opening, readme.find("<!-- " + marker));
+  REQUIRE(start != std::string::npos);
+  return readme.substr(start + opening.size(), readme.find("```\n", start + 1) - start - opening.size());
+}
+
+}  // namespace
+
+TEST_CASE("every option has the promised name, value and default") {
+  struct Promise {
+    const char* names;
+    const char* metavar;
+    const char* defaultText;
+  };
+  const std::vector<Promise> promises{{"-o,--output", "FILE", ""},
+                                      {"--spp", "N", "16"},
+                                      {"--seed", "N", "0"},
+                                      {"--size", "WxH", "the file's"},
+                                      {"--max-depth", "N", "64"},
+                                      {"--rr-start", "N", "5"},
+                                      {"--integrator", "path", "path"},
+                                      {"--nee", "on|off", "on"},
+                                      {"--sampler", "independent|stratified|sobol", "sobol"},
+                                      {"--filter", "box|tent", "box"},
+                                      {"--lens", "disc|square", "disc"},
+                                      {"--accel", "bvh|none", "bvh"},
+                                      {"--one-sided", "", ""},
+                                      {"--lenient", "", ""},
+                                      {"--allow-path", "DIR", ""},
+                                      {"--device", "cpu|N|SUBSTRING", "the best GPU"},
+                                      {"--workgroup", "XxY", "8x8"},
+                                      {"--tile", "WxH", "auto"},
+                                      {"--segments-per-dispatch", "N", "auto"},
+                                      {"-t,--threads", "N", "0"},
+                                      {"--tonemap", "none|srgb|aces|agx|neutral", "srgb"},
+                                      {"--exposure", "STOPS", "0"},
+                                      {"--tolerance", "T", ""},
+                                      {"--diff", "FILE", ""},
+                                      {"--flip", "FILE", ""},
+                                      {"--stats", "", ""},
+                                      {"--json", "FILE", ""},
+                                      {"-q,--quiet", "", ""},
+                                      {"-v,--verbose", "", ""},
+                                      {"--version", "", ""},
+                                      {"-h,--help", "", ""}};
+  CHECK(optionTable().size() == promises.size());
+  for (const Promise& promise : promises) {
+    const std::string names = promise.names;
+    const Option& option = find(names.substr(names.rfind(',') + 1));
+    CHECK(option.names == names);
+    CHECK(option.metavar == promise.metavar);
+    CHECK(option.defaultText == promise.defaultText);
+    CHECK_FALSE(option.help.empty());
+  }
+}
+
+TEST_CASE("an option shows the value that it was given") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> samples{
+      {"--spp", {"1", "16", "1073741824"}},
+      {"--seed", {"0", "4294967295"}},
+      {"--size", {"1x1", "65535x65535"}},
+      {"--max-depth", {"1", "5000"}},
+      {"--rr-start", {"0", "9"}},
+      {"--nee", {"off", "on"}},
+      {"--sampler", {"independent", "stratified", "sobol"}},
+      {"--filter", {"tent", "box"}},
+      {"--lens", {"square", "disc"}},
+      {"--accel", {"none", "bvh"}},
+      {"--device", {"cpu", "llvmpipe"}},
+      {"--workgroup", {"16x4"}},
+      {"--tile", {"7x9", "auto"}},
+      {"--segments-per-dispatch", {"1", "auto"}},
+      {"--threads", {"2"}},
+      {"--tonemap", {"none", "srgb", "aces", "agx", "neutral"}},
+      {"--exposure", {"-1.5", "2"}},
+      {"--tolerance", {"0.001"}},
+      {"--allow-path", {"/a", "b c"}}};
+  Arguments arguments;
+  for (const auto& [name, values] : samples) {
+    for (const std::string& value : values) {
+      INFO(name << " " << value);
+      REQUIRE(find(name).apply(arguments, value));
+      CHECK(find(name).show(arguments).back() == value);
+    }
+  }
+}
+
+TEST_CASE("a value out of range or of another kind is refused") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> bad{
+      {"--spp", {"0", "-1", "1.5", "", "16x", "4294967296", "1e3", " 4"}},
+      {"--seed", {"-1", "4294967296"}},
+      {"--size", {"0x1", "1x0", "65536x1", "1x65536", "12", "x", "1x", "x1", "1x1x1", "1X1"}},
+      {"--max-depth", {"0"}},
+      {"--nee", {"yes", ""}},
+      {"--sampler", {"Sobol", "sob"}},
+      {"--workgroup", {"0x8", "1025x1"}},
+      {"--threads", {"1025"}},
+      {"--exposure", {"nan", "inf", "65", "1,5"}},
+      {"--tolerance", {"-1", "nan"}},
+      {"--json", {""}},
+      {"--output", {""}}};
+  for (const auto& [name, values] : bad) {
+    for (const std::string& value : values) {
+      INFO(name << " " << value);
+      Arguments arguments;
+      CHECK_FALSE(find(name).apply(arguments, value));
+    }
+  }
+}
+
+TEST_CASE("settings print as the command line that states them") {
+  Arguments arguments;
+  arguments.settings.seed = 7;
+  arguments.settings.oneSided = true;
+  CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");
+  arguments.device = "Radeon (TM) 'X'";
+  CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");
+  arguments.allowedPaths = {"/a", "/b"};
+  CHECK(commandLineOf(arguments, OptionGroup::sceneFile, false) == "--allow-path /a --allow-path /b");
+}
+
+TEST_CASE("README quotes the help") { CHECK(readmeBlock("help") == helpText(std::nullopt)); }
+
+TEST_CASE("README quotes the list of packages") {
+  std::istringstream lines(readFile(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
+  std::string packages;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.front() != '#') packages += line + "\n";
+  }
+  CHECK(readmeBlock("packages") == packages);
+}
+
+TEST_CASE("help fits on a terminal of 100 columns and names every exit code") {
+  const std::string help = helpText(std::nullopt);
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  for (const char* code : {"   0  ", "   1  ", "   2  ", "   3  ", "   4  ", "   5  ", "   6  ", "   7  ", "  70  "}) {
+    CHECK(help.find(std::string("\n") + code) != std::string::npos);
+  }
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,119 @@
+// posix_spawn with output to files, since those never fill up.
+#include "tests/cli/run_program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+extern char** environ;
+
+namespace candela {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::minutes kLongestRun{5};
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> result;
+  for (std::string& word : words) result.push_back(word.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+pid_t spawn(std::vector<std::string> words, const std::vector<std::string>& added, const std::string& out,
+            const std::string& err) {
+  words.insert(words.begin(), CANDELA_PROGRAM);
+  std::vector<std::string> environment = added;  // getenv takes the first of a name
+  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  pid_t child = 0;
+  const int failure =
+      posix_spawn(&child, CANDELA_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(environment).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) throw std::runtime_error("cannot start " CANDELA_PROGRAM);
+  return child;
+}
+
+int waitFor(pid_t child, const Surroundings& surroundings) {
+  const Clock::time_point start = Clock::now();
+  bool interrupted = !surroundings.interruptAfter;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    const auto elapsed = Clock::now() - start;
+    if (!interrupted && elapsed >= *surroundings.interruptAfter) {
+      kill(child, SIGINT);
+      interrupted = true;
+    }
+    if (elapsed > kLongestRun) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      throw std::runtime_error("candela took too long");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings) {
+  const TemporaryFolder folder;
+  const pid_t child = spawn(words, surroundings.environment, folder.path("out"), folder.path("err"));
+  ProgramResult result;
+  result.exitCode = waitFor(child, surroundings);
+  result.out = readFile(folder.path("out"));
+  result.err = readFile(folder.path("err"));
+  return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "candela-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for a test");
+  folder_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
+  std::ofstream(folder_ / name, std::ios::binary) << content;
+  return path(name);
+}
+
+std::size_t TemporaryFolder::fileCount() const {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
+}
+
+std::string readFile(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+std::string smallScene(const std::string& extra) {
+  return "v\nfrom 0 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 12\n"
+         "b 0.1 0.2 0.3\n"
+         "f 0.8 0.6 0.4 1 0 0 0 0 1 1 1\n"
+         "s 0 0 0 0.5\n"
+         "p 4\n-3 -3 -0.5\n3 -3 -0.5\n3 3 -0.5\n-3 3 -0.5\n"
+         "f 1 1 1 1 0 0 0 0 1 1 1 4 4 4\n"
+         "s 1 -1 2 0.4\n" +
+         extra;
+}
+
+}  // namespace candela

@@ -1,0 +1,49 @@
+// Runs the real program as a person would, and catches what it says.
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+struct ProgramResult {
+  int exitCode = -1;  ///< -1: ended by a signal
+  std::string out;
+  std::string err;
+};
+
+struct Surroundings {
+  std::vector<std::string> environment;  ///< added, "NAME=value"
+  /// Ctrl-C after this time.
+  std::optional<std::chrono::milliseconds> interruptAfter;
+};
+
+/// Runs candela with `words`, stdin empty. Throws std::runtime_error if it cannot be started or takes over five
+/// minutes.
+ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  /// Creates a file and gives its path.
+  std::string write(const std::string& name, const std::string& content) const;
+  std::size_t fileCount() const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+std::string readFile(const std::string& path);
+
+/// A diffuse ball on a floor under a lamp, 16x12 pixels; `extra` lines are appended.
+std::string smallScene(const std::string& extra = "");
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+// Rates and percentiles against hand-computed ones, and the promised keys.
+#include "host/cli/statistics_report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+namespace candela::cli {
+namespace {
+
+RenderResult exampleResult() {
+  RenderResult result;
+  result.film = Film(2, 2);
+  RenderStatistics& statistics = result.statistics;
+  statistics.samples = 4'000'000;
+  statistics.cameraRays = 4'000'000;
+  statistics.bounceRays = 5'000'000;
+  statistics.shadowRays = 3'000'000;
+  statistics.vertices = 8'000'000;
+  statistics.seconds["trace"] = 2;
+  statistics.seconds["build"] = 0.25;
+  for (int i = 100; i >= 1; --i) statistics.dispatchSeconds.push_back(i);
+  statistics.workgroup = {16, 4};
+  statistics.structure = "bvh";
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("rates are per second of tracing") {
+  const RenderResult result = exampleResult();
+  const auto json = toJson(RenderReport{RenderJob{}, result, 0.5, 4});
+  CHECK(json["msamplesPerSecond"] == 2.0);
+  CHECK(json["mraysPerSecond"] == 6.0);
+  CHECK(json["verticesPerSample"] == 2.0);
+  CHECK(json["seconds"]["trace"] == 2.0);
+  CHECK(json["seconds"]["write"] == 0.5);
+  CHECK(json["seconds"]["total"] == 4.0);
+  CHECK(json["workgroup"] == "16x4");
+}
+
+TEST_CASE("dispatch times have median, 99th percentile and maximum by nearest rank") {
+  const RenderResult result = exampleResult();
+  const auto dispatch = toJson(RenderReport{RenderJob{}, result, 0, 0})["dispatch"];
+  CHECK(dispatch["count"] == 100);
+  CHECK(dispatch["median"] == 50.0);
+  CHECK(dispatch["p99"] == 99.0);
+  CHECK(dispatch["max"] == 100.0);
+}
+
+TEST_CASE("a report of nothing divides by nothing") {
+  const auto json = toJson(RenderReport{RenderJob{}, RenderResult{}, 0, 0});
+  CHECK(json["msamplesPerSecond"] == 0.0);
+  CHECK(json["verticesPerSample"] == 0.0);
+  CHECK(json["dispatch"]["median"] == 0.0);
+}
+
+TEST_CASE("settings are typed: numbers, words and flags") {
+  RenderJob job;
+  job.arguments.settings.oneSided = true;
+  job.arguments.settings.seed = 4294967295u;
+  const auto settings = toJson(RenderReport{job, RenderResult{}, 0, 0})["settings"];
+  CHECK(settings["maxDepth"] == 64);
+  CHECK(settings["seed"] == 4294967295u);
+  CHECK(settings["oneSided"] == true);
+  CHECK(settings["lenient"] == false);
+  CHECK(settings["sampler"] == "sobol");
+}
+
+TEST_CASE("the text report has every figure of the JSON report") {
+  const RenderResult result = exampleResult();
+  const std::string text = toText(RenderReport{RenderJob{}, result, 0, 0});
+  CHECK(text.find("mraysPerSecond                   6\n") != std::string::npos);
+  CHECK(text.find("seconds.trace                    2\n") != std::string::npos);
+  CHECK(text.find("structure                        bvh\n") != std::string::npos);
+}
+
+}  // namespace candela::cli
