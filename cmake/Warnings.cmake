@@ -1,7 +1,7 @@
 # candela_library(NAME SOURCES...): a static library with the project's warnings and sanitizers.
 function(candela_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor
-                                           -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion)
+                                           -Woverloaded-virtual -Wnull-dereference)
   # The reference must mean what it says: no contraction into fma, no reassociation.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(CANDELA_WERROR)

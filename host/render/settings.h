@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "host/render/extent.h"
+
 namespace candela {
 
 enum class Integrator { path };
@@ -10,11 +12,8 @@ enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
 enum class AccelKind { none, bvh };
-
-struct Extent {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-};
+/// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
+enum class SceneLoads { automatic, texel, storage };
 
 struct RenderSettings {
   // --- These decide the image.
@@ -32,6 +31,7 @@ struct RenderSettings {
 
   // --- These never change a bit of it.
   AccelKind accel = AccelKind::bvh;
+  SceneLoads sceneLoads = SceneLoads::automatic;
   Extent workgroup{8, 8};
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses

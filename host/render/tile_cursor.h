@@ -2,15 +2,13 @@
 #pragma once
 #include <cstdint>
 
+#include "host/render/extent.h"
+
 namespace candela {
 
 /// Pixels x .. x + width - 1 by y .. y + height - 1.
 struct Rect {
   std::uint32_t x = 0, y = 0, width = 0, height = 0;
-};
-
-struct Extent {
-  std::uint32_t width = 1, height = 1;
 };
 
 /// Sweeps over `image` from top to bottom, again and again. The size of the pieces may change from one to the next.

@@ -1,0 +1,171 @@
+#include "host/render/band.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "host/core/errors.h"
+#include "host/render/tile_cursor.h"
+
+namespace candela {
+namespace {
+
+constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
+
+std::uint64_t largestBytesPerPixel(const RenderSettings& settings) {
+  const std::uint64_t path = std::max(sizeof(gpu::PathState), sizeof(gpu::FilmRows));
+  return settings.recordPaths ? std::max(path, kRecordBytes) : path;
+}
+
+std::uint64_t resultBytes(const RenderSettings& settings, std::uint64_t pixels) {
+  return sizeof(gpu::Counters) + (settings.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+}
+
+std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + size - 1) / size; }
+
+GovernorOptions governorOptions(const RenderSettings& settings, const LoopBudget& budget, std::uint64_t pixels) {
+  GovernorOptions options;
+  options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
+  options.totalPixels = pixels;
+  options.workgroupPixels = settings.workgroup.width * settings.workgroup.height;
+  if (settings.tile) options.fixedPixels = std::uint64_t{settings.tile->width} * settings.tile->height;
+  if (settings.segmentsPerDispatch) options.fixedSegments = std::min(*settings.segmentsPerDispatch, budget.maxSegments);
+  return options;
+}
+
+TileCursor cursorOver(Extent band, const RenderSettings& settings) {
+  return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroup);
+}
+
+VertexRecord unpackRecord(const gpu::uvec2& packed) {
+  return {.primitive = packed.x,
+          .lobe = static_cast<Lobe>(packed.y & 255u),
+          .shadow = static_cast<ShadowOutcome>(packed.y >> 8 & 255u),
+          .survivedRoulette = (packed.y >> 16 & 1u) != 0};
+}
+
+}  // namespace
+
+std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings) {
+  const std::uint64_t rowBytes = largestBytesPerPixel(settings) * settings.size.width;
+  const std::uint64_t rows = (info.maxStorageBufferRange - sizeof(gpu::Counters)) / rowBytes;
+  if (rows == 0) {
+    throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
+                                settings.size.width, rowBytes >> 10, info.name, info.maxStorageBufferRange >> 10));
+  }
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
+}
+
+Band::Band(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
+           const RenderSettings& settings, std::uint32_t maxHeight)
+    : device_(device),
+      pipeline_(pipeline),
+      settings_(settings),
+      width_(settings.size.width),
+      states_(device, sizeof(gpu::PathState) * width_ * maxHeight, vulkan::Usage::storage),
+      film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
+      results_(device, resultBytes(settings, std::uint64_t{width_} * maxHeight),
+               vulkan::Usage::storage | vulkan::Usage::readback),
+      bindings_(pipeline, {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.constants()}) {}
+
+void Band::start(BandRows rows) {
+  rows_ = rows;
+  samplesSeen_ = 0;
+  device_.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.fillBuffer(states_, 0);
+    recorder.fillBuffer(film_, 0);
+    recorder.fillBuffer(results_, 0);
+  });
+}
+
+double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudget& budget) {
+  gpu::DispatchConstants constants;
+  constants.region = {region.x, rows_.first + region.y, region.width, region.height};
+  constants.work = {rows_.first, segments, settings_.sampleCount, budget.laneTurns};
+  const Extent& workgroup = settings_.workgroup;
+  const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
+  return device_.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.dispatch(pipeline_, bindings_, std::as_bytes(std::span(&constants, 1)), count);
+  });
+}
+
+const gpu::Counters& Band::counters() const {
+  return *reinterpret_cast<const gpu::Counters*>(results_.mapped().data());
+}
+
+std::uint64_t Band::takeFinishedSamples() {
+  const std::uint32_t now = counters().finishedSamples;
+  const std::uint32_t fresh = now - samplesSeen_;
+  samplesSeen_ = now;
+  return fresh;
+}
+
+double Band::warmUp(const LoopBudget& budget) {
+  const Extent corner{std::min(width_, settings_.workgroup.width), std::min(rows_.height, settings_.workgroup.height)};
+  return dispatch({0, 0, corner.width, corner.height}, 1, budget);
+}
+
+bool Band::finish(const LoopBudget& budget, const RenderControl& control, RenderStatistics& statistics,
+                  const std::function<void(std::uint64_t)>& samplesFinished) {
+  Governor governor(governorOptions(settings_, budget, pixels()));
+  governor.record(governor.next(), 0, 0);  // the warm-up, which does not count
+  TileCursor cursor = cursorOver({width_, rows_.height}, settings_);
+  while (counters().finishedPixels < pixels()) {
+    if (control.stop != nullptr && *control.stop) return false;
+    const Plan wanted = governor.next();
+    const Rect region = cursor.next(wanted.pixels);
+    const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
+    const std::uint64_t unfinished = pixels() - counters().finishedPixels;
+    const std::uint64_t active = std::max<std::uint64_t>(1, lanes * unfinished / pixels());
+    const Plan plan{lanes, governor.segmentsFor(active)};
+    const double seconds = dispatch(region, plan.segments, budget);
+    governor.record(plan, active, seconds);
+    statistics.dispatchSeconds.push_back(seconds);
+    statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, plan.segments);
+    if (lanes > std::uint64_t{statistics.tile.width} * statistics.tile.height) {
+      statistics.tile = {region.width, region.height};
+    }
+    samplesFinished(takeFinishedSamples());
+  }
+  return true;
+}
+
+void Band::readCounts(RenderStatistics& statistics) {
+  std::vector<gpu::PathState> states(pixels());
+  states_.download(std::as_writable_bytes(std::span(states)));
+  for (const gpu::PathState& state : states) {
+    statistics.cameraRays += state.progress.y + (state.progress.x > 0 ? 1 : 0);
+    statistics.bounceRays += state.counts.x;
+    statistics.shadowRays += state.counts.y;
+    statistics.vertices += state.counts.z;
+    statistics.traversalSteps += state.counts.w;
+  }
+}
+
+void Band::readRecords(PathRecords& paths) {
+  const std::byte* records = results_.mapped().data() + sizeof(gpu::Counters);
+  const std::span packed(reinterpret_cast<const gpu::uvec2*>(records), pixels() * gpu::kRecordedVertices);
+  for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
+    PathRecord& path = paths.emplace_back();
+    for (std::uint32_t i = 0; i < gpu::kRecordedVertices; ++i) {
+      const gpu::uvec2& entry = packed[pixel * gpu::kRecordedVertices + i];
+      if ((entry.y & gpu::kRecordValid) == 0) break;
+      path.vertices[path.vertexCount++] = unpackRecord(entry);
+    }
+  }
+}
+
+void Band::readBack(RenderResult& result) {
+  const std::span rows(result.film.pixels().data() + std::uint64_t{rows_.first} * width_, pixels());
+  film_.download(std::as_writable_bytes(rows));
+  for (const FilmPixel& pixel : rows) {
+    result.statistics.samples += pixel.sampleCount;
+    result.statistics.badSamples += pixel.badCount;
+  }
+  result.statistics.truncated += counters().truncated;
+  readCounts(result.statistics);
+  if (settings_.recordPaths) readRecords(result.paths);
+}
+
+}  // namespace candela

@@ -1,0 +1,67 @@
+// The part of an image whose path states and film are in device memory at a time, and the loop that finishes it.
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "host/image/film.h"
+#include "host/render/device_scene.h"
+#include "host/render/governor.h"
+#include "host/render/renderer.h"
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/compute_pipeline.h"
+
+namespace candela {
+
+/// Rows first .. first + height - 1 of the image.
+struct BandRows {
+  std::uint32_t first = 0;
+  std::uint32_t height = 0;
+};
+
+/// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too much.
+std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings);
+
+/// What the device may do in one dispatch without running into its loop limit.
+struct LoopBudget {
+  std::uint32_t maxSegments = 0;  ///< segments of one lane
+  std::uint32_t laneTurns = 0;    ///< loop turns after which a lane begins no further segment
+};
+
+/// Buffers for one band, made once and used for each band in turn.
+class Band {
+ public:
+  Band(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
+       const RenderSettings& settings, std::uint32_t maxHeight);
+
+  /// Sets all paths and sums of the band to their beginning.
+  void start(BandRows rows);
+  /// One tiny dispatch, in which drivers compile; returns its seconds.
+  double warmUp(const LoopBudget& budget);
+  /// Dispatches until every sample of the band is done or `control` says stop; adds times to `statistics`, and tells
+  /// `samplesFinished` of new samples as they come. True if all is done.
+  bool finish(const LoopBudget& budget, const RenderControl& control, RenderStatistics& statistics,
+              const std::function<void(std::uint64_t)>& samplesFinished);
+  /// Copies the band's sums into `result.film`, its counts into the statistics, and its path records, if any.
+  void readBack(RenderResult& result);
+
+ private:
+  std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
+  double dispatch(const struct Rect& region, std::uint32_t segments, const LoopBudget& budget);
+  const gpu::Counters& counters() const;
+  std::uint64_t takeFinishedSamples();
+  void readCounts(RenderStatistics& statistics);
+  void readRecords(PathRecords& paths);
+
+  vulkan::Device& device_;
+  const vulkan::ComputePipeline& pipeline_;
+  const RenderSettings& settings_;
+  std::uint32_t width_;
+  BandRows rows_;
+  std::uint32_t samplesSeen_ = 0;  ///< of the wrapping counter
+  vulkan::Buffer states_;
+  vulkan::Buffer film_;
+  vulkan::Buffer results_;
+  vulkan::BindingSet bindings_;
+};
+
+}  // namespace candela

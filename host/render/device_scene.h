@@ -1,0 +1,28 @@
+// A flattened scene in device memory.
+#pragma once
+#include "host/render/flat_scene.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/device.h"
+
+namespace candela {
+
+/// Buffers that the kernel's scene bindings stand for. The rows are bound twice, as storage and as texels; which of the
+/// two the kernel reads is compiled into it, and the other is a single row.
+class DeviceScene {
+ public:
+  /// Throws FileError, which names both sizes, if the rows exceed what the device can bind.
+  DeviceScene(vulkan::Device& device, const FlatScene& flat, SceneLoads loads);
+
+  bool readsTexels() const { return readsTexels_; }
+  const vulkan::Buffer& rows() const { return rows_; }
+  const vulkan::Buffer& texels() const { return texels_; }
+  const vulkan::Buffer& constants() const { return constants_; }
+
+ private:
+  bool readsTexels_;
+  vulkan::Buffer rows_;
+  vulkan::Buffer texels_;
+  vulkan::Buffer constants_;
+};
+
+}  // namespace candela

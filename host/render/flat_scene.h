@@ -1,0 +1,38 @@
+// The scene as the device reads it: one array of 16-byte rows (shaders/shared/scene_rows.h), the constants that tell
+// where its sections start, and which features it uses.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+#include "shaders/shared/render_data.h"
+
+namespace candela {
+
+/// What of the kernel a scene needs; the rest is compiled out.
+struct SceneFeatures {
+  bool spheres = false, triangles = false, boxes = false, cones = false, planes = false, smooth = false;
+  bool diffuse = false, glossy = false, mirror = false, dielectric = false, mixtures = false;
+  bool emission = false;
+  bool sphereLights = false, triangleLights = false, pointLights = false;
+  bool sky = false;
+};
+
+struct FlatScene {
+  std::vector<gpu::uvec4> rows;
+  gpu::RenderConstants constants{};
+  SceneFeatures features;
+  bool hierarchy = false;           ///< a BVH is among the rows
+  std::uint32_t stackSize = 1;      ///< entries that a traversal needs
+  std::uint32_t slotCount = 0;      ///< primitives, planes included
+  std::map<std::string, double> structureQuality;
+};
+
+/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera.
+/// Throws FileError if the scene exceeds a limit of the layout.
+FlatScene flatten(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace candela

@@ -1,0 +1,142 @@
+// Scene to FlatScene: the sections of rows, one after the other.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/core/errors.h"
+#include "host/render/camera_constants.h"
+#include "host/render/flat_rows.h"
+#include "host/render/flat_scene.h"
+#include "host/render/flatten_features.h"
+#include "host/render/flatten_hierarchy.h"
+#include "host/render/flatten_primitives.h"
+#include "host/render/flatten_sky.h"
+#include "host/render/light_table.h"
+#include "host/render/lobes.h"
+
+namespace candela {
+namespace {
+
+constexpr std::uint32_t kMaxSlots = 1u << 27;     // what a packed stack word holds
+
+void checkLimits(const Scene& scene) {
+  if (scene.primitives.size() >= kMaxSlots) {
+    throw FileError(fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(),
+                                kMaxSlots - 1));
+  }
+  if (scene.materials.size() > gpu::kMaxMaterialCount) {
+    throw FileError(fmt::format("{}: {} materials; at most {} are supported", scene.name, scene.materials.size(),
+                                gpu::kMaxMaterialCount));
+  }
+}
+
+void appendMaterials(const Scene& scene, FlatScene& flat) {
+  flat.constants.sections.z = rowCount(flat.rows);
+  for (const Material& material : scene.materials) {
+    const Lobes lobes = lobesOf(material);
+    flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
+    flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
+    flat.rows.push_back(row(glm::dvec3(material.emission), lobes.dielectric));
+    flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+  }
+}
+
+// The slot of every primitive, for the lights.
+std::vector<std::uint32_t> slotsOf(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> slots(order.size());
+  for (std::uint32_t slot = 0; slot < order.size(); ++slot) slots[order[slot]] = slot;
+  return slots;
+}
+
+void appendPointLight(const PointLight& light, const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightPoint, gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.colour), 0.0));
+  rows.push_back(row(glm::dvec3(light.position), 0.0));
+}
+
+void appendEmitter(const Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
+  const Primitive& primitive = scene.primitives[entry.index];
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  const bool sphere = primitive.kind == PrimitiveKind::sphere;
+  rows.push_back({entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
+  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
+  const Sphere place = sphere ? scene.spheres[primitive.index] : Sphere{glm::vec3(0), 0};
+  rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
+}
+
+void appendLights(const Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> slots,
+                  FlatScene& flat) {
+  flat.constants.sections.w = rowCount(flat.rows);
+  flat.constants.limits.z = static_cast<std::uint32_t>(table.size());
+  for (const LightEntry& entry : table) {
+    if (entry.isPoint) {
+      appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
+      flat.features.pointLights = true;
+    } else {
+      appendEmitter(scene, entry, slots[entry.index], flat.rows);
+      const bool sphere = scene.primitives[entry.index].kind == PrimitiveKind::sphere;
+      flat.features.sphereLights |= sphere;
+      flat.features.triangleLights |= !sphere;
+    }
+  }
+}
+
+void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, std::span<const LightEntry> table,
+                      FlatScene& flat) {
+  std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    if (!table[i].isPoint) lightOf[table[i].index] = i + 1;
+  }
+  Rows normals;
+  flat.constants.sections.y = rowCount(flat.rows);
+  for (const std::uint32_t primitive : order) {
+    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, normals);
+  }
+  flat.constants.moreSections.x = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
+}
+
+// n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
+std::uint32_t strataPerSide(const RenderSettings& settings) {
+  if (settings.sampler != SamplerKind::stratified) return 0;
+  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.sampleCount)));
+  return std::min(side, 256u);
+}
+
+void setConstants(const Scene& scene, const RenderSettings& settings, gpu::RenderConstants& constants) {
+  setCamera(constants, *scene.camera, settings.size);
+  constants.background = gpu::vec4(scene.background, 0);
+  constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
+  constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
+}
+
+}  // namespace
+
+FlatScene flatten(const Scene& scene, const RenderSettings& settings) {
+  checkLimits(scene);
+  FlatScene flat;
+  setConstants(scene, settings, flat.constants);
+  flat.features = featuresOf(scene);
+  const SceneBounds bounds = boundPrimitives(scene);
+  std::vector<std::uint32_t> order =
+      settings.accel == AccelKind::bvh ? appendHierarchy(bounds, flat) : bounds.finite;
+  flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
+  order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
+  flat.slotCount = static_cast<std::uint32_t>(order.size());
+  flat.constants.moreSections.w = flat.slotCount;
+
+  const std::vector<LightEntry> table = buildLightTable(scene, settings.nextEventEstimation);
+  appendPrimitives(scene, order, table, flat);
+  appendMaterials(scene, flat);
+  appendLights(scene, table, slotsOf(order), flat);
+  flat.constants.moreSections.y = rowCount(flat.rows);
+  if (scene.sky) {
+    const Rows sky = skyRows(*scene.sky);
+    flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());
+  }
+  return flat;
+}
+
+}  // namespace candela

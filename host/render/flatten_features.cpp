@@ -1,0 +1,49 @@
+#include "host/render/flatten_features.h"
+
+#include <vector>
+
+#include "host/render/lobes.h"
+
+namespace candela {
+namespace {
+
+void noteKind(const Scene& scene, const Primitive& primitive, SceneFeatures& features) {
+  switch (primitive.kind) {
+    case PrimitiveKind::sphere: features.spheres = true; break;
+    case PrimitiveKind::triangle:
+      features.triangles = true;
+      features.smooth |= scene.triangles[primitive.index].normals != Triangle::kNoNormals;
+      break;
+    case PrimitiveKind::box: features.boxes = true; break;
+    case PrimitiveKind::cone: features.cones = true; break;
+    case PrimitiveKind::plane: features.planes = true; break;
+  }
+}
+
+void noteMaterial(const Material& material, SceneFeatures& features) {
+  const Lobes lobes = lobesOf(material);
+  features.diffuse |= lobes.diffuse > 0;
+  features.glossy |= lobes.glossy > 0;
+  features.dielectric |= lobes.dielectric > 0;
+  features.mirror |= lobes.mirror;
+  features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
+  features.emission |= isEmissive(material);
+}
+
+}  // namespace
+
+SceneFeatures featuresOf(const Scene& scene) {
+  SceneFeatures features;
+  std::vector<bool> used(scene.materials.size());
+  for (const Primitive& primitive : scene.primitives) {
+    noteKind(scene, primitive, features);
+    used[primitive.material] = true;
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) noteMaterial(scene.materials[i], features);
+  }
+  features.sky = scene.sky.has_value();
+  return features;
+}
+
+}  // namespace candela

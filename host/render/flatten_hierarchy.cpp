@@ -1,0 +1,65 @@
+#include "host/render/flatten_hierarchy.h"
+
+#include <algorithm>
+#include <span>
+
+#include "host/accel/bvh.h"
+#include "host/render/flat_rows.h"
+
+namespace candela {
+namespace {
+
+constexpr std::uint32_t kEmptyRoot = 0xffffffffu;
+// A leaf's count has five bits on the traversal stack.
+constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
+
+// A child as its parent stores it: its box, and where it leads.
+void appendChild(const BvhNode& child, std::span<const std::uint32_t> innerIndex, std::size_t index, Rows& rows) {
+  rows.push_back(row(glm::dvec3(child.bounds.min), child.isLeaf() ? child.first : innerIndex[index]));
+  rows.push_back(row(glm::dvec3(child.bounds.max), child.count));
+}
+
+// Inner nodes only, in the tree's order; leaves live in their parents.
+Rows nodeRows(const Bvh& bvh) {
+  std::vector<std::uint32_t> innerIndex(bvh.nodes.size());
+  std::uint32_t innerCount = 0;
+  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) innerIndex[i] = bvh.nodes[i].isLeaf() ? 0 : innerCount++;
+  Rows rows;
+  rows.reserve(std::size_t{innerCount} * gpu::kNodeRows);
+  for (const BvhNode& node : bvh.nodes) {
+    if (node.isLeaf()) continue;
+    appendChild(bvh.nodes[node.first], innerIndex, node.first, rows);
+    appendChild(bvh.nodes[node.first + 1], innerIndex, node.first + 1, rows);
+  }
+  return rows;
+}
+
+void noteQuality(const BvhQuality& measured, FlatScene& flat) {
+  flat.structureQuality = {{"sahCost", measured.sahCost},
+                           {"depth", measured.depth},
+                           {"nodes", measured.nodeCount},
+                           {"leaves", measured.leafCount},
+                           {"averageLeafSize", measured.averageLeafSize},
+                           {"maxLeafSize", measured.maxLeafSize}};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, FlatScene& flat) {
+  const Bvh bvh = buildBvh(bounds.bounds, kBvhOptions);
+  const BvhQuality measured = quality(bvh, kBvhOptions);
+  noteQuality(measured, flat);
+  flat.hierarchy = true;
+  flat.stackSize = std::max(1u, measured.depth);
+  flat.constants.sections.x = rowCount(flat.rows);
+  const Rows nodes = nodeRows(bvh);
+  flat.rows.insert(flat.rows.end(), nodes.begin(), nodes.end());
+  const bool leafRoot = !bvh.nodes.empty() && bvh.nodes[0].isLeaf();
+  flat.constants.root = {bvh.nodes.empty() ? kEmptyRoot : 0u, leafRoot ? bvh.nodes[0].count : 0u, 0, 0};
+  std::vector<std::uint32_t> order;
+  order.reserve(bvh.primitiveIndices.size());
+  for (const std::uint32_t i : bvh.primitiveIndices) order.push_back(bounds.finite[i]);
+  return order;
+}
+
+}  // namespace candela

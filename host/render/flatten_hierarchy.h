@@ -1,0 +1,15 @@
+// Rows of the BVH.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/render/flat_scene.h"
+
+namespace candela {
+
+/// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices in
+/// the order of its leaves.
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, FlatScene& flat);
+
+}  // namespace candela

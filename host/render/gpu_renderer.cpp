@@ -1,0 +1,139 @@
+// The compute-shader tracer: upload, warm up, dispatch band by band under the governor, read back.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "host/core/errors.h"
+#include "host/render/band.h"
+#include "host/render/flat_scene.h"
+#include "host/render/make_renderer.h"
+#include "host/render/specialise.h"
+#include "host/vulkan/device.h"
+#include "host/vulkan/loop_limit.h"
+#include "spirv/path.h"
+
+namespace candela {
+namespace {
+
+// Seconds since it was made or last asked.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+vulkan::PipelineOptions pipelineOptions(const FlatScene& flat, const RenderSettings& settings, bool texels) {
+  using enum vulkan::BindingKind;
+  return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
+          .pushConstantBytes = sizeof(gpu::DispatchConstants),
+          .specialisations = specialise(flat, settings, texels)};
+}
+
+void checkWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
+  const std::uint64_t lanes = std::uint64_t{workgroup.width} * workgroup.height;
+  const bool fits = lanes > 0 && lanes <= info.maxWorkgroupInvocations && workgroup.width <= info.maxWorkgroupSize[0] &&
+                    workgroup.height <= info.maxWorkgroupSize[1];
+  if (fits) return;
+  throw UsageError(fmt::format("--workgroup {}x{}: {} runs at most {} lanes in a workgroup, {} by {}", workgroup.width,
+                               workgroup.height, info.name, info.maxWorkgroupInvocations, info.maxWorkgroupSize[0],
+                               info.maxWorkgroupSize[1]));
+}
+
+// Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
+// device's limit is left for the turns that a lane does not count and for its last segment.
+LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat) {
+  if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
+  if (flat.hierarchy) return {limit / 4, limit / (2 * std::max(1u, info.subgroupSize))};
+  const std::uint32_t segments = limit / (2 * flat.slotCount + 32);
+  if (segments > 0) return {segments, 0xffffffffu};
+  throw FileError(fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
+                              "use --accel bvh",
+                              flat.slotCount, info.name, limit, (limit - 32) / 2));
+}
+
+class GpuRenderer : public Renderer {
+ public:
+  explicit GpuRenderer(const std::string& selector)
+      : device_(vulkan::Device::open(selector)), loopLimit_(vulkan::probeLoopLimit(device_)) {}
+
+  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override;
+
+ private:
+  void describe(const FlatScene& flat, const RenderSettings& settings, bool texels, RenderStatistics& statistics) const;
+  void renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
+                   const RenderControl& control, RenderResult& result);
+
+  vulkan::Device device_;
+  std::uint32_t loopLimit_;
+};
+
+void GpuRenderer::describe(const FlatScene& flat, const RenderSettings& settings, bool texels,
+                           RenderStatistics& statistics) const {
+  statistics.device = device_.info().name;
+  statistics.driver = device_.info().driver;
+  statistics.structure = flat.hierarchy ? "bvh" : "none";
+  statistics.kernel = "megakernel";
+  statistics.workgroup = settings.workgroup;
+  statistics.sceneLoads = texels ? "texel" : "storage";
+  statistics.structureQuality = flat.structureQuality;
+}
+
+RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) {
+  checkWorkgroup(device_.info(), settings.workgroup);
+  RenderResult result;
+  RenderStatistics& statistics = result.statistics;
+  Stopwatch watch;
+  const FlatScene flat = flatten(scene, settings);
+  const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat);
+  statistics.seconds["build"] = watch.lap();
+
+  const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
+  statistics.seconds["upload"] = watch.lap();
+  describe(flat, settings, deviceScene.readsTexels(), statistics);
+
+  const vulkan::ComputePipeline pipeline(device_, spirv::path, pipelineOptions(flat, settings, deviceScene.readsTexels()));
+  const std::uint32_t height = bandHeight(device_.info(), settings);
+  result.film = Film(settings.size.width, settings.size.height);
+  Band band(device_, pipeline, deviceScene, settings, height);
+  statistics.seconds["pipeline"] = watch.lap();
+  renderBands(band, height, budget, settings, control, result);
+  statistics.deviceBytes = device_.memoryUse().peakBytes;
+  return result;
+}
+
+void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
+                              const RenderControl& control, RenderResult& result) {
+  const double total = static_cast<double>(settings.size.width) * settings.size.height * settings.sampleCount;
+  std::uint64_t done = 0;
+  const auto count = [&](std::uint64_t fresh) {
+    done += fresh;
+    if (control.progress) control.progress(static_cast<double>(done) / total, done);
+  };
+  RenderStatistics& statistics = result.statistics;
+  for (std::uint32_t first = 0; first < settings.size.height && !result.interrupted; first += height) {
+    Stopwatch watch;
+    band.start({first, std::min(height, settings.size.height - first)});
+    if (first == 0) {
+      band.warmUp(budget);
+      statistics.seconds["pipeline"] += watch.lap();
+    }
+    result.interrupted = !band.finish(budget, control, statistics, count);
+    statistics.seconds["trace"] += watch.lap();
+    band.readBack(result);
+    statistics.seconds["readBack"] += watch.lap();
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector) { return std::make_unique<GpuRenderer>(selector); }
+
+}  // namespace candela

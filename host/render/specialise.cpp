@@ -1,0 +1,54 @@
+#include "host/render/specialise.h"
+
+#include "shaders/shared/specialization.h"
+
+namespace candela {
+namespace {
+
+std::uint32_t lensOf(const FlatScene& flat, const RenderSettings& settings) {
+  if (glm::vec3(flat.constants.lensUp) == glm::vec3(0)) return gpu::kLensNone;
+  return settings.lens == LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
+}
+
+std::uint32_t samplerOf(SamplerKind kind) {
+  switch (kind) {
+    case SamplerKind::independent: return gpu::kSamplerIndependent;
+    case SamplerKind::stratified: return gpu::kSamplerStratified;
+    case SamplerKind::sobol: break;
+  }
+  return gpu::kSamplerSobol;
+}
+
+}  // namespace
+
+std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
+  const SceneFeatures& has = flat.features;
+  return {{gpu::kSpecWorkgroupX, settings.workgroup.width},
+          {gpu::kSpecWorkgroupY, settings.workgroup.height},
+          {gpu::kSpecSpheres, has.spheres},
+          {gpu::kSpecTriangles, has.triangles},
+          {gpu::kSpecBoxes, has.boxes},
+          {gpu::kSpecCones, has.cones},
+          {gpu::kSpecPlanes, has.planes},
+          {gpu::kSpecSmooth, has.smooth},
+          {gpu::kSpecDiffuse, has.diffuse},
+          {gpu::kSpecGlossy, has.glossy},
+          {gpu::kSpecMirror, has.mirror},
+          {gpu::kSpecDielectric, has.dielectric},
+          {gpu::kSpecEmission, has.emission},
+          {gpu::kSpecSphereLights, has.sphereLights},
+          {gpu::kSpecTriangleLights, has.triangleLights},
+          {gpu::kSpecPointLights, has.pointLights},
+          {gpu::kSpecSky, has.sky},
+          {gpu::kSpecOneSided, settings.oneSided},
+          {gpu::kSpecLens, lensOf(flat, settings)},
+          {gpu::kSpecTent, settings.filter == FilterKind::tent},
+          {gpu::kSpecSampler, samplerOf(settings.sampler)},
+          {gpu::kSpecHierarchy, flat.hierarchy},
+          {gpu::kSpecTexels, texels},
+          {gpu::kSpecRecord, settings.recordPaths},
+          {gpu::kSpecStackSize, flat.stackSize},
+          {gpu::kSpecMultiLobe, has.mixtures}};
+}
+
+}  // namespace candela

@@ -1,0 +1,117 @@
+// Materials as weighted lobes: docs/light-transport.md section 5. Directions are in the local frame of the shading
+// normal, z up, wo and wi pointing away from the surface.
+#ifndef CANDELA_BSDF_GLSL
+#define CANDELA_BSDF_GLSL
+#include "options.glsl"
+#include "sampling.glsl"
+#include "scene_access.glsl"
+#include "shared/render_data.h"
+
+struct BsdfSample {
+  vec3 wi;
+  vec3 weight;  // f |cos| / pdf
+  float pdf;    // solid angle, of the whole mixture; 0: delta
+  uint lobe;    // kLobe...; kLobeNone: the path ends
+};
+
+const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, kLobeNone);
+
+float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielectricWeight; }
+
+bool hasSmoothLobe(Material m) { return !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0; }
+
+// Blinn's distribution, normalised so that the integral of D cosH is 1. From the sine, which keeps its relative
+// accuracy at the lobe's peak: cosH^n = exp(n/2 log(1 - sinH^2)).
+float blinnDistribution(vec3 h, float exponent) {
+  float sinSquared = min(h.x * h.x + h.y * h.y, 1.0 - 1.0 / 16777216.0);
+  float power = 1.0 + expMinusOne(0.5 * exponent * logOneMinus(sinSquared));
+  return (exponent + 2.0) / (2.0 * kPi) * power;
+}
+
+// Torrance and Sparrow's V-grooves.
+float grooves(float cosH, float cosO, float cosI, float cosOH) {
+  return min(1.0, 2.0 * cosH * min(cosO, cosI) / cosOH);
+}
+
+// Half vector with pdf D cosH.
+vec3 sampleBlinn(vec2 u, float exponent) {
+  vec2 disc = sampleDisc(u);
+  float q = min(dot(disc, disc), 1.0 - 1.0 / 16777216.0);
+  if (q == 0.0) return vec3(0.0, 0.0, 1.0);
+  float sinSquared = -expMinusOne(2.0 / (exponent + 2.0) * logOneMinus(q));
+  return vec3(disc * sqrt(sinSquared / q), sqrt(max(0.0, 1.0 - sinSquared)));
+}
+
+// f of the diffuse and glossy lobes together, and the pdf with which sampleBsdf finds wi; both 0 below the horizon.
+vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
+  pdf = 0.0;
+  if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
+  float total = weightSum(m);
+  vec3 f = m.diffuse * (m.diffuseWeight / kPi);
+  pdf = m.diffuseWeight / total * (wi.z / kPi);
+  if (kHasGlossy && m.glossyWeight > 0.0) {
+    vec3 h = unit(wo + wi);
+    float cosOH = dot(wo, h);
+    float d = blinnDistribution(h, m.exponent);
+    f += m.specular * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
+    pdf += m.glossyWeight / total * d * h.z / (4.0 * cosOH);
+  }
+  return f;
+}
+
+BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
+  BsdfSample result = kAbsorbed;
+  if (diffuseLobe) {
+    result.wi = sampleCosineHemisphere(u);
+    if (!kHasMixtures || m.diffuseWeight == weightSum(m)) {  // the pdf cancels
+      result.weight = m.diffuse * m.diffuseWeight;
+      result.pdf = result.wi.z / kPi;
+      result.lobe = result.wi.z > 0.0 ? kLobeDiffuse : kLobeNone;
+      return result;
+    }
+  } else {
+    vec3 h = sampleBlinn(u, m.exponent);
+    result.wi = 2.0 * dot(wo, h) * h - wo;
+  }
+  vec3 f = evaluateBsdf(m, wo, result.wi, result.pdf);
+  if (result.pdf <= 0.0) return kAbsorbed;
+  result.weight = f * (result.wi.z / result.pdf);
+  result.lobe = diffuseLobe ? kLobeDiffuse : kLobeGlossy;
+  return result;
+}
+
+// `outside`: wo is on the side that the primitive's own normal points to.
+BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
+  BsdfSample result = kAbsorbed;
+  result.weight = m.diffuse * weightSum(m);
+  float eta = outside ? 1.0 / m.ior : m.ior;
+  precise float sinSquaredT = eta * eta * (1.0 - wo.z * wo.z);
+  float cosT = sqrt(max(0.0, 1.0 - sinSquaredT));
+  float r = (m.ior - 1.0) / (m.ior + 1.0);
+  float r0 = r * r;
+  float grazing = 1.0 - (outside ? wo.z : cosT);
+  float grazing2 = grazing * grazing;
+  precise float reflectance = r0 + (1.0 - r0) * (grazing2 * grazing2 * grazing);
+  bool reflected = sinSquaredT >= 1.0 || u < reflectance;
+  result.wi = reflected ? vec3(-wo.xy, wo.z) : vec3(-eta * wo.xy, -cosT);
+  result.lobe = reflected ? kLobeReflect : kLobeRefract;
+  return result;
+}
+
+// Numbers: x chooses the lobe, yz the direction.
+BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
+  if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.diffuse, 0.0, kLobeMirror);
+  float total = weightSum(m);
+  if (total <= 0.0) return kAbsorbed;
+  precise float diffuseShare = m.diffuseWeight / total;
+  precise float smoothShare = diffuseShare + m.glossyWeight / total;
+  bool dielectric = m.dielectricWeight > 0.0 && numbers.x >= smoothShare;
+  if (kHasDielectric && dielectric) return sampleDielectric(m, wo, outside, numbers.y);
+  if (kHasDiffuse || kHasGlossy) {
+    bool diffuseLobe = !kHasGlossy || (kHasDiffuse && numbers.x < diffuseShare);
+    return sampleSmoothLobes(m, wo, diffuseLobe, numbers.yz);
+  }
+  return kAbsorbed;
+}
+
+#endif

@@ -1,0 +1,125 @@
+// Stack traversal of the two-wide BVH, "while-while": all lanes descend to a leaf, then all test primitives.
+#ifndef CANDELA_BVH_GLSL
+#define CANDELA_BVH_GLSL
+
+// A subtree that waits or is current: count 0 is a node, otherwise `count` slots from `reference` on.
+struct Subtree {
+  uint reference;
+  uint count;
+};
+
+const uint kEmpty = 0xffffffffu;  // root of a scene without finite primitives
+
+// The ray as box tests want it. Boxes are padded by the error of primitive tests in terms of the primitive's size; the
+// share that grows with the ray's own coordinates is put into the origin (host/accel/primitive_bounds.h).
+struct BoxRay {
+  vec3 lowOrigin;   // subtracted from the boxes' lower corners
+  vec3 highOrigin;
+  vec3 inverse;
+};
+
+// Zero components would make 0 * infinity = NaN at a box face; the smallest that keeps 1/d finite decides nothing.
+BoxRay boxRay(Ray ray) {
+  float pad = largest(abs(ray.origin)) * (1.0 / 1048576.0);
+  vec3 magnitude = max(abs(ray.direction), vec3(7.9e-31));
+  vec3 inverse = 1.0 / mix(magnitude, -magnitude, lessThan(ray.direction, vec3(0.0)));
+  return BoxRay(ray.origin + pad, ray.origin - pad, inverse);
+}
+
+// Where the ray meets a child's box, or kNoHit. The far side is widened by 1 + 2 gamma(3) (Ize, JCGT 2013).
+float boxEntry(vec3 low, vec3 high, BoxRay ray, float limit) {
+  vec3 t0 = (low - ray.lowOrigin) * ray.inverse;
+  vec3 t1 = (high - ray.highOrigin) * ray.inverse;
+  vec3 near = min(t0, t1);
+  vec3 far = max(t0, t1);
+  float entry = max(max(near.x, near.y), max(near.z, 0.0));
+  float exit = min(min(far.x, far.y), min(far.z, limit)) * 1.0000004;
+  return entry <= exit ? entry : kNoHit;
+}
+
+// Packs a subtree into one stack word: slots and nodes are below 2^27, a leaf holds at most 31 primitives.
+uint packSubtree(Subtree tree) { return tree.reference | (tree.count << 27); }
+Subtree unpackSubtree(uint word) { return Subtree(word & 0x07ffffffu, word >> 27); }
+
+// The one traversal that a lane has under way. The builder bounds the depth of the tree, and kStackSize is that bound.
+uint stack[kStackSize];
+uint stackTop;
+Subtree current;
+bool finished;
+
+void startTraversal() {
+  stackTop = 0u;
+  current = Subtree(constants.root.x, constants.root.y);
+  finished = constants.root.x == kEmpty;
+}
+
+// The next subtree that waits, or the end.
+void popSubtree() {
+  finished = stackTop == 0u;
+  stackTop -= finished ? 0u : 1u;
+  Subtree next = unpackSubtree(stack[stackTop]);
+  if (!finished) current = next;
+}
+
+// Goes to the nearer child that the ray meets before `limit` and keeps the other.
+void visitNode(BoxRay ray, float limit) {
+  uint row = constants.sections.x + current.reference * kNodeRows;
+  uvec4 leftLow = sceneRow(row);
+  uvec4 leftHigh = sceneRow(row + 1u);
+  uvec4 rightLow = sceneRow(row + 2u);
+  uvec4 rightHigh = sceneRow(row + 3u);
+  float left = boxEntry(uintBitsToFloat(leftLow.xyz), uintBitsToFloat(leftHigh.xyz), ray, limit);
+  float right = boxEntry(uintBitsToFloat(rightLow.xyz), uintBitsToFloat(rightHigh.xyz), ray, limit);
+  bool leftFirst = left <= right;
+  Subtree leftTree = Subtree(leftLow.w, leftHigh.w);
+  Subtree rightTree = Subtree(rightLow.w, rightHigh.w);
+  if (max(left, right) < kNoHit) {
+    Subtree later = rightTree;
+    if (!leftFirst) later = leftTree;
+    stack[stackTop] = packSubtree(later);
+    ++stackTop;
+  }
+  if (min(left, right) < kNoHit) {
+    current = leftTree;
+    if (!leftFirst) current = rightTree;
+  } else {
+    popSubtree();
+  }
+}
+
+void descendToLeaf(BoxRay ray, float limit, inout Work work) {
+  while (!finished && current.count == 0u) {
+    visitNode(ray, limit);
+    work.steps += 1u;
+  }
+}
+
+void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
+  BoxRay boxes = boxRay(ray);
+  startTraversal();
+  while (!finished) {
+    descendToLeaf(boxes, hit.t, work);
+    if (!finished) {
+      closestInRange(hit, ray, current.reference, current.reference + current.count, work);
+      popSubtree();
+    }
+  }
+  work.truncated += finished ? 0u : 1u;
+}
+
+bool anyInHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
+  BoxRay boxes = boxRay(ray);
+  bool blocked = false;
+  startTraversal();
+  while (!finished && !blocked) {
+    descendToLeaf(boxes, limit, work);
+    if (!finished) {
+      blocked = anyInRange(ray, current.reference, current.reference + current.count, ignored, limit, work);
+      popSubtree();
+    }
+  }
+  work.truncated += finished || blocked ? 0u : 1u;
+  return blocked;
+}
+
+#endif

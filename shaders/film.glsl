@@ -1,0 +1,48 @@
+// The film's exact sums: samples become integers in units of 2^-40 and are added with carry.
+#ifndef CANDELA_FILM_GLSL
+#define CANDELA_FILM_GLSL
+#include "math.glsl"
+#include "shared/render_data.h"
+
+const float kFilmMaximum = 1048576.0;
+
+// floor(value 2^40) as 96 bits, least significant first; value in [0, 2^40].
+uvec3 toFixed(float value) {
+  uint bits = floatBitsToUint(value);
+  uint exponent = bits >> 23;
+  uint mantissa = exponent == 0u ? 0u : (bits & 0x007fffffu) | 0x00800000u;
+  if (exponent < 110u) return uvec3(mantissa >> min(110u - exponent, 31u), 0u, 0u);
+  uint shift = exponent - 110u;
+  uint bit = shift & 31u;
+  uint low = mantissa << bit;
+  uint high = bit == 0u ? 0u : mantissa >> (32u - bit);
+  uint word = shift >> 5;
+  return word == 0u ? uvec3(low, high, 0u) : word == 1u ? uvec3(0u, low, high) : uvec3(0u, 0u, low);
+}
+
+uvec3 addFixed(uvec3 sum, uvec3 term) {
+  uint carry0, carry1, carry2;
+  uint low = uaddCarry(sum.x, term.x, carry0);
+  uint middle = uaddCarry(sum.y, term.y, carry1);
+  uint middleCarried = uaddCarry(middle, carry0, carry2);
+  return uvec3(low, middleCarried, sum.z + term.z + carry1 + carry2);
+}
+
+// False for NaN, infinities and negative numbers, told by bits: NaN ordering is not relied on.
+bool inRange(float value) { return floatBitsToUint(value) < 0x7f800000u || value == 0.0; }
+
+void addSample(inout FilmRows film, vec3 radiance, uint sampleIndex) {
+  bvec3 usable = bvec3(inRange(radiance.x), inRange(radiance.y), inRange(radiance.z));
+  vec3 clamped = vec3(usable.x ? min(radiance.x, kFilmMaximum) : 0.0, usable.y ? min(radiance.y, kFilmMaximum) : 0.0,
+                      usable.z ? min(radiance.z, kFilmMaximum) : 0.0);
+  bool bad = !all(usable) || clamped != radiance;
+  precise float y = luminance(clamped);
+  precise float ySquared = y * y;
+  film.red = uvec4(addFixed(film.red.xyz, toFixed(clamped.x)), film.red.w + 1u);
+  film.green = uvec4(addFixed(film.green.xyz, toFixed(clamped.y)), film.green.w + (bad ? 1u : 0u));
+  bool first = bad && (film.blue.w == 0u || sampleIndex + 1u < film.blue.w);
+  film.blue = uvec4(addFixed(film.blue.xyz, toFixed(clamped.z)), first ? sampleIndex + 1u : film.blue.w);
+  film.luminanceSquared = uvec4(addFixed(film.luminanceSquared.xyz, toFixed(ySquared)), 0u);
+}
+
+#endif

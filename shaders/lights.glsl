@@ -1,0 +1,78 @@
+// Sampling the table of emitters and point lights: docs/light-transport.md section 6.
+#ifndef CANDELA_LIGHTS_GLSL
+#define CANDELA_LIGHTS_GLSL
+#include "primitives.glsl"
+#include "sampling.glsl"
+#include "scene_access.glsl"
+
+struct LightSample {
+  vec3 wi;
+  vec3 emission;   // radiance towards the surface; divided by nothing yet
+  float distance;  // to the lit point
+  float pdf;       // solid angle, choice of the light included; a point light: choice only
+  bool delta;      // a point light
+};
+
+const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false);
+
+// Height of the cap of directions that a sphere fills, seen from `position`; 2 (all directions) from inside it.
+float sphereCapHeight(vec3 toCentre, float radius, bool leaving) {
+  float distanceSquared = dot(toCentre, toCentre);
+  float radiusSquared = radius * radius;
+  if (leaving || distanceSquared <= radiusSquared) return 2.0;
+  float sinSquared = radiusSquared / distanceSquared;
+  float cosine = sqrt(max(0.0, (distanceSquared - radiusSquared) / distanceSquared));
+  return sinSquared / (1.0 + cosine);
+}
+
+LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
+  vec3 toCentre = light.position - from.position;
+  float height = sphereCapHeight(toCentre, light.radius, from.slot == light.slot);
+  vec3 local = sampleCap(u, height);
+  vec3 wi = height == 2.0 ? local : frameAround(unit(toCentre)) * local;
+  PrimitiveHit hit = hitPrimitive(rayFrom(from, wi), light.slot);
+  if (hit.t >= kNoHit) return kNoLight;
+  return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false);
+}
+
+LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
+  if (from.slot == light.slot) return kNoLight;
+  uint row = primitiveRow(light.slot);
+  vec3 p0 = sceneRowFloat(row).xyz;
+  vec3 edge1 = sceneRowFloat(row + 1u).xyz - p0;
+  vec3 edge2 = sceneRowFloat(row + 2u).xyz - p0;
+  vec2 weights = sampleTriangle(u);
+  vec3 toPoint = (p0 - from.position) + (weights.x * edge1 + weights.y * edge2);
+  float distanceSquared = dot(toPoint, toPoint);
+  float distance = sqrt(distanceSquared);
+  vec3 wi = toPoint / distance;
+  float cosine = -dot(unit(cross(edge1, edge2)), wi);
+  if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
+  return LightSample(wi, light.emission, distance, light.probability * distanceSquared / (light.area * abs(cosine)), false);
+}
+
+LightSample samplePointLight(Light light, Surface from) {
+  vec3 toPoint = light.position - from.position;
+  float distance = sqrt(dot(toPoint, toPoint));
+  if (distance == 0.0) return kNoLight;
+  return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true);
+}
+
+LightSample sampleLight(Light light, Surface from, vec2 u) {
+  if (kHasSphereLights && light.kind == kLightSphere) return sampleSphereLight(light, from, u);
+  if (kHasTriangleLights && light.kind == kLightTriangle) return sampleTriangleLight(light, from, u);
+  if (kHasPointLights && light.kind == kLightPoint) return samplePointLight(light, from);
+  return kNoLight;
+}
+
+// The pdf with which sampleLight, from the start of `ray`, would have found the emitter that the ray hit at distance t.
+float lightPdf(Ray ray, Surface emitter, float t) {
+  Light light = loadLight(emitter.light - 1u);
+  if (kHasSphereLights && light.kind == kLightSphere) {
+    bool leaving = (ray.leaving & ~kLeavingInward) == light.slot;
+    return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, leaving));
+  }
+  return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
+}
+
+#endif

@@ -1,0 +1,48 @@
+// Elementary functions out of + - * / alone, so that they are equally accurate on every device (Vulkan's own may be off
+// by 2^-11 and worse). Relative errors are a few units in the last place.
+#ifndef CANDELA_MATH_GLSL
+#define CANDELA_MATH_GLSL
+
+const float kPi = 3.14159265358979;
+const float kLargestFloat = 3.402823e38;
+
+// (cos x, sin x) for |x| <= pi/4: Taylor series, truncated below 2^-26.
+vec2 cosSin(float x) {
+  float x2 = x * x;
+  float c = 1.0 + x2 * (-0.5 + x2 * (1.0 / 24.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 40320.0 - x2 / 3628800.0))));
+  float s = x * (1.0 + x2 * (-1.0 / 6.0 + x2 * (1.0 / 120.0 + x2 * (-1.0 / 5040.0 + x2 / 362880.0))));
+  return vec2(c, s);
+}
+
+// log(1 - q) for q in [0, 1), without cancellation at small q. 1 - q = m 2^e with m in [1/sqrt 2, sqrt 2);
+// log m = 2 atanh((m-1)/(m+1)), whose series needs five terms there.
+float logOneMinus(float q) {
+  float rest = 1.0 - q;
+  uint bits = floatBitsToUint(rest);
+  int exponent = int((bits + 0x004afb0du) >> 23) - 127;
+  float m = uintBitsToFloat(bits - uint(exponent << 23));
+  float numerator = exponent == 0 ? -q : m - 1.0;
+  float f = numerator / (m + 1.0);
+  float f2 = f * f;
+  float series = 1.0 + f2 * (1.0 / 3.0 + f2 * (1.0 / 5.0 + f2 * (1.0 / 7.0 + f2 * (1.0 / 9.0))));
+  return 2.0 * f * series + float(exponent) * 0.693147180559945;
+}
+
+// exp(y) - 1 for y <= 0. y = k log 2 + r with |r| <= log(2)/2, Taylor series for r; log 2 in two parts.
+float expMinusOne(float y) {
+  float bounded = max(y, -80.0);
+  float k = floor(bounded * 1.44269504 + 0.5);
+  float r = (bounded - k * 0.693359375) + k * 2.12194440e-4;
+  float series = r * (1.0 + r * (0.5 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r / 5040.0))))));
+  float scale = uintBitsToFloat(uint(int(k) + 127) << 23);
+  return scale * series + (scale - 1.0);
+}
+
+// The device's own normalize() may use an approximate root.
+vec3 unit(vec3 v) { return v * (1.0 / sqrt(dot(v, v))); }
+
+float lengthSquared(vec3 v) { return dot(v, v); }
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+
+#endif

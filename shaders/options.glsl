@@ -1,0 +1,35 @@
+// The specialisation constants, by name.
+#ifndef CANDELA_OPTIONS_GLSL
+#define CANDELA_OPTIONS_GLSL
+#include "shared/specialization.h"
+
+layout(constant_id = kSpecSpheres) const bool kHasSpheres = true;
+layout(constant_id = kSpecTriangles) const bool kHasTriangles = true;
+layout(constant_id = kSpecBoxes) const bool kHasBoxes = true;
+layout(constant_id = kSpecCones) const bool kHasCones = true;
+layout(constant_id = kSpecPlanes) const bool kHasPlanes = true;
+layout(constant_id = kSpecSmooth) const bool kHasSmooth = true;
+layout(constant_id = kSpecDiffuse) const bool kHasDiffuse = true;
+layout(constant_id = kSpecGlossy) const bool kHasGlossy = true;
+layout(constant_id = kSpecMirror) const bool kHasMirror = true;
+layout(constant_id = kSpecDielectric) const bool kHasDielectric = true;
+layout(constant_id = kSpecEmission) const bool kHasEmission = true;
+layout(constant_id = kSpecSphereLights) const bool kHasSphereLights = true;
+layout(constant_id = kSpecTriangleLights) const bool kHasTriangleLights = true;
+layout(constant_id = kSpecPointLights) const bool kHasPointLights = true;
+layout(constant_id = kSpecSky) const bool kHasSky = true;
+layout(constant_id = kSpecOneSided) const bool kOneSided = false;
+layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
+layout(constant_id = kSpecTent) const bool kTentFilter = false;
+layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;
+layout(constant_id = kSpecHierarchy) const bool kHierarchy = true;
+layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
+layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
+layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
+layout(constant_id = kSpecMultiLobe) const bool kHasMixtures = true;
+
+const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
+const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;
+const bool kHasLights = kHasSampledEmitters || kHasPointLights;
+
+#endif

@@ -1,0 +1,150 @@
+// The path tracer, one segment at a time: docs/light-transport.md section 7. A path lives in a Path between segments, so
+// that it can stop after any of them and go on in another dispatch as if it had not.
+#ifndef CANDELA_PATH_GLSL
+#define CANDELA_PATH_GLSL
+#include "background.glsl"
+#include "bsdf.glsl"
+#include "camera.glsl"
+#include "lights.glsl"
+#include "traversal.glsl"
+
+struct Path {
+  Ray ray;
+  float pdf;        // of the ray's direction; 0: delta
+  vec3 throughput;
+  vec3 radiance;
+  uint depth;       // of the ray, 1 for the camera's; 0: the sample has not begun
+};
+
+// What a segment decided, for comparison with another tracer.
+struct Decisions {
+  uint index;
+  uint lobe;
+  uint shadow;
+  bool survived;
+};
+
+struct RayCounts {
+  uint bounce;
+  uint shadow;
+  uint vertices;
+};
+
+void startPath(inout Path path, SampleKey key, uvec2 pixel) {
+  vec3 origin, direction;
+  cameraRay(constants, pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
+  path.ray = Ray(origin, direction, kNoSlot);
+  path.pdf = 0.0;
+  path.throughput = vec3(1.0);
+  path.radiance = vec3(0.0);
+  path.depth = 1u;
+}
+
+// The normals that a vertex shades with: `outward` for dielectrics, otherwise turned to wo.
+struct Shading {
+  mat3 frame;
+  vec3 facing;  // geometric normal on wo's side
+  vec3 wo;      // local
+  bool outside; // wo is on the side of the primitive's own normal
+};
+
+Shading shadingAt(Surface surface, vec3 wo) {
+  Shading shading;
+  shading.outside = dot(surface.outward, wo) > 0.0;
+  shading.facing = shading.outside ? surface.outward : -surface.outward;
+  vec3 normal = shading.facing;
+  if (kHasSmooth) {
+    vec3 turned = shading.outside ? surface.shading : -surface.shading;
+    normal = dot(turned, wo) > 0.0 ? turned : normal;
+  }
+  shading.frame = frameAround(normal);
+  shading.wo = wo * shading.frame;
+  return shading;
+}
+
+// Emission found by the path itself, weighed against the chance that a light sample had found it.
+vec3 emissionFound(Path path, Surface surface, float t) {
+  if ((surface.kind & kFlagEmissive) == 0u) return vec3(0.0);
+  float weight = 1.0;
+  if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
+    weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
+  }
+  return materialEmission(surface.kind) * weight;
+}
+
+// Next-event estimation: the light of one sample of the table, before the throughput.
+vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numbers, inout Work work,
+                 inout RayCounts counts, out uint shadow) {
+  shadow = kShadowNotTraced;
+  Light light = loadLight(chooseLight(numbers.x >> 8));
+  LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
+  float pdf;
+  vec3 wi = lit.wi * shading.frame;
+  vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
+  bool sameSide = dot(lit.wi, shading.facing) > 0.0;
+  vec3 arriving = f * wi.z * lit.emission;
+  if (lit.pdf <= 0.0 || !sameSide || largest(arriving) <= 0.0) return vec3(0.0);
+  counts.shadow += 1u;
+  bool blocked = traceAny(rayFrom(surface, lit.wi), light.slot, lit.distance, work);
+  shadow = blocked ? kShadowOccluded : kShadowVisible;
+  if (blocked) return vec3(0.0);
+  float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
+  return arriving * (weight / lit.pdf);
+}
+
+// Chooses the next direction; true if the path goes on.
+bool scatter(inout Path path, Surface surface, Shading shading, Material material, float lobeNumber, vec2 numbers,
+             inout Decisions decisions) {
+  BsdfSample next = sampleBsdf(material, shading.wo, shading.outside, vec3(lobeNumber, numbers));
+  decisions.lobe = next.lobe;
+  if (next.lobe == kLobeNone) return false;
+  precise vec3 direction = unit(shading.frame * next.wi);
+  bool transmitted = next.lobe == kLobeRefract;
+  bool above = dot(direction, shading.facing) > 0.0;
+  path.throughput *= next.weight;
+  path.pdf = next.pdf;
+  path.ray = rayFrom(surface, direction);
+  return above != transmitted && largest(path.throughput) > 0.0;
+}
+
+// Russian roulette by throughput; true if the path survives.
+bool survivesRoulette(inout Path path, float number) {
+  if (path.depth <= constants.limits.y) return true;
+  float survival = min(1.0, largest(path.throughput));
+  path.throughput /= survival;
+  return number < survival;
+}
+
+// Traces the path's ray and everything up to the next one. True if the path goes on.
+bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
+  counts.bounce += path.depth > 1u ? 1u : 0u;
+  Hit hit = traceClosest(path.ray, work);
+  if (hit.slot == kNoSlot) {
+    path.radiance += path.throughput * backgroundRadiance(path.ray.direction);
+    return false;
+  }
+  counts.vertices += 1u;
+  decisions.index = hit.index;
+  Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
+  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, hit.t);
+  if (path.depth >= constants.limits.x) return false;
+
+  Material material = loadMaterial(surface.kind);
+  Shading shading = shadingAt(surface, -path.ray.direction);
+  float lobeNumber = 0.0;
+  if (kHasLights || kHasMixtures) {
+    uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
+    lobeNumber = toUnit(numbers.w);
+    if (kHasLights && hasSmoothLobe(material)) {
+      path.radiance += path.throughput * directLight(surface, shading, material, numbers, work, counts, decisions.shadow);
+    }
+  }
+  vec4 numbers = toUnit(sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
+  if (!scatter(path, surface, shading, material, lobeNumber, numbers.xy, decisions)) return false;
+  decisions.survived = survivesRoulette(path, numbers.z);
+  path.depth += 1u;
+  return decisions.survived;
+}
+
+#endif

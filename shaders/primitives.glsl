@@ -1,0 +1,136 @@
+// A slot's primitive, whatever its kind: the one test that all traversals share, and what a hit's shading needs.
+#ifndef CANDELA_PRIMITIVES_GLSL
+#define CANDELA_PRIMITIVES_GLSL
+#include "geometry.glsl"
+#include "scene_access.glsl"
+
+struct PrimitiveHit {
+  float t;
+  uint index;  // primitive index in the scene
+};
+
+bool isKind(uint kind, uint wanted) { return (kind & kKindMask) == wanted; }
+
+// With a single kind in the scene this is known without looking.
+float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool leaving, bool inward) {
+  vec4 row0 = uintBitsToFloat(rows[0]);
+  vec4 row1 = uintBitsToFloat(rows[1]);
+  vec4 row2 = uintBitsToFloat(rows[2]);
+  if (kHasSpheres && isKind(kind, kKindSphere)) {
+    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, (kind & kFlagInsideOnly) != 0u, leaving);
+  }
+  if (kHasTriangles && isKind(kind, kKindTriangle)) {
+    return leaving ? kNoHit : hitTriangle(ray, row0.xyz, row1.xyz, row2.xyz);
+  }
+  if (kHasBoxes && isKind(kind, kKindBox)) return hitBox(ray, row0.xyz, row1.xyz, leaving, inward);
+  if (kHasCones && isKind(kind, kKindCone)) {
+    return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, leaving);
+  }
+  if (kHasPlanes && isKind(kind, kKindPlane)) return leaving ? kNoHit : hitPlane(ray, row0.xyz, row1.xyz);
+  return kNoHit;
+}
+
+// --one-sided: the back of an opaque triangle or plane is not there.
+bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
+  if (!kOneSided || (kind & kFlagOpaque) == 0u) return false;
+  vec3 p0 = uintBitsToFloat(rows[0].xyz);
+  vec3 p1 = uintBitsToFloat(rows[1].xyz);
+  if (isKind(kind, kKindPlane)) return dot(p1, ray.direction) > 0.0;
+  if (!isKind(kind, kKindTriangle)) return false;
+  vec3 p2 = uintBitsToFloat(rows[2].xyz);
+  return dot(cross(p1 - p0, p2 - p0), ray.direction) > 0.0;
+}
+
+PrimitiveHit hitPrimitive(Ray ray, uint slot) {
+  uint row = primitiveRow(slot);
+  uvec4 rows[3] = uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
+  uint kind = rows[2].w;
+  bool leaving = (ray.leaving & ~kLeavingInward) == slot;
+  float t = hitDistance(ray, rows, kind, leaving, (ray.leaving & kLeavingInward) != 0u);
+  if (isDroppedBack(ray, rows, kind)) t = kNoHit;
+  return PrimitiveHit(t, rows[1].w);
+}
+
+// Where a ray met a surface, all in world space.
+struct Surface {
+  vec3 position;
+  vec3 outward;     // geometric normal with the primitive's own orientation
+  vec3 shading;     // shading normal with the orientation of `outward`
+  uint slot;
+  uint kind;        // kind, flags and material
+  uint light;       // place in the light table + 1; 0: not in it
+  uint index;       // primitive index in the scene
+  bool flatSurface; // the next ray's origin is offset
+};
+
+void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
+  uvec4 first = sceneRow(normalRow);
+  vec3 n0 = uintBitsToFloat(first.xyz);
+  vec3 n1 = sceneRowFloat(normalRow + 1u).xyz;
+  vec3 n2 = sceneRowFloat(normalRow + 2u).xyz;
+  vec3 interpolated = (1.0 - weights.x - weights.y) * n0 + weights.x * n1 + weights.y * n2;
+  float squared = dot(interpolated, interpolated);
+  vec3 shading = squared > 0.0 ? interpolated * (1.0 / sqrt(squared)) : surface.outward;
+  surface.shading = dot(shading, surface.outward) < 0.0 ? -shading : shading;
+  surface.light = first.w;
+}
+
+void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
+  vec2 weights = barycentrics(surface.position, p0, p1, p2);
+  surface.position = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
+  surface.outward = unit(cross(p1 - p0, p2 - p0));
+  surface.shading = surface.outward;
+  surface.light = extra;
+  if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.moreSections.x + extra, weights);
+}
+
+// The surface of a slot at distance t of a ray that hits it.
+Surface surfaceAt(Ray ray, uint slot, float t) {
+  uint row = primitiveRow(slot);
+  uvec4 bits0 = sceneRow(row);
+  uvec4 bits1 = sceneRow(row + 1u);
+  uvec4 bits2 = sceneRow(row + 2u);
+  vec4 row0 = uintBitsToFloat(bits0);
+  vec4 row1 = uintBitsToFloat(bits1);
+  vec4 row2 = uintBitsToFloat(bits2);
+  Surface surface;
+  surface.position = ray.origin + t * ray.direction;
+  surface.slot = slot;
+  surface.kind = bits2.w;
+  surface.index = bits1.w;
+  surface.light = 0u;
+  surface.outward = vec3(0.0, 0.0, 1.0);
+  surface.flatSurface = true;
+  if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
+    surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);
+    if ((surface.kind & kFlagInsideOnly) != 0u) surface.outward = -surface.outward;
+    surface.light = bits2.x;
+    surface.flatSurface = false;
+  }
+  if (kHasBoxes && isKind(surface.kind, kKindBox)) {
+    surface.outward = boxNormal(surface.position, row0.xyz, row1.xyz);
+  }
+  if (kHasCones && isKind(surface.kind, kKindCone)) {
+    surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);
+    surface.flatSurface = false;
+  }
+  if (kHasPlanes && isKind(surface.kind, kKindPlane)) {
+    surface.position -= dot(surface.position - row0.xyz, row1.xyz) * row1.xyz;
+    surface.outward = row1.xyz;
+  }
+  surface.shading = surface.outward;
+  if (kHasTriangles && isKind(surface.kind, kKindTriangle)) {
+    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, bits0.w);
+  }
+  return surface;
+}
+
+// The ray that goes on from a surface.
+Ray rayFrom(Surface surface, vec3 direction) {
+  bool inward = dot(surface.outward, direction) < 0.0;
+  vec3 origin = surface.position;
+  if (kHasFlat && surface.flatSurface) origin = offsetAlong(origin, surface.outward, direction);
+  return Ray(origin, direction, surface.slot | (inward ? kLeavingInward : 0u));
+}
+
+#endif

@@ -1,0 +1,100 @@
+// The only file that declares scene buffers: rows in, values out.
+#ifndef CANDELA_SCENE_ACCESS_GLSL
+#define CANDELA_SCENE_ACCESS_GLSL
+#include "options.glsl"
+#include "shared/bindings.h"
+#include "shared/render_data.h"
+#include "shared/scene_rows.h"
+
+layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows { uvec4 sceneRows[]; };
+layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
+layout(set = 0, binding = kBindingConstants, std140) uniform Constants { RenderConstants constants; };
+
+// Both ways give the same bits; which is faster depends on the device, and texel buffers are shorter on some.
+uvec4 sceneRow(uint row) {
+  if (kTexelLoads) return texelFetch(sceneTexels, int(row));
+  return sceneRows[row];
+}
+
+vec4 sceneRowFloat(uint row) { return uintBitsToFloat(sceneRow(row)); }
+
+uint primitiveRow(uint slot) { return constants.sections.y + slot * kPrimitiveRows; }
+
+struct Material {
+  vec3 diffuse;
+  float diffuseWeight;
+  vec3 specular;
+  float glossyWeight;
+  float dielectricWeight;
+  float exponent;
+  float ior;
+  bool mirror;
+};
+
+uint materialRow(uint kindAndMaterial) {
+  return constants.sections.z + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
+}
+
+vec3 materialEmission(uint kindAndMaterial) { return sceneRowFloat(materialRow(kindAndMaterial) + 2u).xyz; }
+
+Material loadMaterial(uint kindAndMaterial) {
+  uint row = materialRow(kindAndMaterial);
+  Material material;
+  vec4 diffuse = sceneRowFloat(row);
+  material.diffuse = diffuse.xyz;
+  material.diffuseWeight = diffuse.w;
+  material.specular = vec3(0.0);
+  material.glossyWeight = 0.0;
+  if (kHasGlossy) {
+    vec4 specular = sceneRowFloat(row + 1u);
+    material.specular = specular.xyz;
+    material.glossyWeight = specular.w;
+  }
+  material.dielectricWeight = 0.0;
+  if (kHasDielectric) material.dielectricWeight = sceneRowFloat(row + 2u).w;
+  material.exponent = 0.0;
+  material.ior = 1.0;
+  material.mirror = false;
+  if (kHasGlossy || kHasMirror || kHasDielectric) {
+    vec4 last = sceneRowFloat(row + 3u);
+    material.exponent = last.x;
+    material.ior = last.y;
+    material.mirror = last.z != 0.0;
+  }
+  return material;
+}
+
+struct Light {
+  float probability;
+  uint kind;
+  uint slot;
+  vec3 emission;  // radiance; a point light's colour
+  float area;     // of a triangle
+  vec3 position;  // a sphere's centre, a point light's place
+  float radius;   // of a sphere
+};
+
+uint lightRow(uint light) { return constants.sections.w + light * kLightRows; }
+
+Light loadLight(uint light) {
+  uint row = lightRow(light);
+  uvec4 head = sceneRow(row);
+  vec4 emission = sceneRowFloat(row + 1u);
+  vec4 place = sceneRowFloat(row + 2u);
+  return Light(uintBitsToFloat(head.y), head.z, head.w, emission.xyz, emission.w, place.xyz, place.w);
+}
+
+// The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
+uint chooseLight(uint k) {
+  uint low = 0u;
+  uint high = constants.limits.z - 1u;
+  while (low < high) {
+    uint middle = (low + high) / 2u;
+    bool right = k >= sceneRow(lightRow(middle)).x;
+    low = right ? middle + 1u : low;
+    high = right ? high : middle;
+  }
+  return low;
+}
+
+#endif

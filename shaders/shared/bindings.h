@@ -1,0 +1,15 @@
+// Numbers of the descriptors of set 0. Four storage buffers: what every Vulkan 1.2 device must offer.
+#ifndef CANDELA_SHARED_BINDINGS_H
+#define CANDELA_SHARED_BINDINGS_H
+#include "language.h"
+CANDELA_BEGIN
+
+CANDELA_CONST uint kBindingSceneRows = 0u;    // storage buffer: the scene, 16-byte rows
+CANDELA_CONST uint kBindingPathStates = 1u;   // storage buffer: PathState of each pixel of the band
+CANDELA_CONST uint kBindingFilm = 2u;         // storage buffer: film rows of each pixel of the band
+CANDELA_CONST uint kBindingResults = 3u;      // storage buffer: counters, then path records if asked for
+CANDELA_CONST uint kBindingSceneTexels = 4u;  // the scene's rows again, as a texel buffer
+CANDELA_CONST uint kBindingConstants = 5u;    // uniform buffer: RenderConstants
+
+CANDELA_END
+#endif

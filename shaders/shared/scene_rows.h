@@ -1,0 +1,53 @@
+// Layout of the scene on the device: one array of 16-byte rows, in sections that start at the row numbers given in
+// RenderConstants. A float stands in a row as its bits.
+#ifndef CANDELA_SHARED_SCENE_ROWS_H
+#define CANDELA_SHARED_SCENE_ROWS_H
+#include "language.h"
+CANDELA_BEGIN
+
+// Nodes: two children in the parent, four rows: (min, reference) and (max, primitive count) of the left child, then of
+// the right. A count of 0 makes the reference a node, otherwise the first of `count` primitive slots.
+CANDELA_CONST uint kNodeRows = 4u;
+
+// Primitives ("slots", in the order of the BVH's leaves; infinite planes behind all others), three rows each. Common to
+// all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
+//   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
+//   triangle  (p0, light + 1, or first row among the normals if smooth) (p1, .) (p2, .)
+//   box       (min, 0) (max, .) (0, 0, 0, .)
+//   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)
+//   plane     (point, 0) (unit normal, .) (0, 0, 0, .)
+CANDELA_CONST uint kPrimitiveRows = 3u;
+CANDELA_CONST uint kKindSphere = 0u;
+CANDELA_CONST uint kKindTriangle = 1u;
+CANDELA_CONST uint kKindBox = 2u;
+CANDELA_CONST uint kKindCone = 3u;
+CANDELA_CONST uint kKindPlane = 4u;
+CANDELA_CONST uint kKindMask = 7u;
+CANDELA_CONST uint kFlagInsideOnly = 8u;  // sphere of negative radius
+CANDELA_CONST uint kFlagSmooth = 16u;     // triangle with vertex normals
+CANDELA_CONST uint kFlagEmissive = 32u;
+CANDELA_CONST uint kFlagOpaque = 64u;     // T = 0: --one-sided applies
+CANDELA_CONST uint kMaterialShift = 8u;
+CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
+
+// Vertex normals of smooth triangles, three rows: (n0, light + 1) (n1, 0) (n2, 0).
+CANDELA_CONST uint kNormalRows = 3u;
+
+// Materials, four rows: (diffuse, weight of the diffuse lobe) (specular, weight of the glossy lobe)
+// (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0).
+CANDELA_CONST uint kMaterialRows = 4u;
+
+// Lights, three rows: (threshold, probability, kind, slot) (emission or colour, area) (centre or position, radius).
+CANDELA_CONST uint kLightRows = 3u;
+CANDELA_CONST uint kLightSphere = 0u;
+CANDELA_CONST uint kLightTriangle = 1u;
+CANDELA_CONST uint kLightPoint = 2u;
+CANDELA_CONST uint kNoSlot = 0x7fffffffu;
+
+// Sky: six rows (width, height, first texel, 0), then 64 rows that hold the 256 linear values of 8-bit sRGB, then the
+// texels of all faces, four to a row, each r | g << 8 | b << 16.
+CANDELA_CONST uint kSkyFaceCount = 6u;
+CANDELA_CONST uint kSkyTableRows = 64u;
+
+CANDELA_END
+#endif

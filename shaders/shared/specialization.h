@@ -1,0 +1,42 @@
+// Ids of the specialisation constants: what a scene or a render does not use is compiled out.
+#ifndef CANDELA_SHARED_SPECIALIZATION_H
+#define CANDELA_SHARED_SPECIALIZATION_H
+#include "language.h"
+CANDELA_BEGIN
+
+CANDELA_CONST uint kSpecWorkgroupX = 0u;
+CANDELA_CONST uint kSpecWorkgroupY = 1u;
+CANDELA_CONST uint kSpecSpheres = 2u;       // kinds of primitives present
+CANDELA_CONST uint kSpecTriangles = 3u;
+CANDELA_CONST uint kSpecBoxes = 4u;
+CANDELA_CONST uint kSpecCones = 5u;
+CANDELA_CONST uint kSpecPlanes = 6u;
+CANDELA_CONST uint kSpecSmooth = 7u;
+CANDELA_CONST uint kSpecDiffuse = 8u;       // lobes present
+CANDELA_CONST uint kSpecGlossy = 9u;
+CANDELA_CONST uint kSpecMirror = 10u;
+CANDELA_CONST uint kSpecDielectric = 11u;
+CANDELA_CONST uint kSpecEmission = 12u;     // some primitive emits
+CANDELA_CONST uint kSpecSphereLights = 13u; // kinds of entries in the light table
+CANDELA_CONST uint kSpecTriangleLights = 14u;
+CANDELA_CONST uint kSpecPointLights = 15u;
+CANDELA_CONST uint kSpecSky = 16u;
+CANDELA_CONST uint kSpecOneSided = 17u;
+CANDELA_CONST uint kSpecLens = 18u;         // kLens...
+CANDELA_CONST uint kSpecTent = 19u;
+CANDELA_CONST uint kSpecSampler = 20u;      // kSampler...
+CANDELA_CONST uint kSpecHierarchy = 21u;    // 0: brute force
+CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
+CANDELA_CONST uint kSpecRecord = 23u;
+CANDELA_CONST uint kSpecStackSize = 24u;
+CANDELA_CONST uint kSpecMultiLobe = 25u;    // some material has more than one lobe
+
+CANDELA_CONST uint kLensNone = 0u;
+CANDELA_CONST uint kLensDisc = 1u;
+CANDELA_CONST uint kLensSquare = 2u;
+CANDELA_CONST uint kSamplerIndependent = 0u;
+CANDELA_CONST uint kSamplerStratified = 1u;
+CANDELA_CONST uint kSamplerSobol = 2u;
+
+CANDELA_END
+#endif
