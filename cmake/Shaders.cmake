@@ -1,29 +1,46 @@
-# candela_shaders(TARGET NAME.comp...): compiles each compute shader of shaders/ to SPIR-V (Vulkan 1.2) and embeds it
-# in TARGET as `candela::spirv::NAME` (a std::span<const std::uint32_t>), declared in "spirv/NAME.h".
-# Included files are tracked, so that editing a .glsl rebuilds what reads it.
+# candela_shaders(TARGET NAME.comp...): compiles each compute shader, of this folder or else of shaders/, to SPIR-V
+# (Vulkan 1.2) and embeds it in TARGET as `candela::spirv::NAME` (a std::span<const std::uint32_t>), declared in
+# "spirv/NAME.h". Included files, looked for in shaders/, are tracked, so that editing one rebuilds what reads it.
 find_program(GLSLANG glslangValidator REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
 
 function(candela_shaders target)
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/spirv)
   file(MAKE_DIRECTORY ${out_dir})
-  foreach(source ${ARGN})
-    get_filename_component(name ${source} NAME_WE)
+  foreach(file ${ARGN})
+    get_filename_component(name ${file} NAME_WE)
+    set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    if(NOT EXISTS ${source})
+      set(source ${CMAKE_SOURCE_DIR}/shaders/${file})
+    endif()
     set(spv ${out_dir}/${name}.spv)
     add_custom_command(
       OUTPUT ${spv}
       COMMAND ${GLSLANG} --quiet --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/shaders --depfile ${spv}.d
-              -o ${spv} ${CMAKE_SOURCE_DIR}/shaders/${source}
-      MAIN_DEPENDENCY ${CMAKE_SOURCE_DIR}/shaders/${source}
+              -o ${spv} ${source}
+      MAIN_DEPENDENCY ${source}
       DEPFILE ${spv}.d
-      COMMENT "SPIR-V ${source}"
+      COMMENT "SPIR-V ${file}"
       VERBATIM)
     add_custom_command(
       OUTPUT ${out_dir}/${name}.h ${out_dir}/${name}.cpp
       COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DSPV=${spv} -DOUT=${out_dir}/${name}
               -P ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       DEPENDS ${spv} ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+      COMMENT "Embedding ${file}"
       VERBATIM)
     target_sources(${target} PRIVATE ${out_dir}/${name}.cpp ${out_dir}/${name}.h)
+    set_property(GLOBAL APPEND PROPERTY CANDELA_SPIRV ${spv})
   endforeach()
   target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# One test spirv_val_NAME for every shader that candela_shaders has been given so far.
+function(candela_spirv_tests)
+  get_property(modules GLOBAL PROPERTY CANDELA_SPIRV)
+  list(REMOVE_DUPLICATES modules)
+  foreach(spv ${modules})
+    get_filename_component(name ${spv} NAME_WE)
+    add_test(NAME spirv_val_${name} COMMAND ${SPIRV_VAL} --target-env vulkan1.2 ${spv})
+  endforeach()
 endfunction()

@@ -1,0 +1,84 @@
+// Which device a selector means, on lists made by hand.
+#include "host/vulkan/device_choice.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/core/errors.h"
+
+using namespace candela;
+using Catch::Matchers::Contains;
+using Catch::Matchers::Message;
+using vulkan::chooseDevice;
+
+namespace {
+
+DeviceInfo makeInfo(std::uint32_t index, const char* name, const char* type, const char* whyNot = "") {
+  DeviceInfo info;
+  info.index = index;
+  info.name = name;
+  info.type = type;
+  info.whyNot = whyNot;
+  info.usable = info.whyNot.empty();
+  return info;
+}
+
+const std::vector<DeviceInfo> kDevices{
+    makeInfo(0, "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"),
+    makeInfo(1, "Old GeForce 640", "discrete GPU", "Vulkan 1.1.2 only, 1.2 is needed"),
+    makeInfo(2, "Iris Graphics", "integrated GPU"),
+    makeInfo(3, "GeForce RTX 3060", "discrete GPU"),
+};
+
+std::string messageOf(std::span<const DeviceInfo> devices, const std::string& selector) {
+  try {
+    chooseDevice(devices, selector);
+  } catch (const NoDeviceError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("without a selector the kind decides: discrete, integrated, virtual, CPU, other") {
+  const std::vector<DeviceInfo> others{makeInfo(0, "a", "other"), makeInfo(1, "b", "CPU"),
+                                       makeInfo(2, "c", "virtual GPU")};
+  CHECK(chooseDevice(kDevices, "").index == 3);
+  CHECK(chooseDevice(std::span(kDevices).first(3), "").index == 2);
+  CHECK(chooseDevice(std::span(kDevices).first(2), "").index == 0);
+  CHECK(chooseDevice(others, "").index == 2);
+  CHECK(chooseDevice(std::span(others).first(2), "").index == 1);
+}
+
+TEST_CASE("of equal kinds the first is chosen") {
+  const std::vector<DeviceInfo> twins{makeInfo(0, "a", "discrete GPU"), makeInfo(1, "b", "discrete GPU")};
+  CHECK(chooseDevice(twins, "").index == 0);
+}
+
+TEST_CASE("a selector is an index or a part of a name in any case") {
+  CHECK(chooseDevice(kDevices, "2").index == 2);
+  CHECK(chooseDevice(kDevices, "LLVMPIPE").index == 0);
+  CHECK(chooseDevice(kDevices, "iris").index == 2);
+}
+
+TEST_CASE("a number beyond the list is a part of a name") { CHECK(chooseDevice(kDevices, "3060").index == 3); }
+
+TEST_CASE("of devices with that name a usable one is chosen") { CHECK(chooseDevice(kDevices, "geforce").index == 3); }
+
+TEST_CASE("choosing an unusable device says what is missing") {
+  CHECK_THAT(messageOf(kDevices, "1"), Contains("1 (Old GeForce 640) is not usable: Vulkan 1.1.2 only, 1.2 is needed"));
+  CHECK_THAT(messageOf(kDevices, "640"), Contains("not usable"));
+}
+
+TEST_CASE("an unknown device is answered with the list") {
+  const std::string message = messageOf(kDevices, "radeon");
+  CHECK_THAT(message, Contains("no Vulkan device \"radeon\""));
+  CHECK_THAT(message, Contains("\n  0: llvmpipe (LLVM 15.0.6, 256 bits) (CPU)\n"));
+  CHECK_THAT(message, Contains("\n  3: GeForce RTX 3060 (discrete GPU)"));
+}
+
+TEST_CASE("where there is no device, or none that is usable, the message says what to install") {
+  CHECK_THAT(messageOf({}, ""), Contains("apt-get install mesa-vulkan-drivers"));
+  CHECK_THAT(messageOf({}, "llvmpipe"), Contains("apt-get install mesa-vulkan-drivers"));
+  CHECK_THAT(messageOf(std::span(kDevices).subspan(1, 1), ""), Contains("apt-get install mesa-vulkan-drivers"));
+}

@@ -1,0 +1,25 @@
+// The probe of the loop limit tells what the device does.
+#include "host/vulkan/loop_limit.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/vulkan_support/test_device.h"
+
+using namespace candela;
+
+TEST_CASE("a device runs every turn of a loop, or the probe says how many") {
+  vulkan::Device device = openTestDevice();
+  const std::uint32_t limit = vulkan::probeLoopLimit(device);
+  WARN(device.info().name << ": " << (limit == vulkan::kUnlimitedTurns ? "unlimited" : std::to_string(limit)));
+  const bool isUnlimited = limit == vulkan::kUnlimitedTurns;
+  CHECK((isUnlimited || limit < (1u << 20)));
+  CHECK(limit > 1000);
+  CHECK(vulkan::probeLoopLimit(device) == limit);
+}
+
+TEST_CASE("SwiftShader has no loop limit, and lavapipe of Mesa 22 stops after 65,535 turns") {
+  vulkan::Device device = openTestDevice();
+  const std::string driver = device.info().driver;
+  if (driver.find("SwiftShader") != std::string::npos) CHECK(vulkan::probeLoopLimit(device) == vulkan::kUnlimitedTurns);
+  if (driver.find("Mesa 22.") != std::string::npos) CHECK(vulkan::probeLoopLimit(device) == 65535);
+}

@@ -1,0 +1,45 @@
+// The validation layer is on when asked for, sees wrong calls, and is missed when it is not there.
+#include "host/vulkan/validation.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/core/errors.h"
+#include "host/vulkan/buffer.h"
+#include "tests/vulkan/environment_guard.h"
+#include "tests/vulkan_support/test_device.h"
+
+using namespace candela;
+using Catch::Matchers::Contains;
+using vulkan::Buffer;
+using vulkan::CommandRecorder;
+using vulkan::Usage;
+
+TEST_CASE("a wrong call is in the validation log until it is cleared") {
+  const EnvironmentGuard validation("CANDELA_VALIDATION", "1");
+  vulkan::Device device = openTestDevice();
+  Buffer buffer(device, 64, Usage::storage);
+  REQUIRE(vulkan::validationMessages().empty());
+  device.run([&](CommandRecorder& commands) { commands.copyBuffer(buffer, 0, buffer, 4, 8); });  // ranges overlap
+  const std::vector<std::string> messages = vulkan::validationMessages();
+  REQUIRE_FALSE(messages.empty());
+  CHECK_THAT(messages.front(), Contains("vkCmdCopyBuffer"));
+  vulkan::clearValidationMessages();
+  CHECK(vulkan::validationMessages().empty());
+}
+
+TEST_CASE("validation is asked for by any value but none and 0") {
+  const auto isRequested = [](const char* value) {
+    const EnvironmentGuard guard("CANDELA_VALIDATION", value);
+    return vulkan::validationRequested();
+  };
+  CHECK(isRequested("1"));
+  CHECK_FALSE(isRequested("0"));
+  CHECK_FALSE(isRequested(""));
+}
+
+TEST_CASE("asking for validation where the layer is not installed is an error that says so") {
+  const EnvironmentGuard validation("CANDELA_VALIDATION", "1");
+  const EnvironmentGuard path("VK_LAYER_PATH", "/nonexistent");
+  CHECK_THROWS_AS(openTestDevice(), NoDeviceError);
+  CHECK_THROWS_WITH(openTestDevice(), Contains("apt-get install vulkan-validationlayers"));
+}
