@@ -1,0 +1,41 @@
+// What reading and writing of EXR files have in common: channel names and the way to an image's pixels.
+#pragma once
+#include <ImathBox.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+
+#include <string_view>
+
+#include "host/image/image.h"
+
+namespace candela {
+
+inline constexpr int kNoExrThreads = 0;
+inline constexpr const char* kVarianceChannel = "variance.Y";
+inline constexpr const char* kSamplesChannel = "samples";
+
+/// Names of string attributes that belong to the format, not to the picture.
+inline bool isExrFormatAttribute(std::string_view name) { return name == "type" || name == "name" || name == "view"; }
+
+/// A frame buffer for one image. OpenEXR takes pointers to non-const also where it only reads.
+class ExrPixels {
+ public:
+  ExrPixels(const Image& image, const Imath::Box2i& window) : image_(image), window_(window) {}
+
+  void addRgb(const char* name, std::size_t component) {
+    add(name, Imf::FLOAT, &image_.rgb.data()->x + component, sizeof(glm::vec3));
+  }
+  void addVariance() { add(kVarianceChannel, Imf::FLOAT, image_.luminanceVariance.data(), sizeof(float)); }
+  void addSamples() { add(kSamplesChannel, Imf::UINT, image_.sampleCounts.data(), sizeof(std::uint32_t)); }
+  const Imf::FrameBuffer& frameBuffer() const { return frameBuffer_; }
+
+ private:
+  void add(const char* name, Imf::PixelType type, const void* first, std::size_t stride) {
+    frameBuffer_.insert(name, Imf::Slice::Make(type, first, window_, stride, stride * image_.width));
+  }
+
+  const Image& image_;
+  Imath::Box2i window_;
+  Imf::FrameBuffer frameBuffer_;
+};
+
+}  // namespace candela

@@ -1,0 +1,162 @@
+// OpenEXR files of any compression: colours, and as far as they are there variance, sample counts and metadata.
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host/core/errors.h"
+#include "host/image/byte_cursor.h"
+#include "host/image/exr_pixels.h"
+
+namespace candela {
+namespace {
+
+class MemoryInput : public Imf::IStream {
+ public:
+  explicit MemoryInput(ByteView bytes) : Imf::IStream("memory"), bytes_(bytes) {}
+
+  bool read(char* target, int count) override {
+    const auto wanted = static_cast<std::size_t>(count);
+    if (count < 0 || position_ > bytes_.size() || wanted > bytes_.size() - position_) {
+      throw Iex::InputExc("the file is cut short");
+    }
+    std::memcpy(target, bytes_.data() + position_, wanted);
+    position_ += wanted;
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  ByteView bytes_;
+  std::uint64_t position_ = 0;
+};
+
+std::uint32_t takeWord(ByteCursor& cursor) {
+  const ByteView bytes = cursor.take(4);
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
+  return word;
+}
+
+/// Walks through the headers, as OpenEXR believes an attribute's size, up to 2 GiB, before it looks for the bytes.
+void checkAttributeSizes(ByteView bytes) {
+  constexpr std::uint32_t kMultiPart = 0x1000;
+  const auto isNul = [](char c) { return c == 0; };
+  ByteCursor cursor(bytes);
+  cursor.take(4);  // magic number
+  const bool multiPart = (takeWord(cursor) & kMultiPart) != 0;
+  bool headerIsEmpty = false;
+  do {  // an empty name ends a header, an empty header the list of several
+    headerIsEmpty = true;
+    while (!cursor.takeUntil(isNul).empty()) {
+      headerIsEmpty = false;
+      cursor.takeUntil(isNul);  // type
+      cursor.take(takeWord(cursor));
+    }
+  } while (multiPart && !headerIsEmpty);
+}
+
+/// Limits what OpenEXR allocates while it opens a file, before checkImageSize can see the size.
+void limitSizes() {
+  static const bool limited = [] {
+    constexpr auto kSide = static_cast<int>(kMaximumImageSide);
+    Imf::Header::setMaxImageSize(kSide, kSide);
+    Imf::Header::setMaxTileSize(kSide, kSide);
+    return true;
+  }();
+  static_cast<void>(limited);
+}
+
+Imath::Box2i checkedWindow(const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+  if (width < 1 || height < 1) throw FileError("the data window is empty");
+  checkImageSize(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
+  return window;
+}
+
+/// Deflate makes at most 1032 bytes of one and the other methods fewer, but for DWA; a pixel has at least two bytes. A
+/// file that claims more is not worth the memory.
+void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
+  constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
+  const Imf::Compression compression = header.compression();
+  if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is cut short");
+}
+
+bool hasChannel(const Imf::Header& header, const char* name) {
+  const Imf::Channel* channel = header.channels().findChannel(name);
+  return channel && channel->xSampling == 1 && channel->ySampling == 1;
+}
+
+/// Maps the file's colour channels to the image's.
+void addColour(const Imf::Header& header, ExrPixels& pixels) {
+  if (hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B")) {
+    pixels.addRgb("R", 0);
+    pixels.addRgb("G", 1);
+    pixels.addRgb("B", 2);
+    return;
+  }
+  const bool hasChroma = header.channels().findChannel("RY") || header.channels().findChannel("BY");
+  if (!hasChannel(header, "Y") || hasChroma) {
+    throw FileError("the EXR file has neither the channels R, G and B nor Y alone, each at full resolution");
+  }
+  pixels.addRgb("Y", 0);
+}
+
+std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
+  std::map<std::string, std::string> metadata;
+  for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
+    if (isExrFormatAttribute(attribute.name())) continue;
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
+    if (text) metadata[attribute.name()] = text->value();
+  }
+  return metadata;
+}
+
+Image decode(ByteView bytes) {
+  limitSizes();
+  checkAttributeSizes(bytes);
+  MemoryInput input(bytes);
+  Imf::InputFile file(input, kNoExrThreads);
+  const Imf::Header& header = file.header();
+  if (header.hasType() && Imf::isDeepData(header.type())) throw FileError("deep EXR files are not read");
+  const Imath::Box2i window = checkedWindow(header);
+
+  Image image;
+  image.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
+  image.height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
+  const std::size_t pixelCount = std::size_t{image.width} * image.height;
+  checkPlausible(header, pixelCount, bytes.size());
+  image.rgb.resize(pixelCount);
+  if (hasChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
+  if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
+  image.metadata = metadataOf(header);
+
+  ExrPixels pixels(image, window);
+  addColour(header, pixels);
+  if (!image.luminanceVariance.empty()) pixels.addVariance();
+  if (!image.sampleCounts.empty()) pixels.addSamples();
+  file.setFrameBuffer(pixels.frameBuffer());
+  file.readPixels(window.min.y, window.max.y);
+  if (!hasChannel(header, "R")) {
+    for (glm::vec3& pixel : image.rgb) pixel = glm::vec3(pixel.x);
+  }
+  return image;
+}
+
+}  // namespace
+
+Image decodeExr(ByteView file) try { return decode(file); } catch (const Iex::BaseExc& error) {
+  throw FileError(fmt::format("not a valid EXR file: {}", error.what()));
+}
+
+}  // namespace candela

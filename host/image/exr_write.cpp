@@ -1,0 +1,78 @@
+// OpenEXR files: linear values with variance, sample counts and metadata.
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host/core/errors.h"
+#include "host/image/codecs.h"
+#include "host/image/exr_pixels.h"
+
+namespace candela {
+namespace {
+
+class MemoryOutput : public Imf::OStream {
+ public:
+  MemoryOutput() : Imf::OStream("memory") {}
+
+  void write(const char* source, int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (bytes_.size() < position_ + size) bytes_.resize(position_ + size);
+    std::memcpy(bytes_.data() + position_, source, size);
+    position_ += size;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+  Bytes takeBytes() { return std::move(bytes_); }
+
+ private:
+  Bytes bytes_;
+  std::uint64_t position_ = 0;
+};
+
+Imf::Header makeHeader(const Image& image) {
+  Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
+  for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  if (!image.luminanceVariance.empty()) header.channels().insert(kVarianceChannel, Imf::Channel(Imf::FLOAT));
+  if (!image.sampleCounts.empty()) header.channels().insert(kSamplesChannel, Imf::Channel(Imf::UINT));
+  for (const auto& [name, value] : image.metadata) {
+    if (isExrFormatAttribute(name) || header.find(name.c_str()) != header.end()) {
+      throw FileError(fmt::format("EXR files reserve the metadata name \"{}\"", name));
+    }
+    header.insert(name.c_str(), Imf::StringAttribute(value));
+  }
+  return header;
+}
+
+Bytes encode(const Image& image) {
+  const Imf::Header header = makeHeader(image);
+  ExrPixels pixels(image, header.dataWindow());
+  pixels.addRgb("R", 0);
+  pixels.addRgb("G", 1);
+  pixels.addRgb("B", 2);
+  if (!image.luminanceVariance.empty()) pixels.addVariance();
+  if (!image.sampleCounts.empty()) pixels.addSamples();
+  MemoryOutput output;
+  {
+    Imf::OutputFile file(output, header, kNoExrThreads);  // its destructor writes the table of offsets
+    file.setFrameBuffer(pixels.frameBuffer());
+    file.writePixels(static_cast<int>(image.height));
+  }
+  return output.takeBytes();
+}
+
+}  // namespace
+
+Bytes encodeExr(const Image& image) try { return encode(image); } catch (const Iex::BaseExc& error) {
+  throw FileError(fmt::format("the EXR file cannot be made: {}", error.what()));
+}
+
+}  // namespace candela

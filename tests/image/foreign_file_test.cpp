@@ -1,0 +1,171 @@
+// Image files as other programs write them.
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfTiledRgbaFile.h>
+#include <jpeglib.h>
+#include <png.h>
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+
+#include "host/core/errors.h"
+#include "host/image/image.h"
+#include "tests/image/temporary_folder.h"
+#include "tests/image/test_images.h"
+
+using namespace candela;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct PngSpec {
+  int bitDepth;
+  int colourType;
+  std::vector<png_color> palette = {};
+  double gamma = 0;  // 0: not stated
+};
+
+/// One row, with samples as the file stores them.
+void writePngRow(const fs::path& file, std::uint32_t width, std::vector<std::uint8_t> row, const PngSpec& spec) {
+  std::FILE* stream = std::fopen(file.c_str(), "wb");
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, stream);
+  png_set_IHDR(png, info, width, 1, spec.bitDepth, spec.colourType, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  if (!spec.palette.empty()) png_set_PLTE(png, info, spec.palette.data(), static_cast<int>(spec.palette.size()));
+  if (spec.gamma > 0) png_set_gAMA(png, info, spec.gamma);
+  png_write_info(png, info);
+  png_write_row(png, row.data());
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  std::fclose(stream);
+}
+
+std::vector<int> pngPixels(std::uint32_t width, const std::vector<std::uint8_t>& row, const PngSpec& spec) {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", width, row, spec);
+  const Pixels8 pixels = readPixels8(folder / "a.png");
+  CHECK(pixels.width == width);
+  CHECK(pixels.height == 1);
+  return {pixels.rgb.begin(), pixels.rgb.end()};
+}
+
+void writeGreyJpeg(const fs::path& file, std::uint8_t value) {
+  std::FILE* stream = std::fopen(file.c_str(), "wb");
+  jpeg_compress_struct info{};
+  jpeg_error_mgr errors{};
+  info.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&info);
+  jpeg_stdio_dest(&info, stream);
+  info.image_width = 8;
+  info.image_height = 8;
+  info.input_components = 1;
+  info.in_color_space = JCS_GRAYSCALE;
+  jpeg_set_defaults(&info);
+  jpeg_simple_progression(&info);
+  jpeg_start_compress(&info, TRUE);
+  std::vector<JSAMPLE> row(8, value);
+  for (int y = 0; y < 8; ++y) {
+    JSAMPROW pointer = row.data();
+    jpeg_write_scanlines(&info, &pointer, 1);
+  }
+  jpeg_finish_compress(&info);
+  jpeg_destroy_compress(&info);
+  std::fclose(stream);
+}
+
+/// Half-float pixels whose data window does not start at the origin.
+const Imath::Box2i kDisplayWindow({0, 0}, {99, 99});
+const Imath::Box2i kDataWindow({10, -5}, {13, -4});
+
+std::vector<Imf::Rgba> halfPixels() {
+  std::vector<Imf::Rgba> pixels;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 4; ++x) pixels.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.5f, 0.25f);
+  }
+  return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("PNG files of every kind become 8-bit RGB") {
+  using Pixels = std::vector<int>;
+  CHECK(pngPixels(2, {1, 2, 3, 250, 251, 252}, {8, PNG_COLOR_TYPE_RGB}) == Pixels{1, 2, 3, 250, 251, 252});
+  CHECK(pngPixels(2, {7, 200}, {8, PNG_COLOR_TYPE_GRAY}) == Pixels{7, 7, 7, 200, 200, 200});
+  // One bit a pixel: 10100000.
+  CHECK(pngPixels(3, {0xa0}, {1, PNG_COLOR_TYPE_GRAY}) == Pixels{255, 255, 255, 0, 0, 0, 255, 255, 255});
+  // Four bits a pixel, n * 17.
+  CHECK(pngPixels(2, {0x5f}, {4, PNG_COLOR_TYPE_GRAY}) == Pixels{85, 85, 85, 255, 255, 255});
+  // Palette indices of two bits: 2, 0.
+  CHECK(pngPixels(2, {0x80}, {2, PNG_COLOR_TYPE_PALETTE, {{1, 2, 3}, {4, 5, 6}, {70, 80, 90}}}) ==
+        Pixels{70, 80, 90, 1, 2, 3});
+}
+
+TEST_CASE("16-bit PNG files are rounded to 8 bits without a change of gamma") {
+  // 0x8080 = 128 * 257 is 128 exactly; 0x0101 is 1; 0x80ff / 257 = 128.49 rounds down; 0x8101 / 257 = 128.502 up.
+  CHECK(pngPixels(2, {0x80, 0x80, 0x01, 0x01, 0xff, 0xff, 0x80, 0xff, 0x81, 0x01, 0, 0}, {16, PNG_COLOR_TYPE_RGB}) ==
+        std::vector<int>{128, 1, 255, 128, 129, 0});
+}
+
+TEST_CASE("transparent PNG pixels are composed on black in linear light") {
+  // Half opacity, 128/255, of white: libpng takes sRGB for gamma 2.2 here, 0.50196^(1/2.2) * 255 = 186.4.
+  CHECK(pngPixels(3, {255, 255, 255, 255, 9, 9, 9, 0, 255, 255, 255, 128}, {8, PNG_COLOR_TYPE_RGBA}) ==
+        std::vector<int>{255, 255, 255, 0, 0, 0, 186, 186, 186});
+}
+
+TEST_CASE("a PNG of gamma 1 is encoded as sRGB") {
+  // Linear 46/255 = 0.18039: sRGB 0.4621 * 255 = 117.8.
+  const std::vector<int> pixels = pngPixels(1, {0, 46, 255}, {8, PNG_COLOR_TYPE_RGB, {}, 1.0});
+  CHECK(pixels[0] == 0);
+  CHECK(pixels[1] == Approx(118).margin(1));
+  CHECK(pixels[2] == 255);
+}
+
+TEST_CASE("a grey progressive JPEG becomes RGB") {
+  TemporaryFolder folder;
+  writeGreyJpeg(folder / "a.jpg", 99);
+  const Pixels8 pixels = readPixels8(folder / "a.jpg");
+  CHECK(pixels.rgb == std::vector<std::uint8_t>(8 * 8 * 3, 99));
+}
+
+TEST_CASE("half-float EXR files are read, by lines and by tiles, from their data window") {
+  TemporaryFolder folder;
+  const std::vector<Imf::Rgba> pixels = halfPixels();
+  const Imf::Header header(kDisplayWindow, kDataWindow, 1, {0, 0}, 1, Imf::DECREASING_Y, Imf::PIZ_COMPRESSION);
+  {
+    Imf::RgbaOutputFile lines((folder / "lines.exr").c_str(), header, Imf::WRITE_RGBA);
+    lines.setFrameBuffer(pixels.data() - 10 + 5 * 4, 1, 4);
+    lines.writePixels(2);
+    Imf::Header tiledHeader(kDisplayWindow, kDataWindow);
+    Imf::TiledRgbaOutputFile tiles((folder / "tiles.exr").c_str(), tiledHeader, Imf::WRITE_RGB, 3, 3, Imf::ONE_LEVEL);
+    tiles.setFrameBuffer(pixels.data() - 10 + 5 * 4, 1, 4);
+    tiles.writeTiles(0, tiles.numXTiles() - 1, 0, tiles.numYTiles() - 1);
+  }
+  for (const char* name : {"lines.exr", "tiles.exr"}) {
+    const Image image = readImage(folder / name);
+    REQUIRE(image.width == 4);
+    REQUIRE(image.height == 2);
+    CHECK(image.at(0, 0) == glm::vec3(0, 0, 0.5f));
+    CHECK(image.at(3, 1) == glm::vec3(3, 1, 0.5f));
+    CHECK(image.luminanceVariance.empty());
+  }
+}
+
+TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") {
+  TemporaryFolder folder;
+  const std::vector<Imf::Rgba> pixels = halfPixels();
+  {
+    Imf::RgbaOutputFile grey((folder / "grey.exr").c_str(), Imf::Header(4, 2), Imf::WRITE_Y);
+    grey.setFrameBuffer(pixels.data(), 1, 4);
+    grey.writePixels(2);
+    Imf::RgbaOutputFile chroma((folder / "chroma.exr").c_str(), Imf::Header(4, 2), Imf::WRITE_YC);
+    chroma.setFrameBuffer(pixels.data(), 1, 4);
+    chroma.writePixels(2);
+  }
+  const Image image = readImage(folder / "grey.exr");
+  // Pixel (3, 1): 0.2126 * 3 + 0.7152 + 0.0722 * 0.5, in half floats.
+  CHECK(image.at(3, 1).x == Approx(1.3891).epsilon(2e-3));
+  CHECK(image.at(3, 1).y == image.at(3, 1).x);
+  CHECK(image.at(3, 1).z == image.at(3, 1).x);
+  CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("R, G and B"));
+}
