@@ -7,10 +7,10 @@ namespace candela {
 namespace {
 
 constexpr std::uint32_t kPreferredSegments = 16;
-constexpr double kGrowth = 2.0;        // per step, near the target
-constexpr double kFastGrowth = 8.0;    // per step, while dispatches are so short that even this keeps to the target
-constexpr double kSmoothing = 0.3;     // share of a step upwards taken at once, near the target
-constexpr double kAimRecovery = 1.02;  // per dispatch
+constexpr double kGrowth = 2.0;         // per step, near the target
+constexpr double kFastGrowth = 8.0;     // per step, while dispatches are so short that even this keeps to the target
+constexpr double kSmoothing = 0.3;      // share of a step upwards taken at once, near the target
+constexpr double kAimRecovery = 1.001;  // per dispatch: what was dear once, a strip of the image say, comes again
 
 std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
   if (pixels >= static_cast<double>(most)) return most;

@@ -11,6 +11,7 @@ constexpr std::uint64_t ceilDivide(std::uint64_t a, std::uint64_t b) { return (a
 /// The first of the fewest equal parts of `length` that are multiples of `step` and, if that is possible, at most
 /// `most`.
 std::uint32_t evenPart(std::uint32_t length, std::uint32_t step, std::uint64_t most) {
+  if (most >= length) return length;
   const std::uint64_t steps = ceilDivide(length, step);
   const std::uint64_t stepsAtMost = std::max<std::uint64_t>(1, most / step);
   const std::uint64_t parts = ceilDivide(steps, stepsAtMost);

@@ -1,0 +1,244 @@
+// The governor keeps dispatches short on devices that are made up: slow, fast, noisy, changing.
+#include "host/render/governor.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <random>
+#include <vector>
+
+using namespace candela;
+
+namespace {
+
+/// Seconds for a plan of which all pixels are active. The first call also pays for compiling.
+class FakeDevice {
+ public:
+  explicit FakeDevice(double unitsPerSecond, double overheadSeconds = 1e-4)
+      : unitsPerSecond_(unitsPerSecond), overheadSeconds_(overheadSeconds) {}
+
+  double run(const Plan& plan) {
+    const double work = static_cast<double>(plan.pixels) * plan.segments / unitsPerSecond_;
+    const double compile = isCompiled_ ? 0.0 : 3.0;
+    isCompiled_ = true;
+    return compile + overheadSeconds_ + work;
+  }
+  void slowDown(double factor) { unitsPerSecond_ /= factor; }
+
+ private:
+  double unitsPerSecond_;
+  double overheadSeconds_;
+  bool isCompiled_ = false;
+};
+
+GovernorOptions optionsFor(std::uint64_t totalPixels) {
+  GovernorOptions options;
+  options.totalPixels = totalPixels;
+  return options;
+}
+
+/// Durations of `count` dispatches without the warm-up; `factor(i)` multiplies the i-th.
+std::vector<double> drive(
+    Governor& governor, FakeDevice& device, int count,
+    const std::function<double(int)>& factor = [](int) { return 1.0; }) {
+  std::vector<double> durations;
+  for (int i = 0; i < count; ++i) {
+    const Plan plan = governor.next();
+    const double seconds = device.run(plan) * factor(i);
+    governor.record(plan, plan.pixels, seconds);
+    durations.push_back(seconds);
+  }
+  return durations;
+}
+
+std::vector<double> driveFromStart(
+    Governor& governor, FakeDevice& device, int count,
+    const std::function<double(int)>& factor = [](int) { return 1.0; }) {
+  drive(governor, device, 1);
+  return drive(governor, device, count, factor);
+}
+
+std::ptrdiff_t countAbove(const std::vector<double>& durations, double limit) {
+  return std::count_if(durations.begin(), durations.end(), [limit](double seconds) { return seconds > limit; });
+}
+
+constexpr std::uint64_t kMegapixel = 1 << 20;
+
+}  // namespace
+
+TEST_CASE("the first dispatch is one workgroup and one segment, and its duration does not count") {
+  Governor slowStart(optionsFor(kMegapixel)), quickStart(optionsFor(kMegapixel));
+  const Plan first = slowStart.next();
+  CHECK(first.pixels == 64);
+  CHECK(first.segments == 1);
+  slowStart.record(first, 64, 12.5);
+  quickStart.record(first, 64, 1e-6);
+  CHECK(slowStart.next().pixels == quickStart.next().pixels);
+}
+
+TEST_CASE(
+    "on devices of any speed dispatches come within 30 % of the target in a few steps and never exceed the limit") {
+  const double unitsPerSecond = GENERATE(1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10);
+  CAPTURE(unitsPerSecond);
+  Governor governor(optionsFor(4 * kMegapixel));
+  FakeDevice device(unitsPerSecond);
+  const std::vector<double> durations = driveFromStart(governor, device, 60);
+  CHECK(countAbove(durations, 0.25) == 0);
+  for (std::size_t i = 14; i < durations.size(); ++i) CHECK(durations[i] == Approx(0.1).epsilon(0.3));
+}
+
+TEST_CASE("a device that becomes five times slower exceeds the limit at most once and is then kept short") {
+  for (const double unitsPerSecond : {1e6, 1e8}) {
+    Governor governor(optionsFor(kMegapixel));
+    FakeDevice device(unitsPerSecond);
+    driveFromStart(governor, device, 40);
+    device.slowDown(5);
+    const std::vector<double> durations = drive(governor, device, 100);
+    CHECK(countAbove(durations, 0.25) <= 1);
+    CHECK(durations[1] <= 0.13);
+    CHECK(durations.back() <= 0.13);
+    CHECK(durations.back() >= 0.04);  // the governor aims lower for a while
+  }
+}
+
+TEST_CASE("a device that becomes a hundred times faster is used fully again") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e6);
+  driveFromStart(governor, device, 40);
+  device.slowDown(0.01);
+  CHECK(drive(governor, device, 30).back() == Approx(0.1).epsilon(0.3));
+}
+
+TEST_CASE("durations that vary by a factor of two up and down stay within the limit at the 99th percentile") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e7);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-1.0, 1.0);
+  const auto noise = [&](int) { return std::exp2(exponent(random)); };
+  const std::vector<double> durations = driveFromStart(governor, device, 1000, noise);
+  CHECK(countAbove(durations, 0.25) <= 10);
+  double sum = 0;
+  for (const double seconds : durations) sum += seconds;
+  CHECK(sum / 1000 > 0.03);  // and is not kept short for nothing
+}
+
+TEST_CASE("a sweep whose strips differ in cost by a factor of eight stays within the limit at the 99th percentile") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e7);
+  const auto cost = [](int i) { return i % 20 < 15 ? 1.0 : 8.0; };  // sky, then glass
+  const std::vector<double> durations = driveFromStart(governor, device, 1000, cost);
+  CHECK(countAbove(durations, 0.25) <= 10);
+}
+
+TEST_CASE("where the whole image takes seconds for one segment the region shrinks") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e5);  // one segment of the image: 10 s; of 16384 pixels: 0.16 s
+  driveFromStart(governor, device, 30);
+  const Plan plan = governor.next();
+  CHECK(plan.segments == 1);
+  CHECK(plan.pixels < 16384);
+  CHECK(plan.pixels % 64 == 0);
+}
+
+TEST_CASE("paths get 16 segments before more pixels are used than the device needs, and more when all are used") {
+  const auto planAt = [](double unitsPerSecond) {
+    Governor governor(optionsFor(kMegapixel));
+    FakeDevice device(unitsPerSecond, 0.0);
+    driveFromStart(governor, device, 60);
+    return governor.next();
+  };
+  const Plan few = planAt(1e6);  // 1e5 units: 16384 pixels of 6
+  CHECK(few.segments == 6);
+  CHECK(few.pixels == 16640);       // 1e5 / 6, whole workgroups of 64
+  const Plan middle = planAt(2e7);  // 2e6 units
+  CHECK(middle.segments == 16);
+  CHECK(middle.pixels == Approx(125000).epsilon(0.01));
+  const Plan all = planAt(1e9);  // 1e8 units
+  CHECK(all.pixels == kMegapixel);
+  CHECK(all.segments == 95);
+  CHECK(planAt(1e12).segments == 1024);
+}
+
+TEST_CASE("work grows at most eightfold from one dispatch to the next, and twofold near the target") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e7);
+  double units = 64;
+  double seconds = 0;
+  drive(governor, device, 1);
+  for (int i = 0; i < 30; ++i) {
+    const Plan plan = governor.next();
+    const double now = static_cast<double>(plan.pixels) * plan.segments;
+    CHECK(now <= units * (seconds > 0.1 / 8 ? 2.01 : 8.0));
+    units = now;
+    seconds = device.run(plan);
+    governor.record(plan, plan.pixels, seconds);
+  }
+}
+
+TEST_CASE("the longest run of segments allowed is kept to, with more pixels instead") {
+  GovernorOptions options = optionsFor(kMegapixel);
+  options.maxSegments = 4;
+  Governor governor(options);
+  FakeDevice device(1e7);
+  const std::vector<double> durations = driveFromStart(governor, device, 40);
+  CHECK(governor.next().segments == 4);
+  CHECK(governor.next().pixels == Approx(250000).epsilon(0.05));
+  CHECK(durations.back() == Approx(0.1).epsilon(0.3));
+}
+
+TEST_CASE("an image smaller than a workgroup is dispatched whole") {
+  Governor governor(optionsFor(6));
+  CHECK(governor.next().pixels == 6);
+  FakeDevice device(1e9);
+  driveFromStart(governor, device, 20);
+  CHECK(governor.next().pixels == 6);
+  CHECK(governor.next().segments == 1024);
+}
+
+TEST_CASE("fixed segments are obeyed and pixels follow") {
+  GovernorOptions options = optionsFor(kMegapixel);
+  options.fixedSegments = 100;
+  Governor governor(options);
+  CHECK(governor.next().segments == 100);
+  FakeDevice device(1e7);
+  const std::vector<double> durations = driveFromStart(governor, device, 40);
+  CHECK(governor.next().segments == 100);
+  CHECK(governor.next().pixels == Approx(10000).epsilon(0.02));
+  CHECK(governor.segmentsFor(1) == 100);
+  CHECK(durations.back() == Approx(0.1).epsilon(0.3));
+}
+
+TEST_CASE("a fixed region is obeyed and segments follow") {
+  GovernorOptions options = optionsFor(kMegapixel);
+  options.fixedPixels = 1000;
+  Governor governor(options);
+  CHECK(governor.next().pixels == 1000);
+  FakeDevice device(1e6);
+  driveFromStart(governor, device, 40);
+  CHECK(governor.next().pixels == 1000);
+  CHECK(governor.next().segments == Approx(100).epsilon(0.05));
+  options.fixedSegments = 7;
+  Governor fixed(options);
+  driveFromStart(fixed, device, 40);
+  CHECK(fixed.next().pixels == 1000);
+  CHECK(fixed.next().segments == 7);
+}
+
+TEST_CASE("when few pixels have work left, these get more segments") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e8, 0.0);
+  driveFromStart(governor, device, 60);
+  CHECK(governor.segmentsFor(kMegapixel) == 9);
+  CHECK(governor.segmentsFor(100000) == Approx(100).epsilon(0.02));
+  CHECK(governor.segmentsFor(0) == 1024);
+}
+
+TEST_CASE("a small remainder that was quick does not shrink what follows") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e8);
+  driveFromStart(governor, device, 60);
+  const Plan before = governor.next();
+  governor.record({64, before.segments}, 64, 2e-3);
+  CHECK(governor.next().pixels == before.pixels);
+  CHECK(governor.next().segments == before.segments);
+}
