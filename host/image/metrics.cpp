@@ -1,0 +1,167 @@
+// Differences of two images, pixel by pixel and channel by channel.
+#include "host/image/metrics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/core/errors.h"
+
+namespace candela {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kRelativeEpsilon = 0.01;
+
+void requireEqualSizes(const Image& a, const Image& reference) {
+  if (a.width == reference.width && a.height == reference.height) return;
+  throw UsageError(fmt::format("images of different sizes cannot be compared: {} x {} and {} x {} pixels", a.width,
+                               a.height, reference.width, reference.height));
+}
+
+bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+double sumOf(const dvec3& v) { return v.x + v.y + v.z; }
+
+bool differs(const dvec3& difference, const dvec3& reference, const DifferenceTolerance& tolerance) {
+  const dvec3 allowed = glm::max(dvec3(tolerance.absolute), tolerance.relative * glm::abs(reference));
+  return glm::any(glm::greaterThan(difference, allowed));
+}
+
+double relativeDifference(double value, double reference) {
+  if (value == reference) return 0;
+  return (value - reference) / reference;
+}
+
+/// Sums over pixels, in double precision and in the order of rows.
+struct Sums {
+  std::uint64_t pixelCount = 0;
+  dvec3 a{0};
+  dvec3 reference{0};
+  double squared = 0;
+  double relativeSquared = 0;
+  double clampedSquared = 0;
+
+  void add(const dvec3& value, const dvec3& expected) {
+    const dvec3 difference = value - expected;
+    const dvec3 clamped = glm::clamp(value, 0.0, 1.0) - glm::clamp(expected, 0.0, 1.0);
+    ++pixelCount;
+    a += value;
+    reference += expected;
+    squared += sumOf(difference * difference);
+    relativeSquared += sumOf(difference * difference / (expected * expected + kRelativeEpsilon));
+    clampedSquared += sumOf(clamped * clamped);
+  }
+};
+
+void setMeans(ImageComparison& result, const Sums& sums) {
+  if (sums.pixelCount == 0) return;
+  const auto pixelCount = static_cast<double>(sums.pixelCount);
+  const double valueCount = 3 * pixelCount;
+  result.mean = sums.a / pixelCount;
+  result.referenceMean = sums.reference / pixelCount;
+  result.meanLuminance = luminance(result.mean);
+  result.referenceMeanLuminance = luminance(result.referenceMean);
+  result.relativeMeanDifference = relativeDifference(result.meanLuminance, result.referenceMeanLuminance);
+  result.meanSquaredError = sums.squared / valueCount;
+  result.relativeMeanSquaredError = sums.relativeSquared / valueCount;
+  result.peakSignalToNoise = 10 * std::log10(valueCount / sums.clampedSquared);
+  result.differingShare = static_cast<double>(result.differingCount) / pixelCount;
+}
+
+nlohmann::ordered_json toJson(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+ImageComparison compareImages(const Image& a, const Image& reference, const DifferenceTolerance& tolerance) {
+  requireEqualSizes(a, reference);
+  ImageComparison result;
+  result.width = a.width;
+  result.height = a.height;
+  result.tolerance = tolerance;
+  Sums sums;
+  for (std::uint32_t y = 0; y < a.height; ++y) {
+    for (std::uint32_t x = 0; x < a.width; ++x) {
+      const dvec3 value(a.at(x, y));
+      const dvec3 expected(reference.at(x, y));
+      if (!isFinite(value) || !isFinite(expected)) {
+        ++result.notFiniteCount;
+        continue;
+      }
+      sums.add(value, expected);
+      const dvec3 difference = glm::abs(value - expected);
+      const double largest = std::max({difference.x, difference.y, difference.z});
+      if (largest > result.maximumDifference) {
+        result.maximumDifference = largest;
+        result.maximumX = x;
+        result.maximumY = y;
+      }
+      if (differs(difference, expected, tolerance)) ++result.differingCount;
+    }
+  }
+  setMeans(result, sums);
+  return result;
+}
+
+std::string toText(const ImageComparison& c) {
+  std::string text = fmt::format("size                  {} x {}\n", c.width, c.height);
+  if (c.notFiniteCount > 0) text += fmt::format("not finite            {} pixels, left out\n", c.notFiniteCount);
+  text += fmt::format("mean                  {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.mean.x, c.mean.y, c.mean.z,
+                      c.meanLuminance);
+  text += fmt::format("mean of the reference {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.referenceMean.x,
+                      c.referenceMean.y, c.referenceMean.z, c.referenceMeanLuminance);
+  text += fmt::format("mean difference       {:+.4g} %\n", 100 * c.relativeMeanDifference);
+  text += fmt::format("MSE                   {:.6g}\n", c.meanSquaredError);
+  text += fmt::format("relMSE                {:.6g}\n", c.relativeMeanSquaredError);
+  text += fmt::format("PSNR                  {:.2f} dB\n", c.peakSignalToNoise);
+  text += fmt::format("largest difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
+  text += fmt::format("pixels that differ    {} ({:.4g} %) by more than {:g} relative and {:g} absolute\n",
+                      c.differingCount, 100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute);
+  return text;
+}
+
+nlohmann::ordered_json toJson(const ImageComparison& c) {
+  return {{"width", c.width},
+          {"height", c.height},
+          {"notFiniteCount", c.notFiniteCount},
+          {"mean", toJson(c.mean)},
+          {"referenceMean", toJson(c.referenceMean)},
+          {"meanLuminance", c.meanLuminance},
+          {"referenceMeanLuminance", c.referenceMeanLuminance},
+          {"relativeMeanDifference", c.relativeMeanDifference},
+          {"meanSquaredError", c.meanSquaredError},
+          {"relativeMeanSquaredError", c.relativeMeanSquaredError},
+          {"peakSignalToNoise", c.peakSignalToNoise},
+          {"maximumDifference", c.maximumDifference},
+          {"maximumX", c.maximumX},
+          {"maximumY", c.maximumY},
+          {"relativeTolerance", c.tolerance.relative},
+          {"absoluteTolerance", c.tolerance.absolute},
+          {"differingCount", c.differingCount},
+          {"differingShare", c.differingShare}};
+}
+
+Image differencePicture(const Image& a, const Image& reference, double range) {
+  requireEqualSizes(a, reference);
+  if (!(range > 0)) throw UsageError("the range of a difference picture must be positive");
+  constexpr dvec3 kBrighter(1, 0.55, 0.1);
+  constexpr dvec3 kDarker(0.15, 0.5, 1);
+  constexpr dvec3 kNotFinite(1, 0, 1);
+  const double scale = std::max(0.01 * compareImages(a, reference).referenceMeanLuminance, 1e-30);
+
+  Pixels8 picture{a.width, a.height, {}};
+  picture.rgb.reserve(3 * a.rgb.size());
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const double expected = luminance(dvec3(reference.rgb[i]));
+    const double difference = (luminance(dvec3(a.rgb[i])) - expected) / (expected + scale);
+    const double strength = std::min(std::abs(difference) / range, 1.0);
+    const dvec3 signal = std::isfinite(difference) ? strength * (difference > 0 ? kBrighter : kDarker) : kNotFinite;
+    for (int c = 0; c < 3; ++c) picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(255 * signal[c])));
+  }
+  return toImage(picture);
+}
+
+}  // namespace candela
