@@ -8,6 +8,7 @@
 #include "host/cli/command_line.h"
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
+#include "host/core/log.h"
 #include "host/core/version.h"
 #include "host/vulkan/validation.h"
 
@@ -30,12 +31,13 @@ ExitCode runCommand(const std::vector<std::string>& words) {
 // What the validation layer says, where it is asked for, is an error of the program whatever the image looks like.
 ExitCode afterValidation(ExitCode code) {
   const std::vector<std::string> messages = vulkan::validationMessages();
-  for (const std::string& message : messages) std::cerr << "candela: validation: " << message << std::endl;
+  const Log log(std::cerr, Verbosity::quiet);
+  for (const std::string& message : messages) log.problem("validation: " + message);
   return messages.empty() ? code : ExitCode::internal;
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {
-  std::cerr << "candela: " << message << std::endl;
+  Log(std::cerr, Verbosity::quiet).problem(message);
   return code;
 }
 

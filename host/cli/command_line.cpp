@@ -127,7 +127,8 @@ void refuseTracingOptionsForImages(const Arguments& arguments) {
 void refuseImageOptionsForScene(const Arguments& arguments) {
   if (arguments.command != Command::compare || arguments.files.size() != 1) return;
   for (const Option& option : optionTable()) {
-    if (option.group == OptionGroup::comparison && arguments.given.contains(option.name())) {
+    const bool imaging = option.group == OptionGroup::comparison || option.group == OptionGroup::output;
+    if (imaging && arguments.given.contains(option.name())) {
       fail(Command::compare, fmt::format("{} is for comparing two images, not one scene", option.name()));
     }
   }

@@ -155,9 +155,9 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender, kGroup, "curve of 8-bit files; `none`: linear and clipped"},
+    valued({"--tonemap", kTracing, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender, kGroup, "brightness of 8-bit files; each stop doubles it"},
+    valued({"--exposure", kTracing, kGroup, "brightness of the same; each stop doubles it"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
   };
 }
@@ -167,8 +167,8 @@ std::vector<Option> comparisonOptions() {
   return {
     valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes; absent, no verdict is given"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
-    path({"--diff", kCompare, kGroup, "image of the absolute differences"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
-    path({"--flip", kCompare, kGroup, "image of the FLIP error map"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+    path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
+    path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
   };
 }
 

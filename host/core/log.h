@@ -7,7 +7,8 @@ namespace candela {
 
 enum class Verbosity { quiet, normal, verbose };
 
-/// Writes lines to `sink` (stderr). A line is shown from its own verbosity on; `problem` is always shown.
+/// Writes to `sink` (stderr), each line after the program's name. A text is shown from its own verbosity on; `problem`
+/// is always shown.
 class Log {
  public:
   Log(std::ostream& sink, Verbosity verbosity) : sink_(sink), verbosity_(verbosity) {}

@@ -1,11 +1,11 @@
 // Ctrl-C sets a flag, once.
+#include "host/core/interrupt.h"
+
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-
-#include "host/core/interrupt.h"
 
 namespace candela {
 namespace {

@@ -1,8 +1,8 @@
 // Which lines each verbosity shows.
+#include "host/core/log.h"
+
 #include <catch2/catch.hpp>
 #include <sstream>
-
-#include "host/core/log.h"
 
 namespace candela {
 namespace {
@@ -23,6 +23,12 @@ TEST_CASE("quiet hides all but problems, verbose shows details too") {
   CHECK(allLines(Verbosity::quiet) == "candela: p\n");
   CHECK(allLines(Verbosity::normal) == "candela: p\ncandela: warning: w\ncandela: n\n");
   CHECK(allLines(Verbosity::verbose) == "candela: p\ncandela: warning: w\ncandela: n\ncandela: d\n");
+}
+
+TEST_CASE("each line of a message names the program") {
+  std::ostringstream sink;
+  Log(sink, Verbosity::quiet).problem("first\nsecond");
+  CHECK(sink.str() == "candela: first\ncandela: second\n");
 }
 
 }  // namespace candela

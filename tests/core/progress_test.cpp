@@ -1,10 +1,10 @@
 // Progress: how often it speaks, and what it says.
+#include "host/core/progress.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <optional>
 #include <sstream>
-
-#include "host/core/progress.h"
 
 namespace candela {
 namespace {

@@ -1,0 +1,106 @@
+// The program on a Vulkan device. The validation layer is on in it too: a message of its ends it with exit code 70.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "host/image/image.h"
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// `words` on the device that the tests run on.
+ProgramResult runOnDevice(std::vector<std::string> words, const Surroundings& surroundings = {}) {
+  if (const char* device = std::getenv("CANDELA_TEST_DEVICE")) words.insert(words.end(), {"--device", device});
+  return runCandela(words, surroundings);
+}
+
+json reportOf(const std::string& scene, const std::vector<std::string>& options) {
+  std::vector<std::string> words{scene, "--json", "-", "--spp", "2"};
+  words.insert(words.end(), options.begin(), options.end());
+  const ProgramResult result = runOnDevice(words);
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  return json::parse(result.out);
+}
+
+}  // namespace
+
+TEST_CASE("devices are listed, for people and for programs") {
+  const ProgramResult text = runCandela({"devices"});
+  REQUIRE(text.exitCode == 0);
+  const json devices = json::parse(runCandela({"devices", "--json", "-"}).out)["devices"];
+  REQUIRE_FALSE(devices.empty());
+  for (const json& device : devices) CHECK(contains(text.out, device["name"]));
+  CHECK(devices[0]["usable"] == true);
+  CHECK(devices[0]["maxStorageBufferRange"] > 0);
+}
+
+TEST_CASE("a render on a device writes an image that names device and driver") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string exr = folder.path("a.exr");
+  const ProgramResult result = runOnDevice({scene, "-o", exr, "--spp", "2"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  const Image image = readImage(exr);
+  CHECK(image.width == 16);
+  CHECK(image.metadata.at("candela.device") != "cpu");
+  CHECK_FALSE(image.metadata.at("candela.driver").empty());
+}
+
+TEST_CASE("what was asked for is in use, and changes no bit of the film") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const json plain = reportOf(scene, {});
+  CHECK(plain["workgroup"] == "8x8");
+  CHECK(plain["structure"] == "bvh");
+  CHECK(plain["rays"]["camera"] == 2 * 16 * 12);
+  CHECK(plain["truncated"] == 0);
+
+  const json grouped = reportOf(scene, {"--workgroup", "16x4"});
+  CHECK(grouped["workgroup"] == "16x4");
+  const json brute = reportOf(scene, {"--accel", "none"});
+  CHECK(brute["structure"] == "none");
+  const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
+  CHECK(chopped["segmentsPerDispatch"] == 1);
+  CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
+  for (const json& other : {grouped, brute, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
+  CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
+}
+
+TEST_CASE("a device that does not exist is refused with a list of those that do") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string name = json::parse(runCandela({"devices", "--json", "-"}).out)["devices"][0]["name"];
+  const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "nosuch"});
+  CHECK(result.exitCode == 4);
+  CHECK(contains(result.err, name));
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("compare SCENE finds both tracers in agreement") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+}
+
+TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string exr = folder.path("a.exr");
+  Surroundings surroundings;
+  surroundings.interruptAfter = std::chrono::milliseconds(3000);
+  const ProgramResult result = runOnDevice({scene, "-o", exr, "--spp", "1000000000"}, surroundings);
+  INFO(result.err);
+  CHECK(result.exitCode == 7);
+  CHECK(readImage(exr).width == 16);
+}
+
+}  // namespace candela

@@ -1,0 +1,236 @@
+// `candela render` as a person meets it, on the reference tracer.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "host/image/image.h"
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through the display transform") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string exr = folder.path("a.exr");
+  const std::string png = folder.path("a.png");
+  const ProgramResult result = runCandela(
+      {scene, "-o", exr, "-o", png, "--device", "cpu", "--spp", "4", "--tonemap", "aces", "--exposure", "1"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK(result.out.empty());
+  CHECK(contains(result.err, "16x12 pixels, 4 samples per pixel"));
+  CHECK(folder.fileCount() == 3);
+
+  const Image image = readImage(exr);
+  const Pixels8 pixels = readPixels8(png);
+  REQUIRE(image.width == 16);
+  REQUIRE(image.height == 12);
+  CHECK(pixels.rgb == toPixels8(image, {ToneMap::aces, 1}).rgb);
+  CHECK(*std::max_element(pixels.rgb.begin(), pixels.rgb.end()) > 0);
+}
+
+TEST_CASE("an EXR file says how it was made") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
+  const std::string exr = folder.path("a.exr");
+  REQUIRE(runCandela({scene, "-o", exr, "--device", "cpu", "--seed", "5", "--one-sided"}).exitCode == 0);
+  const auto metadata = readImage(exr).metadata;
+  CHECK(metadata.at("candela.scene") == "a.p3f");
+  CHECK(metadata.at("candela.sceneHash").size() == 16);
+  CHECK(metadata.at("candela.samplesPerPixel") == "3");
+  CHECK(metadata.at("candela.seed") == "5");
+  CHECK(metadata.at("candela.device") == "cpu");
+  CHECK(metadata.count("candela.driver") == 1);
+  CHECK(metadata.at("candela.version") == CANDELA_VERSION);
+  CHECK(metadata.at("candela.settings") ==
+        "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --nee on --sampler sobol "
+        "--filter box --lens disc --one-sided");
+}
+
+TEST_CASE("the report has every promised figure") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult result = runCandela({scene, "--json", "-", "--device", "cpu", "--spp", "2", "-q"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK(result.err.empty());
+  const json report = json::parse(result.out);
+  for (const char* key : {"msamplesPerSecond",
+                          "mraysPerSecond",
+                          "verticesPerSample",
+                          "traversalSteps",
+                          "workgroup",
+                          "structure",
+                          "kernel",
+                          "device",
+                          "driver",
+                          "truncated",
+                          "badSamples",
+                          "seconds",
+                          "rays",
+                          "dispatch",
+                          "structureQuality",
+                          "sceneHash",
+                          "filmHash",
+                          "settings",
+                          "samples",
+                          "tile",
+                          "segmentsPerDispatch",
+                          "threads",
+                          "version"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  for (const char* phase : {"parse", "build", "upload", "pipeline", "trace", "readBack", "write", "total"}) {
+    INFO(phase);
+    CHECK(report["seconds"].contains(phase));
+  }
+  for (const char* kind : {"camera", "bounce", "shadow"}) CHECK(report["rays"].contains(kind));
+  for (const char* figure : {"count", "median", "p99", "max"}) CHECK(report["dispatch"].contains(figure));
+  CHECK(report["samples"] == 16 * 12 * 2);
+  CHECK(report["rays"]["camera"] == 16 * 12 * 2);
+  CHECK(report["rays"]["shadow"] > 0);
+  CHECK(report["kernel"] == "reference");
+  CHECK(report["truncated"] == 0);
+  CHECK(report["badSamples"] == 0);
+}
+
+TEST_CASE("the same film, whatever the threads; another one for another seed") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const auto filmHash = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{scene, "--json", "-", "--device", "cpu", "--spp", "2"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProgramResult result = runCandela(words);
+    INFO(result.err);
+    REQUIRE(result.exitCode == 0);
+    return json::parse(result.out)["filmHash"].get<std::string>();
+  };
+  const std::string hash = filmHash({"-t", "1"});
+  CHECK(filmHash({"-t", "2"}) == hash);
+  CHECK(filmHash({"--accel", "none"}) == hash);
+  CHECK(filmHash({"--seed", "1"}) != hash);
+}
+
+TEST_CASE("a file's request for samples counts unless the command line has its own") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
+  const auto run = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{scene, "-v", "--json", "-", "--device", "cpu"};
+    words.insert(words.end(), options.begin(), options.end());
+    return runCandela(words);
+  };
+  const ProgramResult asked = run({});
+  CHECK(json::parse(asked.out)["samples"] == 3 * 16 * 12);
+  CHECK(contains(asked.err, "3 samples per pixel in total, as the file asks"));
+  CHECK(json::parse(run({"--spp", "1"}).out)["samples"] == 1 * 16 * 12);
+}
+
+TEST_CASE("quiet is silent, --stats prints a table") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult quiet = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu", "--spp", "1", "-q"});
+  CHECK(quiet.exitCode == 0);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.err.empty());
+  const ProgramResult table = runCandela({scene, "--stats", "--device", "cpu", "--spp", "1"});
+  CHECK(table.exitCode == 0);
+  CHECK(contains(table.out, "\nmraysPerSecond "));
+}
+
+TEST_CASE("what cannot be written is refused before any work, and nothing is left behind") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  struct Case {
+    std::vector<std::string> outputs;
+    int exitCode;
+    const char* message;
+  };
+  const std::vector<Case> cases{
+      {{"-o", folder.path("missing/a.png")}, 2, "there is no folder"},
+      {{"-o", folder.path("a.png"), "-o", folder.path("missing/b.exr")}, 2, "there is no folder"},
+      {{"-o", folder.path("a.tga")}, 1, ".png"},
+      {{"-o", folder.path("noextension")}, 1, ".png"},
+      {{"-o", folder.path("")}, 2, "is a folder"},
+      {{"-o", folder.path("a.png"), "--json", folder.path("missing/a.json")}, 2, "there is no folder"}};
+  for (const Case& each : cases) {
+    std::vector<std::string> words{scene, "--device", "cpu", "--spp", "100000000"};
+    words.insert(words.end(), each.outputs.begin(), each.outputs.end());
+    const ProgramResult result = runCandela(words);
+    INFO(words.back() << ": " << result.err);
+    if (words.back() == folder.path("")) {
+      CHECK((result.exitCode == 1 || result.exitCode == 2));
+    } else {
+      CHECK(result.exitCode == each.exitCode);
+      CHECK(contains(result.err, each.message));
+    }
+    CHECK(contains(result.err, "candela: "));
+    CHECK(folder.fileCount() == 1);
+  }
+}
+
+TEST_CASE("a broken scene leaves no image and names every broken line") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0\n"));
+  const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});
+  CHECK(result.exitCode == 2);
+  CHECK(contains(result.err, "broken.p3f:16:1: "));
+  CHECK(contains(result.err, "broken.p3f:17:"));
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("a missing scene is a file error") {
+  const ProgramResult result = runCandela({"/nowhere/scene.p3f", "-o", "a.png", "--device", "cpu"});
+  CHECK(result.exitCode == 2);
+  CHECK(contains(result.err, "/nowhere/scene.p3f"));
+}
+
+TEST_CASE("Ctrl-C writes what was done and exits with 7") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string exr = folder.path("a.exr");
+  Surroundings surroundings;
+  surroundings.interruptAfter = std::chrono::milliseconds(400);
+  const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "1000000000"}, surroundings);
+  INFO(result.err);
+  CHECK(result.exitCode == 7);
+  CHECK(contains(result.err, "interrupted"));
+  const Image image = readImage(exr);
+  CHECK(image.width == 16);
+  CHECK(image.metadata.at("candela.interrupted") == "yes");
+}
+
+TEST_CASE("sizes have stated limits") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const auto run = [&](const std::string& size) {
+    return runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu", "--size", size});
+  };
+  const ProgramResult side = run("70000x1");
+  CHECK(side.exitCode == 1);
+  CHECK(contains(side.err, "65535"));
+  const ProgramResult area = run("65535x65535");
+  CHECK(area.exitCode == 2);
+  CHECK(contains(area.err, "268435456 pixels"));
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("help and version go to stdout and exit with 0; wrong usage exits with 1") {
+  const ProgramResult help = runCandela({"--help"});
+  CHECK(help.exitCode == 0);
+  CHECK(contains(help.out, "--segments-per-dispatch"));
+  CHECK(runCandela({"--version"}).out == "candela " CANDELA_VERSION "\n");
+  const ProgramResult wrong = runCandela({"a.p3f", "--sp", "4"});
+  CHECK(wrong.exitCode == 1);
+  CHECK(wrong.err == "candela: unknown option --sp; did you mean --spp?\ncandela: see candela render --help\n");
+  CHECK(runCandela({}).exitCode == 1);
+}
+
+}  // namespace candela
