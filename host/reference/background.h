@@ -1,0 +1,24 @@
+// What a ray sees that hits nothing: docs/light-transport.md section 7, background.
+#pragma once
+#include <array>
+
+#include "host/reference/ray.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+class Background {
+ public:
+  /// The scene must outlive the object.
+  explicit Background(const Scene& scene);
+  dvec3 radiance(const dvec3& direction) const;
+
+ private:
+  dvec3 texel(const SkyFace& face, int column, int row) const;
+  dvec3 lookUp(const SkyFace& face, double sc, double tc) const;
+
+  const Scene& scene_;
+  std::array<double, 256> linear_;  ///< of each sRGB value
+};
+
+}  // namespace candela::reference

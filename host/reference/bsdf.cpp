@@ -1,0 +1,87 @@
+// Lambert, Blinn with Torrance and Sparrow's masking, mirror, and smooth dielectric with Schlick's reflectance.
+#include "host/reference/bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/reference/sampling.h"
+
+namespace candela::reference {
+namespace {
+
+dvec3 reflectAboutZ(const dvec3& wo) { return {-wo.x, -wo.y, wo.z}; }
+
+// Normalised such that the integral of D cosH over the half vectors is 1 (Walter et al. 2007).
+double blinnDistribution(double cosH, double exponent) { return (exponent + 2) / (2 * kPi) * std::pow(cosH, exponent); }
+
+}  // namespace
+
+Bsdf::Bsdf(const Material& material)
+    : diffuseColour_(material.diffuse),
+      specularColour_(material.specular),
+      exponent_(material.shine),
+      ior_(material.ior) {
+  if (material.kd == 1) {
+    diffuse_ = 1;
+  } else if (material.ks == 1) {
+    mirror_ = true;
+  } else if (material.kd == 0 && material.ks == 0) {
+    dielectric_ = 1;
+  } else {
+    const double sum = double{material.kd} + double{material.ks} + double{material.t};
+    const double scale = 1 / std::max(1.0, sum);
+    diffuse_ = material.kd * scale;
+    glossy_ = material.ks * scale;
+    dielectric_ = material.t * scale;
+  }
+  if (ior_ <= 0) dielectric_ = 0;
+}
+
+Lobe Bsdf::chooseLobe(double u) const {
+  if (u < diffuse_ / weightSum()) return Lobe::diffuse;
+  if (u < (diffuse_ + glossy_) / weightSum()) return Lobe::glossy;
+  return Lobe::refract;
+}
+
+BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
+  if (wo.z <= 0 || wi.z <= 0) return {};
+  BsdfValue value{diffuse_ / kPi * diffuseColour_, diffuse_ / weightSum() * wi.z / kPi};
+  if (glossy_ == 0) return value;
+
+  const dvec3 h = normalize(wo + wi);
+  const double cosHO = dot(wo, h);
+  const double d = blinnDistribution(h.z, exponent_);
+  const double g = std::min(1.0, 2 * h.z * std::min(wo.z, wi.z) / cosHO);
+  value.f += glossy_ * d * g / (4 * wo.z * wi.z) * specularColour_;
+  value.pdf += glossy_ / weightSum() * d * h.z / (4 * cosHO);
+  return value;
+}
+
+dvec3 Bsdf::sampleSmooth(Lobe lobe, const dvec3& wo, const dvec2& u) const {
+  if (lobe == Lobe::diffuse) return sampleCosineHemisphere(u);
+
+  const dvec2 p = sampleDisc(u);
+  const double q = std::min(dot(p, p), 1 - 0x1p-24);
+  const double cosH = std::pow(1 - q, 1 / (exponent_ + 2));
+  const double sinH = std::sqrt(1 - cosH * cosH);
+  const dvec3 h = q == 0 ? dvec3(0, 0, 1) : dvec3(p * (sinH / std::sqrt(q)), cosH);
+  return 2 * dot(wo, h) * h - wo;
+}
+
+DeltaSample Bsdf::sampleMirror(const dvec3& wo) const { return {reflectAboutZ(wo), diffuseColour_, Lobe::mirror}; }
+
+DeltaSample Bsdf::sampleDielectric(const dvec3& wo, bool into, double u) const {
+  const dvec3 weight = weightSum() * diffuseColour_;  // t / p_t = S
+  const DeltaSample reflected{reflectAboutZ(wo), weight, Lobe::reflect};
+  const double eta = into ? 1 / ior_ : ior_;
+  const double sin2Squared = eta * eta * (wo.x * wo.x + wo.y * wo.y);
+  if (sin2Squared >= 1) return reflected;
+
+  const double cos2 = std::sqrt(1 - sin2Squared);
+  const double r0 = std::pow((ior_ - 1) / (ior_ + 1), 2);
+  const double reflectance = r0 + (1 - r0) * std::pow(1 - (into ? wo.z : cos2), 5);
+  if (u < reflectance) return reflected;
+  return {{-eta * wo.x, -eta * wo.y, -cos2}, weight, Lobe::refract};
+}
+
+}  // namespace candela::reference

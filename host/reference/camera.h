@@ -1,0 +1,29 @@
+// From a pixel and random numbers to a ray: docs/light-transport.md section 3.
+#pragma once
+#include "host/reference/ray.h"
+#include "host/reference/sampler.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+class CameraRays {
+ public:
+  /// Of `settings`, size, filter and lens count.
+  CameraRays(const Camera& camera, const RenderSettings& settings);
+  Ray generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const;
+
+ private:
+  FilterKind filter_;
+  LensKind lens_;
+  dvec3 eye_;
+  dvec3 right_;           ///< unit, u of the page
+  dvec3 upward_;          ///< unit, v of the page
+  dvec3 forward_;         ///< from the eye to the centre of the view plane
+  glm::dvec2 imageSize_;  ///< pixels
+  glm::dvec2 planeSize_;  ///< of the view plane
+  double lensRadius_;
+  double focal_;
+};
+
+}  // namespace candela::reference

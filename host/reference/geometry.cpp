@@ -1,0 +1,151 @@
+// Quadratics for round surfaces, Moeller and Trumbore's test (JGT 1997) for triangles, slabs for boxes.
+#include "host/reference/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace candela::reference {
+namespace {
+
+double positiveOrNoHit(double t) { return t > 0 ? t : kNoHit; }
+
+// The roots of a t^2 + 2 b t + c = 0, neither by a difference of nearly equal numbers; NaN or infinite where there are
+// none or only one.
+std::pair<double, double> roots(double a, double b, double c) {
+  const double discriminant = b * b - a * c;
+  if (!(discriminant >= 0)) return {kNoHit, kNoHit};
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  return {q / a, c / q};
+}
+
+}  // namespace
+
+SphereShape::SphereShape(const Sphere& sphere) : centre(sphere.centre), radius(sphere.radius) {}
+
+double SphereShape::distance(const Ray& ray, bool leaving) const {
+  const dvec3 fromCentre = ray.origin - centre;
+  const double b = dot(fromCentre, ray.direction);
+  if (leaving) return positiveOrNoHit(-2 * b);
+
+  const auto [t1, t2] = roots(1, b, dot(fromCentre, fromCentre) - radius * radius);
+  const double near = std::min(t1, t2);
+  const double far = std::max(t1, t2);
+  return positiveOrNoHit(near > 0 && radius > 0 ? near : far);
+}
+
+dvec3 SphereShape::normal(const dvec3& point) const { return normalize(point - centre) * std::copysign(1.0, radius); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+TriangleShape::TriangleShape(const Triangle& triangle)
+    : corner(triangle.p[0]), edge1(dvec3(triangle.p[1]) - corner), edge2(dvec3(triangle.p[2]) - corner) {}
+
+double TriangleShape::distance(const Ray& ray) const {
+  const dvec3 p = cross(ray.direction, edge2);
+  const double determinant = dot(edge1, p);
+  if (determinant == 0) return kNoHit;
+  const double inverse = 1 / determinant;
+  const dvec3 s = ray.origin - corner;
+  const double b1 = dot(s, p) * inverse;
+  if (!(b1 >= 0 && b1 <= 1)) return kNoHit;
+  const dvec3 q = cross(s, edge1);
+  const double b2 = dot(ray.direction, q) * inverse;
+  if (!(b2 >= 0 && b1 + b2 <= 1)) return kNoHit;
+  return positiveOrNoHit(dot(edge2, q) * inverse);
+}
+
+dvec2 TriangleShape::barycentrics(const Ray& ray) const {
+  const dvec3 p = cross(ray.direction, edge2);
+  const dvec3 s = ray.origin - corner;
+  return dvec2(dot(s, p), dot(ray.direction, cross(s, edge1))) / dot(edge1, p);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+BoxShape::BoxShape(const Box& box) : min(box.min), max(box.max) {}
+
+BoxShape::Crossings BoxShape::crossings(const Ray& ray) const {
+  Crossings result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis];
+    const double d = ray.direction[axis];
+    if (d == 0) {
+      if (o < min[axis] || o > max[axis]) return {kNoHit, -kNoHit, axis, axis};
+      continue;
+    }
+    const double t1 = ((d > 0 ? min : max)[axis] - o) / d;
+    const double t2 = ((d > 0 ? max : min)[axis] - o) / d;
+    if (t1 > result.entry) result.entry = t1, result.entryAxis = axis;
+    if (t2 < result.exit) result.exit = t2, result.exitAxis = axis;
+  }
+  return result;
+}
+
+double BoxShape::distance(const Ray& ray, bool leaving) const {
+  if (leaving && !(dot(ray.direction, ray.leavingNormal) < 0)) return kNoHit;
+  const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
+  if (leaving) return positiveOrNoHit(exit);
+  if (entry > exit) return kNoHit;
+  return positiveOrNoHit(entry > 0 ? entry : exit);
+}
+
+dvec3 BoxShape::normal(const Ray& ray, bool leaving) const {
+  const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
+  const bool entered = !leaving && entry > 0;
+  const int axis = entered ? entryAxis : exitAxis;
+  dvec3 result(0);
+  result[axis] = std::copysign(1.0, entered ? -ray.direction[axis] : ray.direction[axis]);
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+ConeShape::ConeShape(const Cone& cone)
+    : base(cone.base),
+      axis(normalize(dvec3(cone.apex) - base)),
+      height(length(dvec3(cone.apex) - base)),
+      baseRadius(cone.baseRadius),
+      slope((cone.apexRadius - baseRadius) / height) {}
+
+double ConeShape::distance(const Ray& ray, bool leaving) const {
+  const dvec3 fromBase = ray.origin - base;
+  const double z = dot(fromBase, axis);
+  const double dz = dot(ray.direction, axis);
+  const dvec3 across = fromBase - z * axis;  // the part across the axis, and its change along the ray
+  const dvec3 dAcross = ray.direction - dz * axis;
+  const double rho = baseRadius + slope * z;
+  const double dRho = slope * dz;
+  // |across + t dAcross|^2 = (rho + t dRho)^2
+  const double a = dot(dAcross, dAcross) - dRho * dRho;
+  const double b = dot(across, dAcross) - rho * dRho;
+
+  const auto inRange = [&](double t) { return t > 0 && t < kNoHit && z + t * dz >= 0 && z + t * dz <= height; };
+  if (leaving) {
+    const double t = -2 * b / a;
+    return inRange(t) ? t : kNoHit;
+  }
+  const auto [t1, t2] = roots(a, b, dot(across, across) - rho * rho);
+  return std::min(inRange(t1) ? t1 : kNoHit, inRange(t2) ? t2 : kNoHit);
+}
+
+dvec3 ConeShape::normal(const dvec3& point) const {
+  const dvec3 fromBase = point - base;
+  const dvec3 across = fromBase - dot(fromBase, axis) * axis;
+  const double rho = length(across);
+  if (rho == 0) return axis * std::copysign(1.0, -slope);  // the tip
+  return normalize(across / rho - slope * axis);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+PlaneShape::PlaneShape(const Plane& plane)
+    : point(plane.p[0]), unitNormal(normalize(cross(dvec3(plane.p[1]) - point, dvec3(plane.p[2]) - point))) {}
+
+double PlaneShape::distance(const Ray& ray) const {
+  const double towards = dot(ray.direction, unitNormal);
+  if (towards == 0) return kNoHit;
+  return positiveOrNoHit(dot(point - ray.origin, unitNormal) / towards);
+}
+
+}  // namespace candela::reference

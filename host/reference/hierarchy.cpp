@@ -1,0 +1,118 @@
+// Boxes of primitives, and the hierarchy's construction.
+#include "host/reference/hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace candela::reference {
+namespace {
+
+Bounds ofPoints(std::initializer_list<dvec3> points) {
+  Bounds bounds;
+  for (const dvec3& point : points) bounds.extend({point, point});
+  return bounds;
+}
+
+Bounds around(const dvec3& centre, const dvec3& halfSize) { return {centre - halfSize, centre + halfSize}; }
+
+// Of the circle with unit normal `axis`: it reaches radius * sin(angle between its axis and x) along x.
+Bounds ofCircle(const dvec3& centre, const dvec3& axis, double radius) {
+  return around(centre, radius * glm::sqrt(glm::max(dvec3(0), 1.0 - axis * axis)));
+}
+
+Bounds ofCone(const Cone& cone) {
+  const dvec3 axis = glm::normalize(dvec3(cone.apex) - dvec3(cone.base));
+  Bounds bounds = ofCircle(cone.base, axis, cone.baseRadius);
+  bounds.extend(ofCircle(cone.apex, axis, cone.apexRadius));
+  return bounds;
+}
+
+Bounds widened(const Bounds& bounds) {
+  const dvec3 reach = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+  const double pad = 1e-8 * std::max({reach.x, reach.y, reach.z});
+  return {bounds.min - pad, bounds.max + pad};
+}
+
+class Builder {
+ public:
+  explicit Builder(std::span<const Bounds> boxes) : boxes_(boxes) {
+    for (const Bounds& box : boxes) twiceCentres_.push_back(box.min + box.max);
+    result_.order.resize(boxes.size());
+    std::iota(result_.order.begin(), result_.order.end(), 0u);
+  }
+
+  Hierarchy build() {
+    if (!boxes_.empty()) buildNode(0, static_cast<std::uint32_t>(boxes_.size()));
+    return std::move(result_);
+  }
+
+ private:
+  void buildNode(std::uint32_t begin, std::uint32_t end) {
+    const auto index = static_cast<std::uint32_t>(result_.nodes.size());
+    result_.nodes.push_back(summarize(begin, end));
+    if (end - begin <= Hierarchy::kLeafSize) {
+      result_.nodes[index].first = begin;
+      result_.nodes[index].count = static_cast<std::uint16_t>(end - begin);
+      return;
+    }
+    const int axis = result_.nodes[index].axis;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::uint32_t place) { return result_.order.begin() + place; };
+    std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+      const double centreA = twiceCentres_[a][axis];
+      const double centreB = twiceCentres_[b][axis];
+      return centreA != centreB ? centreA < centreB : a < b;
+    });
+    buildNode(begin, middle);
+    result_.nodes[index].first = static_cast<std::uint32_t>(result_.nodes.size());
+    buildNode(middle, end);
+  }
+
+  // The box of a range, and the axis along which its centres lie farthest apart.
+  Node summarize(std::uint32_t begin, std::uint32_t end) const {
+    Node node;
+    Bounds centres;
+    for (std::uint32_t place = begin; place < end; ++place) {
+      const std::uint32_t item = result_.order[place];
+      node.bounds.extend(boxes_[item]);
+      centres.extend({twiceCentres_[item], twiceCentres_[item]});
+    }
+    const dvec3 extent = centres.max - centres.min;
+    const bool xyLess = extent.x < extent.y;
+    node.axis = std::max(extent.x, extent.y) < extent.z ? 2 : (xyLess ? 1 : 0);
+    return node;
+  }
+
+  std::span<const Bounds> boxes_;
+  std::vector<dvec3> twiceCentres_;
+  Hierarchy result_;
+};
+
+}  // namespace
+
+std::optional<Bounds> boundsOf(const Scene& scene, const Primitive& primitive) {
+  switch (primitive.kind) {
+    case PrimitiveKind::sphere: {
+      const Sphere& sphere = scene.spheres[primitive.index];
+      return widened(around(sphere.centre, dvec3(std::abs(sphere.radius))));
+    }
+    case PrimitiveKind::triangle: {
+      const Triangle& triangle = scene.triangles[primitive.index];
+      return widened(ofPoints({triangle.p[0], triangle.p[1], triangle.p[2]}));
+    }
+    case PrimitiveKind::box: {
+      const Box& box = scene.boxes[primitive.index];
+      return widened({box.min, box.max});
+    }
+    case PrimitiveKind::cone:
+      return widened(ofCone(scene.cones[primitive.index]));
+    case PrimitiveKind::plane:
+      break;
+  }
+  return std::nullopt;
+}
+
+Hierarchy buildHierarchy(std::span<const Bounds> boxes) { return Builder(boxes).build(); }
+
+}  // namespace candela::reference

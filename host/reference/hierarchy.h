@@ -1,0 +1,51 @@
+// A bounding volume hierarchy over boxes in double precision: median split, depth-first, nothing clever.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+using glm::dvec3;
+
+struct Bounds {
+  dvec3 min{std::numeric_limits<double>::infinity()};
+  dvec3 max{-std::numeric_limits<double>::infinity()};
+
+  void extend(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+};
+
+/// The box of a primitive, widened by far more than a distance in double precision errs; none for a plane.
+std::optional<Bounds> boundsOf(const Scene& scene, const Primitive& primitive);
+
+/// A leaf has the items [first, first + count) of Hierarchy::order; an inner node (count 0) its near child behind it
+/// and the far one at `first`, where near and far are seen along `axis`.
+struct Node {
+  Bounds bounds;
+  std::uint32_t first = 0;
+  std::uint16_t count = 0;
+  std::uint16_t axis = 0;
+};
+
+struct Hierarchy {
+  static constexpr std::uint32_t kLeafSize = 4;
+  /// Halving 2^32 items down to leaves takes 30 steps.
+  static constexpr std::uint32_t kMaxDepth = 32;
+
+  std::vector<Node> nodes;  ///< the root first; empty where there are no items
+  std::vector<std::uint32_t> order;
+};
+
+/// `order` becomes a permutation of the boxes' indices.
+Hierarchy buildHierarchy(std::span<const Bounds> boxes);
+
+}  // namespace candela::reference

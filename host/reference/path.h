@@ -1,0 +1,60 @@
+// The estimator: docs/light-transport.md section 7.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "host/reference/background.h"
+#include "host/reference/bsdf.h"
+#include "host/reference/camera.h"
+#include "host/reference/lights.h"
+#include "host/reference/sampler.h"
+#include "host/reference/surface.h"
+#include "host/reference/tracing.h"
+#include "host/render/path_record.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+/// A scene made ready to be rendered.
+class PathTracer {
+ public:
+  /// The scene, which has a camera, must outlive the object.
+  PathTracer(const Scene& scene, const RenderSettings& settings);
+
+  /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path decided.
+  dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+               PathRecord* record) const;
+
+  const Tracing& tracing() const { return tracing_; }
+
+ private:
+  /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.
+  struct VertexNumbers;
+  /// A surface with what its material's frame makes of it.
+  struct Vertex;
+  /// How a path goes on; `pdf` is none for a delta lobe. A weight of 0 ends it.
+  struct Scattering {
+    Lobe lobe = Lobe::none;
+    dvec3 wi{0};
+    dvec3 weight{0};
+    std::optional<double> pdf;
+  };
+
+  dvec3 radiance(Ray ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const;
+  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf) const;
+  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, VertexRecord& record) const;
+  Scattering scatter(const Vertex& vertex, VertexNumbers u) const;
+  Scattering scatterSmooth(const Vertex& vertex, Lobe lobe, VertexNumbers u) const;
+
+  const Scene& scene_;
+  RenderSettings settings_;
+  Sampler sampler_;
+  CameraRays camera_;
+  Background background_;
+  Tracing tracing_;
+  LightTable lights_;
+  std::vector<Bsdf> bsdfs_;  ///< by material
+};
+
+}  // namespace candela::reference

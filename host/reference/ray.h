@@ -1,0 +1,32 @@
+// Rays, and what they remember of where they start.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+
+namespace candela::reference {
+
+using glm::dvec3;
+
+inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
+inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
+
+/// `direction` is a unit vector. A ray from a surface names the primitive that it leaves (docs/light-transport.md
+/// section 4); `leavingNormal` is the normal there as the primitive orients it, of use to boxes.
+struct Ray {
+  dvec3 origin;
+  dvec3 direction;
+  std::uint32_t leaving = kNoPrimitive;
+  dvec3 leavingNormal{0};
+
+  dvec3 at(double distance) const { return origin + distance * direction; }
+};
+
+struct Hit {
+  double distance = kNoHit;
+  std::uint32_t primitive = kNoPrimitive;
+
+  explicit operator bool() const { return primitive != kNoPrimitive; }
+};
+
+}  // namespace candela::reference

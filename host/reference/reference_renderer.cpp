@@ -1,0 +1,187 @@
+// Renders with the reference tracer: threads over tiles, one writer per pixel.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <thread>
+#include <vector>
+
+#include "host/core/errors.h"
+#include "host/reference/path.h"
+#include "host/render/make_renderer.h"
+
+namespace candela {
+namespace {
+
+using reference::Counters;
+using reference::PathTracer;
+
+constexpr Extent kDefaultTile{16, 16};
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+std::uint32_t threadCount(const RenderSettings& settings) {
+  return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+// One render in progress: hands out tiles, and keeps what its threads add to.
+class Job {
+ public:
+  Job(const PathTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
+      : tracer_(tracer),
+        settings_(settings),
+        control_(control),
+        result_(result),
+        tile_(settings.tile.value_or(kDefaultTile)),
+        tilesAcross_((settings.size.width + tile_.width - 1) / tile_.width),
+        tileCount_(std::uint64_t{tilesAcross_} * ((settings.size.height + tile_.height - 1) / tile_.height)) {}
+
+  Extent tile() const { return tile_; }
+  bool wasInterrupted() const { return interrupted_; }
+
+  // The calling thread works too and alone reports progress, so that callbacks need not be thread-safe. What they throw
+  // stops the other threads.
+  Counters run(std::uint32_t threads) {
+    std::vector<Counters> counters(threads);
+    {
+      std::vector<std::jthread> helpers;
+      for (std::uint32_t i = 1; i < threads; ++i) {
+        helpers.emplace_back([this, &counter = counters[i]](std::stop_token stop) {
+          while (!stop.stop_requested() && renderNextTile(counter)) {
+          }
+        });
+      }
+      while (renderNextTile(counters[0])) reportProgress();
+      for (std::jthread& helper : helpers) helper.join();
+    }
+    Counters total;
+    for (const Counters& counter : counters) total += counter;
+    return total;
+  }
+
+ private:
+  bool isStopped() const { return control_.stop && control_.stop->load(std::memory_order_relaxed); }
+
+  bool renderNextTile(Counters& shared) {
+    const std::uint64_t index = nextTile_.fetch_add(1);
+    if (index >= tileCount_) return false;
+    const auto column = static_cast<std::uint32_t>(index % tilesAcross_);
+    const auto row = static_cast<std::uint32_t>(index / tilesAcross_);
+    Counters counters;
+    const bool finished = renderTile(column * tile_.width, row * tile_.height, counters);
+    samplesDone_.fetch_add(counters.samples);
+    shared += counters;
+    return finished;
+  }
+
+  bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters) {
+    const std::uint32_t right = std::min(left + tile_.width, settings_.size.width);
+    const std::uint32_t bottom = std::min(top + tile_.height, settings_.size.height);
+    for (std::uint32_t y = top; y < bottom; ++y) {
+      for (std::uint32_t x = left; x < right; ++x) {
+        if (isStopped()) {
+          interrupted_ = true;
+          return false;
+        }
+        renderPixel(x, y, counters);
+      }
+    }
+    return true;
+  }
+
+  void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
+    const std::size_t pixel = std::size_t{y} * settings_.size.width + x;
+    for (std::uint32_t sample = 0; sample < settings_.sampleCount; ++sample) {
+      PathRecord* record = result_.paths.empty() || sample > 0 ? nullptr : &result_.paths[pixel];
+      result_.film.addSample(x, y, tracer_.sample(x, y, sample, counters, record), sample);
+    }
+  }
+
+  void reportProgress() const {
+    if (!control_.progress) return;
+    const std::uint64_t done = samplesDone_.load();
+    const double total = double{1} * settings_.size.width * settings_.size.height * settings_.sampleCount;
+    control_.progress(static_cast<double>(done) / total, done);
+  }
+
+  const PathTracer& tracer_;
+  const RenderSettings& settings_;
+  const RenderControl& control_;
+  RenderResult& result_;
+  Extent tile_;
+  std::uint32_t tilesAcross_;
+  std::uint64_t tileCount_;
+  std::atomic<std::uint64_t> nextTile_{0};
+  std::atomic<std::uint64_t> samplesDone_{0};
+  std::atomic<bool> interrupted_{false};
+};
+
+void addCounters(const Counters& counters, RenderStatistics& statistics) {
+  statistics.samples = counters.samples;
+  statistics.cameraRays = counters.cameraRays;
+  statistics.bounceRays = counters.bounceRays;
+  statistics.shadowRays = counters.shadowRays;
+  statistics.vertices = counters.vertices;
+  statistics.traversalSteps = counters.traversalSteps;
+}
+
+std::uint64_t badSampleCount(const Film& film) {
+  std::uint64_t count = 0;
+  for (const FilmPixel& pixel : film.pixels()) count += pixel.badCount;
+  return count;
+}
+
+class ReferenceRenderer final : public Renderer {
+ public:
+  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
+    try {
+      return renderUnguarded(scene, settings, control);
+    } catch (const std::bad_alloc&) {
+      throw OutOfMemoryError("the reference tracer ran out of memory; render a smaller image or a smaller scene");
+    }
+  }
+
+ private:
+  static RenderResult renderUnguarded(const Scene& scene, const RenderSettings& settings,
+                                      const RenderControl& control) {
+    const auto [width, height] = settings.size;
+    RenderResult result;
+    result.film = Film(width, height);
+    if (settings.recordPaths) result.paths.resize(std::size_t{width} * height);
+
+    RenderStatistics& statistics = result.statistics;
+    statistics.device = "cpu";
+    statistics.kernel = "reference";
+    statistics.threads = threadCount(settings);
+
+    const Stopwatch buildTime;
+    const PathTracer tracer(scene, settings);
+    statistics.seconds["build"] = buildTime.seconds();
+    statistics.structure = tracer.tracing().hasHierarchy() ? "bvh" : "none";
+    if (tracer.tracing().hasHierarchy()) {
+      statistics.structureQuality["nodes"] = static_cast<double>(tracer.tracing().hierarchy().nodes.size());
+    }
+
+    const Stopwatch traceTime;
+    Job job(tracer, settings, control, result);
+    addCounters(job.run(statistics.threads), statistics);
+    statistics.seconds["trace"] = traceTime.seconds();
+    statistics.tile = job.tile();
+    result.interrupted = job.wasInterrupted();
+    statistics.badSamples = badSampleCount(result.film);
+    return result;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeReferenceRenderer() { return std::make_unique<ReferenceRenderer>(); }
+
+}  // namespace candela

@@ -1,0 +1,67 @@
+// Random numbers as a function of seed, pixel, sample and dimension: docs/light-transport.md section 1. Integers only,
+// so that every executor agrees bit for bit.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "host/render/settings.h"
+
+namespace candela::reference {
+
+using Words = std::array<std::uint32_t, 4>;
+
+/// Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
+Words pcg4d(Words v);
+
+/// The Laine-Karras permutation with Burley's constants: Owen scrambling of a word whose bits are reversed (Burley,
+/// "Practical Hash-based Owen Scrambling", JCGT 2020).
+std::uint32_t owenPermutation(std::uint32_t reversedBits, std::uint32_t key);
+
+/// Point `index` of Sobol dimension `slot` + 1, unscrambled, with the direction numbers of Joe and Kuo. `slot` in 0..3.
+std::uint32_t sobolPoint(std::uint32_t index, std::uint32_t slot);
+
+/// Place of `i` in the permutation `key` of 0 .. length-1 (Kensler, Pixar memo 13-01). 1 <= length, i < length.
+std::uint32_t permute(std::uint32_t i, std::uint32_t length, std::uint32_t key);
+
+/// A word whose value / 2^32 is in [stratum / count, (stratum + 1) / count), at the place that `jitter` / 2^32 gives.
+std::uint32_t jitterInStratum(std::uint32_t stratum, std::uint32_t count, std::uint32_t jitter);
+
+/// The word as a real number in [0, 1): its upper 24 bits.
+inline double toUnit(std::uint32_t word) { return (word >> 8) * 0x1p-24; }
+
+/// What all samples of a render have in common.
+class Sampler {
+ public:
+  Sampler(SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount);
+  /// The words of dimensions 4 * group .. 4 * group + 3.
+  Words group(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
+
+ private:
+  Words sobolGroup(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
+  Words stratifiedGroup(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
+
+  SamplerKind kind_;
+  std::uint32_t seed_;
+  std::uint32_t strataPerSide_;
+};
+
+/// The numbers of one sample of one pixel. Keeps the words of the group asked for last.
+class SampleNumbers {
+ public:
+  SampleNumbers(const Sampler& sampler, std::uint32_t x, std::uint32_t y, std::uint32_t sample)
+      : sampler_(sampler), pixel_(x + 65536u * y), sample_(sample) {}
+
+  std::uint32_t word(std::uint32_t dimension);
+  double unit(std::uint32_t dimension) { return toUnit(word(dimension)); }
+
+ private:
+  static constexpr std::uint32_t kNoGroup = ~0u;
+
+  const Sampler& sampler_;
+  std::uint32_t pixel_;
+  std::uint32_t sample_;
+  std::uint32_t group_ = kNoGroup;
+  Words words_{};
+};
+
+}  // namespace candela::reference

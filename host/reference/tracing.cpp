@@ -1,0 +1,174 @@
+// Traversal, brute force and through the hierarchy.
+#include "host/reference/tracing.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace candela::reference {
+namespace {
+
+// A distance and the distance to a box that has it may err in opposite directions.
+constexpr double kSlack = 1 + 1e-12;
+
+dvec3 inverseOf(const dvec3& direction) {
+  dvec3 inverse;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = direction[axis];
+    inverse[axis] = std::abs(d) > 1e-300 ? 1 / d : std::copysign(1e300, d);  // so that 0 times it is 0
+  }
+  return inverse;
+}
+
+bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
+  const dvec3 a = (box.min - origin) * inverse;
+  const dvec3 b = (box.max - origin) * inverse;
+  const dvec3 low = glm::min(a, b);
+  const dvec3 high = glm::max(a, b);
+  const double entry = std::max(std::max(low.x, low.y), std::max(low.z, 0.0));
+  const double exit = std::min(std::min(high.x, high.y), high.z);
+  return entry <= exit * kSlack && entry <= limit * kSlack;
+}
+
+bool isEverHit(const Scene& scene, const Primitive& primitive) {
+  return primitive.kind != PrimitiveKind::triangle ||
+         TriangleShape(scene.triangles[primitive.index]).areaNormal() != dvec3(0);
+}
+
+}  // namespace
+
+Counters& Counters::operator+=(const Counters& other) {
+  samples += other.samples;
+  cameraRays += other.cameraRays;
+  bounceRays += other.bounceRays;
+  shadowRays += other.shadowRays;
+  vertices += other.vertices;
+  traversalSteps += other.traversalSteps;
+  return *this;
+}
+
+Tracing::Tracing(const Scene& scene, const RenderSettings& settings) {
+  std::vector<Bounds> boxes;
+  std::vector<std::uint32_t> bounded;
+  std::vector<std::uint32_t> unbounded;
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+    if (!isEverHit(scene, scene.primitives[i])) continue;
+    const std::optional<Bounds> bounds = boundsOf(scene, scene.primitives[i]);
+    (bounds ? bounded : unbounded).push_back(i);
+    if (bounds) boxes.push_back(*bounds);
+  }
+  const auto add = [&](std::uint32_t primitive) {
+    const Material& material = scene.materials[scene.primitives[primitive].material];
+    addItem(scene, primitive, settings.oneSided && material.t == 0);
+  };
+
+  items_.reserve(scene.primitives.size());
+  if (settings.accel == AccelKind::bvh && bounded.size() > kBruteForceLimit) {
+    hierarchy_ = buildHierarchy(boxes);
+    for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
+    firstOutside_ = items_.size();
+  } else {
+    for (const std::uint32_t primitive : bounded) add(primitive);
+  }
+  for (const std::uint32_t primitive : unbounded) add(primitive);
+}
+
+void Tracing::addItem(const Scene& scene, std::uint32_t primitive, bool oneSided) {
+  const auto [kind, index, material] = scene.primitives[primitive];
+  const auto append = [&](auto& shapes, const auto& source) {
+    shapes.emplace_back(source);
+    items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
+  };
+  switch (kind) {
+    case PrimitiveKind::sphere:
+      return append(spheres_, scene.spheres[index]);
+    case PrimitiveKind::triangle:
+      return append(triangles_, scene.triangles[index]);
+    case PrimitiveKind::box:
+      return append(boxes_, scene.boxes[index]);
+    case PrimitiveKind::cone:
+      return append(cones_, scene.cones[index]);
+    case PrimitiveKind::plane:
+      return append(planes_, scene.planes[index]);
+  }
+}
+
+double Tracing::distance(const Item& item, const Ray& ray) const {
+  const bool leaving = item.primitive == ray.leaving;
+  const auto flat = [&](const auto& shape, const dvec3& normal) {
+    if (leaving || (item.oneSided && dot(ray.direction, normal) > 0)) return kNoHit;
+    return shape.distance(ray);
+  };
+  switch (item.kind) {
+    case PrimitiveKind::sphere:
+      return spheres_[item.shape].distance(ray, leaving);
+    case PrimitiveKind::triangle: {
+      const TriangleShape& triangle = triangles_[item.shape];
+      return flat(triangle, item.oneSided ? triangle.areaNormal() : dvec3(0));
+    }
+    case PrimitiveKind::box:
+      return boxes_[item.shape].distance(ray, leaving);
+    case PrimitiveKind::cone:
+      return cones_[item.shape].distance(ray, leaving);
+    case PrimitiveKind::plane:
+      return flat(planes_[item.shape], planes_[item.shape].unitNormal);
+  }
+  return kNoHit;
+}
+
+// Calls visit(item, its distance) for the items that a ray may meet before `limit`, which visits may lower; ends early
+// where visit returns true.
+template <class Visit>
+void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
+  if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
+  for (std::size_t i = firstOutside_; i < items_.size(); ++i) {
+    ++counters.traversalSteps;
+    if (visit(items_[i], distance(items_[i], ray))) return;
+  }
+}
+
+template <class Visit>
+bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
+  const dvec3 inverse = inverseOf(ray.direction);
+  std::array<std::uint32_t, Hierarchy::kMaxDepth + 1> stack;
+  std::uint32_t stackSize = 0;
+  stack[stackSize++] = 0;
+  while (stackSize > 0) {
+    const std::uint32_t index = stack[--stackSize];
+    const Node& node = hierarchy_.nodes[index];
+    ++counters.traversalSteps;
+    if (!meets(node.bounds, ray.origin, inverse, limit)) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      ++counters.traversalSteps;
+      if (visit(items_[i], distance(items_[i], ray))) return true;
+    }
+    if (node.count > 0) continue;
+    const bool forward = ray.direction[node.axis] >= 0;
+    stack[stackSize++] = forward ? node.first : index + 1;
+    stack[stackSize++] = forward ? index + 1 : node.first;
+  }
+  return false;
+}
+
+Hit Tracing::closest(const Ray& ray, Counters& counters) const {
+  Hit nearest;
+  visitItems(ray, nearest.distance, counters, [&](const Item& item, double distance) {
+    const bool nearer = distance < nearest.distance;
+    const bool wins = distance == nearest.distance && distance < kNoHit && item.primitive < nearest.primitive;
+    if (nearer || wins) nearest = {distance, item.primitive};
+    return false;
+  });
+  return nearest;
+}
+
+bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const {
+  bool occluded = false;
+  visitItems(ray, distance, counters, [&](const Item& item, double itemDistance) {
+    occluded = item.primitive != light && itemDistance < distance;
+    return occluded;
+  });
+  return occluded;
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,68 @@
+// What a ray meets in a scene: all primitives one after the other, or through a hierarchy where they are many.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "host/reference/geometry.h"
+#include "host/reference/hierarchy.h"
+#include "host/reference/ray.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+/// Counts of one thread's work.
+struct Counters {
+  std::uint64_t samples = 0;
+  std::uint64_t cameraRays = 0;
+  std::uint64_t bounceRays = 0;
+  std::uint64_t shadowRays = 0;
+  std::uint64_t vertices = 0;
+  std::uint64_t traversalSteps = 0;  ///< nodes visited plus primitives tested
+
+  Counters& operator+=(const Counters& other);
+};
+
+class Tracing {
+ public:
+  /// Primitives beyond this number are put into a hierarchy, unless the settings ask for none.
+  static constexpr std::size_t kBruteForceLimit = 32;
+
+  /// Of `settings`, `accel` and `oneSided` count. The scene must outlive the object.
+  Tracing(const Scene& scene, const RenderSettings& settings);
+
+  /// The nearest hit; of equal distances that of the lower primitive index.
+  Hit closest(const Ray& ray, Counters& counters) const;
+  /// Whether a primitive other than `light` is hit nearer than `distance`.
+  bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const;
+
+  bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+
+ private:
+  /// A primitive to be tested: `shape` is an index into the shapes of its kind.
+  struct Item {
+    PrimitiveKind kind;
+    bool oneSided;
+    std::uint32_t shape;
+    std::uint32_t primitive;
+  };
+
+  void addItem(const Scene& scene, std::uint32_t primitive, bool oneSided);
+  double distance(const Item& item, const Ray& ray) const;
+  template <class Visit>
+  void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
+  template <class Visit>
+  bool visitHierarchy(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
+
+  std::vector<Item> items_;       ///< in the hierarchy's order, then those outside of it
+  std::size_t firstOutside_ = 0;  ///< the first of the latter
+  std::vector<SphereShape> spheres_;
+  std::vector<TriangleShape> triangles_;
+  std::vector<BoxShape> boxes_;
+  std::vector<ConeShape> cones_;
+  std::vector<PlaneShape> planes_;
+  Hierarchy hierarchy_;
+};
+
+}  // namespace candela::reference
