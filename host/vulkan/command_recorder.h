@@ -15,7 +15,7 @@ struct GroupCount {
 };
 
 /// Records commands into the submission of one Device::run. Each command sees all that earlier ones wrote: a barrier
-/// stands between any two, which costs nothing measurable since every command here fills the device.
+/// stands between any two. Commands that could overlap are thus kept apart; here nearly all depend on the one before.
 class CommandRecorder {
  public:
   /// Runs `pipeline` on `bindings`. `pushConstants` has the size that the pipeline was made with.
