@@ -17,7 +17,8 @@ struct FilmPixel {
   FixedSum red{};
   std::uint32_t sampleCount = 0;
   FixedSum green{};
-  std::uint32_t badCount = 0;  ///< samples that were not finite (dropped: they add 0) or beyond kFilmMaximum (clamped)
+  /// Samples with a channel that is not finite or negative (it adds 0) or beyond kFilmMaximum (it is clamped).
+  std::uint32_t badCount = 0;
   FixedSum blue{};
   std::uint32_t firstBadSample = 0;  ///< 1 + index of the lowest bad sample; 0: none
   FixedSum luminanceSquared{};       ///< second moment of the luminance of the samples as added
