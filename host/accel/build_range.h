@@ -1,5 +1,6 @@
 // One step of building a hierarchy: summing up a range of boxes, choosing where to split it, and splitting it.
 #pragma once
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -10,19 +11,24 @@
 
 namespace candela {
 
-/// A box in four lanes, so that compilers make one vector instruction of each line. What lane 3 holds is of no account.
+/// Four floats in one vector register (an extension that GCC and Clang share); comparisons work lane by lane.
+typedef float Float4 __attribute__((vector_size(16)));
+inline Float4 min4(Float4 a, Float4 b) { return b < a ? b : a; }
+inline Float4 max4(Float4 a, Float4 b) { return b > a ? b : a; }
+
+/// A box in four lanes, starting out empty. What lane 3 holds is of no account.
 struct Box4 {
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  alignas(16) float min[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
-  alignas(16) float max[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+  Float4 min = {kInfinity, kInfinity, kInfinity, kInfinity};
+  Float4 max = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
 
   void extend(const Box4& other) {
-    for (int i = 0; i < 4; ++i) min[i] = other.min[i] < min[i] ? other.min[i] : min[i];
-    for (int i = 0; i < 4; ++i) max[i] = other.max[i] > max[i] ? other.max[i] : max[i];
+    min = min4(min, other.min);
+    max = max4(max, other.max);
   }
-  void extend(const float (&point)[4]) {
-    for (int i = 0; i < 4; ++i) min[i] = point[i] < min[i] ? point[i] : min[i];
-    for (int i = 0; i < 4; ++i) max[i] = point[i] > max[i] ? point[i] : max[i];
+  void extend(Float4 point) {
+    min = min4(min, point);
+    max = max4(max, point);
   }
   /// Half the surface, in double: no box within +-2^100 overflows. Not of an empty box.
   double halfArea() const {
@@ -51,19 +57,16 @@ struct RangeSummary {
   Box4 centres2;
 
   void extend(const Box4& box) {
-    float centre[4];
-    for (int i = 0; i < 4; ++i) centre[i] = box.min[i] + box.max[i];
     bounds.extend(box);
-    centres2.extend(centre);
+    centres2.extend(box.min + box.max);
   }
 };
 RangeSummary summarize(std::span<const BuildItem> items);
 
-/// A range cut in two: items [0, leftCount) and the rest, both not empty.
+/// A range cut in two: items [0, leftCount) and the rest, both not empty, and what each side sums up to.
 struct RangeSplit {
   std::size_t leftCount = 0;
-  RangeSummary left;
-  RangeSummary right;
+  std::array<RangeSummary, 2> sides;
 };
 
 /// Fewest steps down from a node of `itemCount` items to leaves of `maxLeafSize`, by halving.

@@ -1,3 +1,4 @@
+// Grows the tree: large ranges fork into tasks, small ones become subtrees, and all of it is joined in one order.
 #include "host/accel/bvh.h"
 
 #include <fmt/format.h>
@@ -133,8 +134,8 @@ class Builder {
     const auto split = splitRange(items, range.summary, range.levels, options_);
     if (!split) return std::nullopt;
     const std::size_t leftCount = split->leftCount;
-    return {{Range{range.first, leftCount, range.levels - 1, split->left},
-             Range{range.first + leftCount, range.count - leftCount, range.levels - 1, split->right}}};
+    return {{Range{range.first, leftCount, range.levels - 1, split->sides[0]},
+             Range{range.first + leftCount, range.count - leftCount, range.levels - 1, split->sides[1]}}};
   }
 
   // Puts a branch's root into `slot` and the rest behind all others, as growSubtree() would have done.

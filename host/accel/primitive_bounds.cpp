@@ -1,3 +1,4 @@
+// Exact bounds of each kind of primitive, and their padding.
 #include "host/accel/primitive_bounds.h"
 
 #include <fmt/format.h>

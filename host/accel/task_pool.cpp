@@ -1,3 +1,4 @@
+// One queue, taken from its end, so that a large task's own halves come first.
 #include "host/accel/task_pool.h"
 
 #include <system_error>
