@@ -21,6 +21,10 @@ class DiagnosticLog {
   /// Keeps the first warning of each kind and counts the others.
   void warn(const std::string& kind, Position position, std::string message);
 
+  /// True if another error, or a warning of this kind, would be listed rather than counted.
+  bool listsError() const { return errorCount_ < kShown; }
+  bool listsWarning(const std::string& kind) const { return warnings_.size() < kShown && !warnings_.contains(kind); }
+
   std::size_t errorCount() const { return errorCount_; }
   bool isFull() const { return errorCount_ >= kCounted; }
 

@@ -13,7 +13,7 @@ namespace candela {
 
 struct LoadOptions {
   bool lenient = false;  ///< unknown lines are skipped, short materials completed, each with a warning
-  std::vector<std::filesystem::path> allowedPaths;  ///< folders outside the scene's own that `env` may name
+  std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that `env` may name
 };
 
 /// How many statements of each kind the file had: "sphere", "polygon", "patch", "material", ...

@@ -1,6 +1,7 @@
 // Numbers as scene files write them.
 #include "host/scene/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -28,12 +29,9 @@ ParsedNumber<Real> parseReal(std::string_view text) {
   return {value, NumberStatus::ok};
 }
 
-bool startsWithIgnoringCase(std::string_view text, std::string_view lowerCase) {
-  if (text.size() < lowerCase.size()) return false;
-  for (std::size_t i = 0; i < lowerCase.size(); ++i) {
-    if ((text[i] | 0x20) != lowerCase[i]) return false;
-  }
-  return true;
+bool equalsIgnoringCase(std::string_view text, std::string_view lowerCase) {
+  const auto lower = [](char c) { return static_cast<char>(c | 0x20); };
+  return std::ranges::equal(text, lowerCase, {}, lower);
 }
 
 }  // namespace
@@ -42,8 +40,7 @@ bool looksLikeNumber(std::string_view text) {
   if (text.empty()) return false;
   const char first = text.front();
   if ((first >= '0' && first <= '9') || first == '.' || first == '+' || first == '-') return true;
-  const bool namesInfinity = text.size() <= 8 && startsWithIgnoringCase(text, "inf");
-  return namesInfinity || (text.size() == 3 && startsWithIgnoringCase(text, "nan"));
+  return equalsIgnoringCase(text, "nan") || equalsIgnoringCase(text, "inf") || equalsIgnoringCase(text, "infinity");
 }
 
 ParsedNumber<float> parseFloat(std::string_view text) { return parseReal<float>(text); }

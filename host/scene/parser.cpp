@@ -50,6 +50,18 @@ void Parser::requireNonNegative(std::string_view what, const glm::vec3& value, P
   requireNonNegative(what, std::min({value.x, value.y, value.z}), position);
 }
 
+std::size_t Parser::itemCount(std::string_view what, std::int64_t min, std::int64_t max, std::size_t numbersPerItem) {
+  constexpr std::size_t kHarmless = 1024;  // so few may be allocated, for a better message where one is missing
+  const auto count = static_cast<std::size_t>(in.wholeNumber(what, min, max));
+  const std::size_t room = (tokens.bytesLeft() + 1) / 2 / numbersPerItem;
+  if (count <= std::max(room, kHarmless)) return count;
+  StatementReader::fail(in.lastNumber(), fmt::format("{} {} does not fit into the rest of the file", what, count));
+}
+
+bool Parser::lists(const std::string& kind) const {
+  return options.lenient ? log.listsWarning(kind) : log.listsError();
+}
+
 std::uint32_t Parser::currentMaterial() {
   if (!material) {
     log.warn("default material", keyword, "an object before any material (\"f\") is diffuse white");
@@ -69,7 +81,8 @@ void skipUnknown(Parser& parser) {
         fmt::format("expected a keyword, found {}; optional numbers must be on the line of their keyword", found));
     return;
   }
-  parser.deviation("unknown " + std::string(token.text.substr(0, 40)), token.position, describeUnknown(token.text));
+  const std::string kind = "unknown " + std::string(token.text.substr(0, 40));
+  parser.deviation(kind, token.position, parser.lists(kind) ? describeUnknown(token.text) : "");
 }
 
 void parseStatements(Parser& parser) {

@@ -33,9 +33,14 @@ struct Parser {
 
   /// A departure from the format that can be passed over: an error, or with `lenient` a warning of this kind.
   void deviation(const std::string& kind, Position position, const std::string& message);
+  /// True if a deviation of this kind would be shown rather than counted, so that its message is worth making.
+  bool lists(const std::string& kind) const;
   /// Reports an error and goes on with the statement, if `value` is negative.
   void requireNonNegative(std::string_view what, float value, Position position);
   void requireNonNegative(std::string_view what, const glm::vec3& value, Position position);
+  /// Reads how many items of `numbersPerItem` numbers each follow, in [min, max]. A count that the rest of the file
+  /// cannot hold is refused before anyone allocates by it. Throws StatementError.
+  std::size_t itemCount(std::string_view what, std::int64_t min, std::int64_t max, std::size_t numbersPerItem);
   /// Index of the current material; before any `f` that is the default one, which this adds to the scene.
   std::uint32_t currentMaterial();
 };

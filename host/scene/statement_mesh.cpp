@@ -1,6 +1,4 @@
 // `mesh`: shared vertices and triangles by index.
-#include <fmt/format.h>
-
 #include <vector>
 
 #include "host/scene/parser.h"
@@ -10,14 +8,7 @@
 namespace candela {
 namespace {
 
-/// A count of things of three numbers each, checked against what the rest of the file can hold.
-std::size_t readCount(Parser& parser, std::string_view what, std::int64_t min) {
-  constexpr std::int64_t kMost = 0xffffffff;
-  const auto count = static_cast<std::size_t>(parser.in.wholeNumber(what, min, kMost));
-  if (count <= (parser.tokens.bytesLeft() + 1) / 6) return count;
-  StatementReader::fail(parser.in.lastNumber(),
-                        fmt::format("{} {} does not fit into the rest of the file", what, count));
-}
+constexpr std::int64_t kMostItems = 0xffffffff;
 
 /// 1-based; 0 and below count from the end, so that -1 is the last vertex and 0 is none.
 std::size_t readIndex(Parser& parser, std::size_t vertexCount) {
@@ -32,8 +23,8 @@ std::size_t readIndex(Parser& parser, std::size_t vertexCount) {
 }  // namespace
 
 void parseMesh(Parser& parser) {
-  std::vector<glm::vec3> vertices(readCount(parser, "the number of vertices", 1));
-  const std::size_t faceCount = readCount(parser, "the number of triangles", 0);
+  std::vector<glm::vec3> vertices(parser.itemCount("the number of vertices", 1, kMostItems, 3));
+  const std::size_t faceCount = parser.itemCount("the number of triangles", 0, kMostItems, 3);
   for (glm::vec3& vertex : vertices) vertex = parser.in.vector("a vertex");
   const std::uint32_t material = parser.currentMaterial();
   for (std::size_t i = 0; i < faceCount; ++i) {

@@ -1,0 +1,90 @@
+// The report of a scene: counts, bounds, lights, materials, as text and as JSON.
+#include "host/scene/report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/scene/scene_text.h"
+
+namespace candela {
+namespace {
+
+const std::string kScene =
+    "b .1 .2 .3\nv from 0 0 9 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 64 32\naccel 1\n"
+    "f 1 1 1 1 0 1 0 1\np 4 0 0 0 4 0 0 4 4 0 0 4 0\ns -3 0 0 1\n"   // diffuse
+    "f 1 1 1 0 1 1 0 1\npl 0 0 0 1 0 0 0 1 0\n"                      // mirror
+    "f 1 1 1 0 0 1 1 1.5\nc 0 0 0 2  0 0 5 1\n"                      // dielectric
+    "f 1 1 1 .5 .5 9 0 1\nbox 0 0 -2 1 1 0\n"                        // mixture
+    "f 0 0 0 1 0 0 0 0 1 0 1 2 2 2\ns 0 7 0 -.5\nbox 0 0 0 1 1 1\n"  // lamps
+    "l 1 1 1\nspp 16\n";
+
+}  // namespace
+
+TEST_CASE("a report counts statements, primitives, lights and materials") {
+  const SceneReport report = makeReport(load(kScene));
+  CHECK(report.statements.at("sphere") == 2);
+  CHECK(report.statements.at("polygon") == 1);
+  CHECK(report.statements.at("box") == 2);
+  CHECK(report.primitives.spheres == 2);
+  CHECK(report.primitives.triangles == 2 + 12);
+  CHECK(report.primitives.boxes == 1);
+  CHECK(report.primitives.cones == 1);
+  CHECK(report.primitives.planes == 1);
+  CHECK(report.primitives.total() == 19);
+  CHECK(report.lights.spheres == 1);
+  CHECK(report.lights.triangles == 12);
+  CHECK(report.lights.points == 1);
+  CHECK(report.lights.total() == 14);
+  CHECK(report.materials.diffuse == 2);
+  CHECK(report.materials.mirror == 1);
+  CHECK(report.materials.dielectric == 1);
+  CHECK(report.materials.mixture == 1);
+  CHECK(report.materials.emitting == 1);
+  CHECK(report.requestedAccel == 1u);
+  CHECK(report.requestedSamples == 16u);
+}
+
+TEST_CASE("bounds hold everything but infinite planes, cones exactly") {
+  const SceneReport report = makeReport(load(kScene));
+  REQUIRE(report.bounds);
+  CHECK(report.bounds->min == glm::vec3(-4, -2, -2));  // ball, cone's base, box
+  CHECK(report.bounds->max == glm::vec3(4, 7.5f, 5));  // quad, lamp, cone's apex
+  CHECK_FALSE(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")).bounds);
+}
+
+TEST_CASE("JSON holds the same figures under lowerCamel keys") {
+  const LoadedScene loaded = load(kScene);
+  const nlohmann::json json = toJson(makeReport(loaded));
+  CHECK(json["name"] == "test");
+  CHECK(json["statements"]["sphere"] == 2);
+  CHECK(json["primitives"]["total"] == 19);
+  CHECK(json["bounds"]["min"] == nlohmann::json({-4, -2, -2}));
+  CHECK(json["lights"]["triangles"] == 12);
+  CHECK(json["materials"]["emitting"] == 1);
+  CHECK(json["camera"]["resolution"] == nlohmann::json({64, 32}));
+  CHECK(json["camera"]["from"] == nlohmann::json({0, 0, 9}));
+  CHECK(json["requestedSamples"] == 16);
+  CHECK(json["skySide"].is_null());
+  CHECK(json["warnings"].size() == loaded.warnings.size());
+  CHECK(json["hash"].get<std::string>().size() == 16);
+  const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
+  CHECK(bare["camera"].is_null());
+  CHECK(bare["bounds"].is_null());
+}
+
+TEST_CASE("text names what a person looks for") {
+  const std::string text = toText(makeReport(load(kScene)));
+  for (const char* part : {"test\n", "19: spheres 2, triangles 14", "-4 -2 -2 to 4 7.5 5", "64 x 32", "16 requested",
+                           "warning     test:", "background  0.1 0.2 0.3"}) {
+    CAPTURE(part);
+    CHECK(contains(text, part));
+  }
+}
+
+TEST_CASE("the hash is FNV-1a of the file's bytes") {
+  CHECK(load("").scene.hash == 0xcbf29ce484222325ull);
+  CHECK(load("\n").scene.hash == (0xcbf29ce484222325ull ^ 0x0a) * 0x100000001b3ull);
+  CHECK(load("b 1 1 1\n").scene.hash != load("b 1 1 1 \n").scene.hash);
+}
+
+}  // namespace candela

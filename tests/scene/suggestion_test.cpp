@@ -1,0 +1,31 @@
+// Slips of the pen are near what was meant; other words are not.
+#include "host/scene/suggestion.h"
+
+#include <catch2/catch.hpp>
+
+namespace candela {
+
+TEST_CASE("edit distance counts inserts, deletes, replacements and swaps, in any case") {
+  CHECK(editDistance("", "") == 0);
+  CHECK(editDistance("mesh", "mesh") == 0);
+  CHECK(editDistance("", "box") == 3);
+  CHECK(editDistance("mseh", "mesh") == 1);
+  CHECK(editDistance("mes", "mesh") == 1);
+  CHECK(editDistance("meshs", "mesh") == 1);
+  CHECK(editDistance("mash", "mesh") == 1);
+  CHECK(editDistance("MESH", "mesh") == 0);
+  CHECK(editDistance("kitten", "sitting") == 3);
+}
+
+TEST_CASE("only near words are suggested, the nearest first") {
+  const std::vector<Spelling> spellings{{"s", "s"}, {"sphere", "s"}, {"spp", "spp"}, {"mesh", "mesh"}};
+  CHECK(suggest("spehre", spellings) == "s");
+  CHECK(suggest("mseh", spellings) == "mesh");
+  CHECK(suggest("S", spellings) == "s");
+  CHECK_FALSE(suggest("x", spellings));
+  CHECK_FALSE(suggest("ab", spellings));
+  CHECK_FALSE(suggest("unrelated", spellings));
+  CHECK_FALSE(suggest(std::string(5000, 's'), spellings));
+}
+
+}  // namespace candela
