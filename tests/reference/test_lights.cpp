@@ -1,0 +1,166 @@
+// The light table's thresholds by hand, and the sampling of lights against their densities.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "host/reference/lights.h"
+#include "host/reference/tracing.h"
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::reference;
+using glm::vec3;
+using test::diffuseMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+using Thresholds = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t kAll = 1u << 24;
+
+Surface surfaceFacing(const dvec3& position, const dvec3& normal, std::uint32_t primitive = kNoPrimitive) {
+  return {position, normal, normal, normal, true, primitive, 0};
+}
+
+// Mean over light samples of g(sample) / pdf.
+template <class Function>
+double estimate(const LightTable& lights, const Surface& surface, const Function& g) {
+  constexpr int kSide = 300;
+  double sum = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const auto sample = lights.sample(0, surface, {(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide});
+    if (sample) sum += g(*sample) / *sample->pdf;
+  }
+  return sum / (kSide * kSide);
+}
+
+RenderSettings settingsWith(bool nextEvent, bool oneSided = false) {
+  RenderSettings settings;
+  settings.nextEventEstimation = nextEvent;
+  settings.oneSided = oneSided;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("triangles share the table by area and luminance") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1)));
+  b.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});  // 1/2
+  b.triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});  // no area: not in the table
+  b.material(diffuseMaterial(vec3(1))).triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.material(diffuseMaterial(vec3(1), vec3(3))).triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});  // 3/2
+  const LightTable lights(b.scene, {});
+  CHECK(lights.thresholds() == Thresholds{kAll / 4, kAll});
+  CHECK(lights.choose(0).entry == 0);
+  CHECK(lights.choose((kAll / 4 - 1) << 8 | 0xff).entry == 0);
+  CHECK(lights.choose((kAll / 4) << 8).entry == 1);
+  CHECK(lights.choose(~0u).entry == 1);
+  CHECK(lights.choose(~0u).probability == 0.75);
+}
+
+TEST_CASE("thresholds are rounded to the nearest and the last one is complete") {
+  SceneBuilder b;
+  b.pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1));
+  // 2^24 / 3 = 5592405.33, 2 * 2^24 / 3 = 11184810.67.
+  CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{5592405, 11184811, kAll});
+}
+
+TEST_CASE("emitters and point lights get half of the samples each") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1).sphere({5, 0, 0}, 1);
+  b.pointLight({0, 0, 3}, vec3(0.001f));
+  CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{kAll / 4, kAll / 2, kAll});
+}
+
+TEST_CASE("lights of weight 0 stay in the table and are never chosen") {
+  SceneBuilder b;
+  b.pointLight({0, 0, 1}, vec3(0)).pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(0));
+  const LightTable lights(b.scene, {});
+  CHECK(lights.thresholds() == Thresholds{0, kAll, kAll});
+  CHECK(lights.choose(0).entry == 1);
+  CHECK(lights.choose(~0u).entry == 1);
+
+  SceneBuilder dark;
+  dark.pointLight({0, 0, 1}, vec3(0));
+  CHECK_FALSE(LightTable(dark.scene, {}).canChoose());
+}
+
+TEST_CASE("without next-event estimation only point lights are in the table") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1);
+  CHECK_FALSE(LightTable(b.scene, settingsWith(false)).canChoose());
+  b.pointLight({0, 0, 3}, vec3(1));
+  CHECK(LightTable(b.scene, settingsWith(false)).thresholds() == Thresholds{kAll});
+}
+
+TEST_CASE("boxes, cones and planes that emit are not in the table") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(5)));
+  b.box({0, 0, 0}, {1, 1, 1}).cone({0, 0, 0}, 1, {0, 0, 1}, 1).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  CHECK_FALSE(LightTable(b.scene, {}).canChoose());
+}
+
+TEST_CASE("sphere samples give the irradiance of a sphere, outside and inside") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1))).sphere({0, 0, 3}, 1);
+  const LightTable lights(b.scene, {});
+  const dvec3 up(0, 0, 1);
+  const auto cosine = [&](const LightSample& sample) { return std::max(0.0, dot(sample.wi, up)); };
+  CHECK(estimate(lights, surfaceFacing({0, 0, 0}, up), cosine) == Approx(kPi / 9).epsilon(1e-4));
+  // From (3, 0, 0): distance^2 18, cosine 1/sqrt 2.
+  CHECK(estimate(lights, surfaceFacing({3, 0, 0}, up), cosine) == Approx(kPi / 18 / std::sqrt(2)).epsilon(1e-4));
+  CHECK(estimate(lights, surfaceFacing({0, 0.3, 3}, up), cosine) == Approx(kPi).epsilon(1e-3));
+  // On its own inside, looking to the centre: everything above the horizon is lit.
+  CHECK(estimate(lights, surfaceFacing({0, 0, 2}, up, 0), cosine) == Approx(kPi).epsilon(1e-3));
+}
+
+TEST_CASE("triangle samples give the form factor of a triangle") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {0, 1, 1}, {1, 0, 1});
+  const LightTable lights(b.scene, {});
+  const dvec3 up(0, 0, 1), corners[3] = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  // Lambert's formula: half the sum over the edges of the angle times the cosine to the edge's normal.
+  double expected = 0;
+  for (int i = 0; i < 3; ++i) {
+    const dvec3 a = normalize(corners[i]), c = normalize(corners[(i + 1) % 3]);
+    expected += std::acos(dot(a, c)) * dot(normalize(cross(a, c)), up) / 2;
+  }
+  const double found = estimate(lights, surfaceFacing({0, 0, 0}, up), [](const LightSample& s) { return s.wi.z; });
+  CHECK(found == Approx(expected).epsilon(1e-4));
+}
+
+TEST_CASE("the density of a hit is that of sampling it") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1)));
+  b.sphere({0, 0, 3}, 1).sphere({0, 0, 0}, -5).triangle({1, 0, 1}, {1, 1, 1}, {2, 0, 1});
+  const LightTable lights(b.scene, {});
+  Counters counters;
+  for (std::uint32_t entry = 0; entry < 3; ++entry) {
+    const Surface from = surfaceFacing({0.2, 0.1, 0}, {0, 0, 1});
+    const auto sample = lights.sample(entry, from, {0.3, 0.6});
+    REQUIRE(sample);
+    CHECK(sample->primitive == entry);
+    const Ray ray{from.position, sample->wi};
+    Scene alone = b.scene;
+    alone.primitives = {b.scene.primitives[entry]};
+    const Hit hit = Tracing(alone, {}).closest(ray, counters);
+    REQUIRE(hit);
+    CHECK(hit.distance == Approx(sample->distance));
+    const double share = (lights.thresholds()[entry] - (entry > 0 ? lights.thresholds()[entry - 1] : 0)) / double{kAll};
+    const Surface lit = surfaceAt(b.scene, ray, {hit.distance, entry});
+    CHECK(lights.pdf(ray, hit.distance, lit) == Approx(share * *sample->pdf));
+  }
+}
+
+TEST_CASE("a triangle light does not light itself, nor with --one-sided what is behind it") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});  // front towards +z
+  const LightTable twoSided(b.scene, {}), oneSided(b.scene, settingsWith(true, true));
+  const Surface below = surfaceFacing({0, 0, 0}, {0, 0, 1}), above = surfaceFacing({0, 0, 2}, {0, 0, -1});
+  CHECK(twoSided.sample(0, below, {0.5, 0.5}));
+  CHECK_FALSE(oneSided.sample(0, below, {0.5, 0.5}));
+  CHECK(oneSided.sample(0, above, {0.5, 0.5}));
+  CHECK_FALSE(twoSided.sample(0, surfaceFacing({0.2, 0.2, 1}, {0, 0, 1}, 0), {0.5, 0.5}));
+  CHECK_FALSE(twoSided.sample(0, surfaceFacing({5, 5, 1}, {0, 0, 1}), {0.5, 0.5}));  // edge on
+}
