@@ -63,13 +63,13 @@ TEST_CASE("a closed furnace of albedo a shows 1 / (1 - a) everywhere") {
   const RenderResult plain = render(box.scene, settings);
   for (std::uint32_t i = 0; i < 16; ++i) CHECK(plain.film.mean(i, i).y == Approx(2).epsilon(1e-9));
 
-  settings.rouletteStart = 5;
-  settings.sampleCount = 64;
-  CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
-
   settings.nextEventEstimation = true;
   settings.sampleCount = 256;
   CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
+
+  settings.nextEventEstimation = false;
+  settings.rouletteStart = 5;  // one path in 64 survives its first roulette: 0.25 is a sample's standard deviation
+  CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(2e-3));
 }
 
 TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
