@@ -49,6 +49,8 @@ glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::
       const float size = length();
       const auto near = [&] { return p + size * glm::vec3(random.direction()); };
       scene.triangles = {{{p, near(), near()}}};
+      auto& p2 = scene.triangles[0].p[2];
+      if (random.real() < 0.3) p2 = glm::mix(scene.triangles[0].p[1], p2, static_cast<float>(random.real(0, 0.01)));
       if (random.real() < 0.2) scene.triangles[0].p[2].y = scene.triangles[0].p[1].y = p.y;
       const auto& corners = scene.triangles[0].p;
       return glm::mix(glm::dvec3(corners[0]), glm::dvec3(corners[1]), std::max(0.0, random.real(-0.2, 1)));
