@@ -61,7 +61,8 @@ Notation<T> choice(std::vector<std::pair<std::string, T>> names) {
   std::string metavar;
   std::vector<std::string> words;
   for (const auto& [name, value] : names) {
-    metavar += (metavar.empty() ? "" : "|") + name;
+    if (!metavar.empty()) metavar += '|';
+    metavar += name;
     words.push_back(name);
   }
   const auto parse = [names](const std::string& word) -> std::optional<T> {

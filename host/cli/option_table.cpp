@@ -207,8 +207,9 @@ std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool on
     if (option.group != group) continue;
     for (const std::string& value : option.show(arguments)) {
       if (value.empty() || (onlyChanged && value == option.defaultText)) continue;
-      line += (line.empty() ? "" : " ") + option.name();
-      if (!option.isFlag()) line += " " + shellQuoted(value);
+      if (!line.empty()) line += ' ';
+      line += option.name();
+      if (!option.isFlag()) line.append(1, ' ').append(shellQuoted(value));
     }
   }
   return line;

@@ -21,18 +21,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::minutes kLongestRun{5};
 
-std::vector<char*> pointers(std::vector<std::string>& words) {
-  std::vector<char*> result;
-  for (std::string& word : words) result.push_back(word.data());
-  result.push_back(nullptr);
-  return result;
+// posix_spawn takes char*, and changes nothing.
+void append(std::vector<char*>& pointers, const std::vector<std::string>& words) {
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
 }
 
-pid_t spawn(std::vector<std::string> words, const std::vector<std::string>& added, const std::string& out,
+pid_t spawn(const std::vector<std::string>& words, const std::vector<std::string>& added, const std::string& out,
             const std::string& err) {
-  words.insert(words.begin(), CANDELA_PROGRAM);
-  std::vector<std::string> environment = added;  // getenv takes the first of a name
-  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
+  std::string program = CANDELA_PROGRAM;
+  std::vector<char*> arguments{program.data()};
+  append(arguments, words);
+  arguments.push_back(nullptr);
+  std::vector<char*> environment;
+  append(environment, added);  // first, since getenv takes the first of a name
+  for (char** entry = environ; *entry != nullptr; ++entry) environment.push_back(*entry);
+  environment.push_back(nullptr);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -40,8 +43,7 @@ pid_t spawn(std::vector<std::string> words, const std::vector<std::string>& adde
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   pid_t child = 0;
-  const int failure =
-      posix_spawn(&child, CANDELA_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(environment).data());
+  const int failure = posix_spawn(&child, CANDELA_PROGRAM, &actions, nullptr, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) throw std::runtime_error("cannot start " CANDELA_PROGRAM);
   return child;
