@@ -18,15 +18,15 @@
 // The factor 1 + 2 gamma(3) on the far distance (Ize, JCGT 2013) is part of these 8 u: harmless, and not needed.
 //
 // Rounding is monotonic, so a box accepted in this way has accepted ancestors, and no greater distance is found there:
-// nodes need no pad of their own. For the same reason a primitive test that also demands its own padded box to be met,
-// no later than at its own distance, is independent of the structure by construction, whatever its errors.
+// nodes need no pad of their own. For the same reason a primitive test that also meets its own padded box, and takes no
+// distance smaller than where it enters it, is independent of the structure by construction, whatever its errors.
 //
-// Free of cancellation, in place and in distance, are: the sphere by the distance of its centre to the ray's closest
-// point (Haines et al., Ray Tracing Gems, ch. 7; b*b - c errs by u |p - o|^2 / radius instead, which is unbounded for
-// small, far spheres); the cone after the origin was moved to the ray's closest point to the axis (to one point of the
-// axis is not enough: long thin cones then lose hits); the triangle sheared to the ray (Woop et al., JCGT 2013), down
-// to needles about as thin as the rounding of |p - o|; a box by slabs. Not so the triangle by the edges' signed
-// volumes: a needle's weights are mostly rounding there, and its distance can be that of its other end.
+// Free of cancellation are: the sphere by the distance of its centre to the ray's closest point (Haines et al., Ray
+// Tracing Gems, ch. 7; b*b - c errs by u |p - o|^2 / radius instead, which is unbounded for small, far spheres); the
+// cone after the origin was moved to the ray's closest point to the axis (to one point of the axis is not enough: long
+// thin cones then lose hits); a box by slabs; the triangle sheared to the ray (Woop et al., JCGT 2013). Signed volumes
+// of the ray with a triangle's edges are not quite. In both triangle tests a needle's distance errs by u length^2 /
+// width and more: needles need the clamp to their own box.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -49,8 +49,6 @@ glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::
       const float size = length();
       const auto near = [&] { return p + size * glm::vec3(random.direction()); };
       scene.triangles = {{{p, near(), near()}}};
-      auto& p2 = scene.triangles[0].p[2];
-      if (random.real() < 0.3) p2 = glm::mix(scene.triangles[0].p[1], p2, static_cast<float>(random.real(0, 0.01)));
       if (random.real() < 0.2) scene.triangles[0].p[2].y = scene.triangles[0].p[1].y = p.y;
       const auto& corners = scene.triangles[0].p;
       return glm::mix(glm::dvec3(corners[0]), glm::dvec3(corners[1]), std::max(0.0, random.real(-0.2, 1)));
@@ -142,6 +140,34 @@ TEST_CASE("without the pads hits are lost, so that the test above tests somethin
   }
   CHECK(tally.hits > 5000);
   CHECK(tally.lost > 10);
+}
+
+TEST_CASE("a needle's distance, clamped to its own box, is never in front of any box around it") {
+  Random random(14);
+  int hits = 0, frontOfOwn = 0, frontOfAncestor = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Setting& setting = kSettings[0];
+    Scene scene;
+    const glm::vec3 eye(makeEye(setting, random));
+    const glm::dvec3 target = makePrimitive(PrimitiveKind::triangle, setting, glm::dvec3(eye), random, scene);
+    auto& corners = scene.triangles[0].p;
+    corners[2] = glm::mix(corners[1], corners[2], static_cast<float>(std::exp2(random.real(-20, -6))));
+    const Ray<float> ray{eye, glm::vec3(glm::normalize(target - glm::dvec3(eye)))};
+    const auto t = intersect(ray, scene.triangles[0]);
+    if (!t) continue;
+    ++hits;
+    const Aabb own = *primitiveBounds(scene, scene.primitives[0]);
+    const SlabRay<float> slabs(ray);
+    const auto near = slabs.enter(own, SlabRay<float>::kEndless);
+    if (!near) continue;  // not hit, whatever surrounds it
+    if (*near > *t) ++frontOfOwn;
+    Aabb ancestor = own;
+    ancestor.extend(boxAround(random.inCube(-1, 1), random.inCube(0, 0.2)));
+    if (!slabs.enter(ancestor, std::max(*near, *t))) ++frontOfAncestor;
+  }
+  CHECK(hits > 50000);
+  CHECK(frontOfOwn > 0);  // so the clamp is needed
+  CHECK(frontOfAncestor == 0);
 }
 
 TEST_CASE("a box accepted in single precision has accepted ancestors, at no greater distance") {

@@ -130,6 +130,7 @@ std::optional<T> intersect(const Ray<T>& ray, const Scene& scene, const Primitiv
 /// What a ray precomputes for the box test.
 template <class T>
 struct SlabRay {
+  static constexpr T kEndless = std::numeric_limits<T>::infinity();
   Vec<T> originForMin;
   Vec<T> originForMax;
   Vec<T> inverse;
