@@ -154,7 +154,7 @@ TEST_CASE("a moving sphere stays at its first centre, with a warning") {
   }
 }
 
-TEST_CASE("background, structure and samples are kept; spp is a total and says so") {
+TEST_CASE("background, structure and samples are kept, and spp is a total that says so") {
   const LoadedScene loaded = load("b .1 .2 .3\naccel 1\nspp 64\n");
   CHECK(loaded.scene.background == glm::vec3(.1f, .2f, .3f));
   CHECK(loaded.scene.requestedAccel == 1u);

@@ -93,7 +93,7 @@ TEST_CASE("a link out of the scene's folder is refused, to a folder and to a fac
   CHECK(contains(errorIn(folder.path(), "env faces\n"), "leads outside the scene's folder"));
 }
 
-TEST_CASE("a missing or broken face is an error that names it; lenient, the sky is skipped") {
+TEST_CASE("a missing or broken face is an error that names it, and lenient reading skips the sky") {
   const TemporaryFolder folder("broken");
   fs::create_directory(folder.path() / "sky");
   CHECK(contains(errorIn(folder.path(), "env sky\n"), "has no right.jpg or right.png"));
