@@ -181,8 +181,8 @@ TEST_CASE("a broken scene leaves no image and names every broken line") {
   const std::string scene = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0\n"));
   const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});
   CHECK(result.exitCode == 2);
-  CHECK(contains(result.err, "broken.p3f:16:1: "));
-  CHECK(contains(result.err, "broken.p3f:17:"));
+  CHECK(contains(result.err, "broken.p3f:18:1: "));
+  CHECK(contains(result.err, "broken.p3f:19:"));
   CHECK(folder.fileCount() == 1);
 }
 
@@ -198,12 +198,13 @@ TEST_CASE("Ctrl-C writes what was done and exits with 7") {
   const std::string exr = folder.path("a.exr");
   Surroundings surroundings;
   surroundings.interruptAfter = std::chrono::milliseconds(400);
-  const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "1000000000"}, surroundings);
+  const ProgramResult result =
+      runCandela({scene, "-o", exr, "--device", "cpu", "--size", "512x384", "--spp", "5000"}, surroundings);
   INFO(result.err);
   CHECK(result.exitCode == 7);
   CHECK(contains(result.err, "interrupted"));
   const Image image = readImage(exr);
-  CHECK(image.width == 16);
+  CHECK(image.width == 512);
   CHECK(image.metadata.at("candela.interrupted") == "yes");
 }
 

@@ -36,13 +36,13 @@ TEST_CASE("check looks at every file, tells all errors, and exits with 2") {
   const std::string whole = folder.write("whole.p3f", smallScene());
   const ProgramResult result = runCandela({"check", broken, folder.path("missing.p3f"), whole, "--json", "-"});
   CHECK(result.exitCode == 2);
-  CHECK(contains(result.err, "broken.p3f:16:1: "));
-  CHECK(contains(result.err, "broken.p3f:17:7: "));
+  CHECK(contains(result.err, "broken.p3f:18:1: "));
+  CHECK(contains(result.err, "broken.p3f:19:7: "));
   const json files = json::parse(result.out)["files"];
   REQUIRE(files.size() == 3);
   CHECK(files[0]["valid"] == false);
   REQUIRE(files[0]["errors"].size() == 2);
-  CHECK(files[0]["errors"][0]["line"] == 16);
+  CHECK(files[0]["errors"][0]["line"] == 18);
   CHECK(files[0]["errors"][1]["column"] == 7);
   CHECK(files[1]["valid"] == false);
   CHECK(files[2]["valid"] == true);
