@@ -8,6 +8,8 @@
 namespace candela {
 namespace {
 
+constexpr double kFarthest = 1e38;  ///< of a plane's foot: leaves room for points around it
+
 /// Two vectors perpendicular to the unit vector n, u x v = n (Duff et al., JCGT 2017). On an axis they are exact.
 void makeFrame(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v) {
   const double sign = std::copysign(1.0, n.z);
@@ -37,6 +39,7 @@ void parseHessianPlane(Parser& parser) {
   if (length == 0) StatementReader::fail(position, "the plane's normal has length 0");
   const glm::dvec3 n = normal / length;
   const glm::dvec3 origin = -d / length * n;
+  if (!(glm::length(origin) < kFarthest)) StatementReader::fail(position, "the plane lies beyond single precision");
   const double size = std::max(1.0, glm::length(origin));  // so that rounding tilts the plane as little as possible
   glm::dvec3 u, v;
   makeFrame(n, u, v);

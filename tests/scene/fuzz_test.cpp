@@ -23,10 +23,22 @@ std::vector<std::string> seeds() {
   return texts;
 }
 
+void checkIndices(const Scene& scene) {
+  const std::size_t counts[] = {scene.spheres.size(), scene.triangles.size(), scene.boxes.size(), scene.cones.size(),
+                                scene.planes.size()};
+  for (const Primitive& primitive : scene.primitives) {
+    REQUIRE(primitive.index < counts[static_cast<std::size_t>(primitive.kind)]);
+    REQUIRE(primitive.material < scene.materials.size());
+  }
+  for (const Triangle& triangle : scene.triangles) {
+    REQUIRE((triangle.normals == Triangle::kNoNormals || triangle.normals < scene.vertexNormals.size()));
+  }
+}
+
 void checkSurvives(const std::string& text) {
   for (const bool lenient : {false, true}) {
     try {
-      parseScene(text, "fuzz", ".", {.lenient = lenient});
+      checkIndices(parseScene(text, "fuzz", ".", {.lenient = lenient}).scene);
     } catch (const FileError& error) {
       REQUIRE(*error.what() != '\0');
     }

@@ -158,6 +158,7 @@ const std::vector<Malformed> kMalformed{
     {"pl 0 0 0 1 0 0\n", 1, 15, "expected a point of the plane"},
     {"pl 0 0 0 1 1 1 2 2 2\n", 1, 1, "three points lie on a line"},
     {"npl 0 0 0 1\n", 1, 5, "normal has length 0"},
+    {"npl 1e-30 0 0 1e30\n", 1, 5, "the plane lies beyond single precision"},
     {"npl 0 0 1\n", 1, 10, "expected the distance d"},
     {"box 0 0 0 1 1\n", 1, 14, "expected the greatest corner"},
     {"aabb 0 0 0 1 one 1\n", 1, 14, "found \"one\"; the form is: box"},
