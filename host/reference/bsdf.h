@@ -2,7 +2,6 @@
 // the shading normal, on the side of wo), pointing away from the surface.
 #pragma once
 #include <glm/glm.hpp>
-#include <optional>
 
 #include "host/render/path_record.h"
 #include "host/scene/scene.h"

@@ -1,6 +1,5 @@
 // A bounding volume hierarchy over boxes in double precision: median split, depth-first, nothing clever.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
