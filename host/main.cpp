@@ -28,6 +28,12 @@ ExitCode runCommand(const std::vector<std::string>& words) {
   return cli::commandInfo(arguments.command).run(arguments, Log(std::cerr, arguments.verbosity()));
 }
 
+// A report that did not reach its reader is no success.
+ExitCode afterOutput(ExitCode code) {
+  if (std::cout.flush()) return code;
+  throw FileError("cannot write to stdout");
+}
+
 // What the validation layer says, where it is asked for, is an error of the program whatever the image looks like.
 ExitCode afterValidation(ExitCode code) {
   const std::vector<std::string> messages = vulkan::validationMessages();
@@ -43,7 +49,7 @@ ExitCode fail(ExitCode code, const std::string& message) {
 
 ExitCode run(const std::vector<std::string>& words) {
   try {
-    return afterValidation(runCommand(words));
+    return afterValidation(afterOutput(runCommand(words)));
   } catch (const Error& error) {
     return afterValidation(fail(error.code(), error.what()));
   } catch (const std::bad_alloc&) {

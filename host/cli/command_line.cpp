@@ -32,7 +32,8 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
 
 // "rendr" is a mistyped command rather than a scene: no such file, and nothing of a path about it.
 void refuseMistypedCommand(const std::string& word) {
-  if (word.find_first_of("./-") != std::string::npos || std::filesystem::exists(word)) return;
+  std::error_code ignored;
+  if (word.find_first_of("./-") != std::string::npos || std::filesystem::exists(word, ignored)) return;
   std::vector<std::string> names;
   for (const CommandInfo& info : commandTable()) names.push_back(info.name);
   if (!nearest(word, names)) return;
@@ -51,7 +52,7 @@ void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
   refuseMistypedCommand(words.front());
 }
 
-void refuseUnknownOption(Command command, const std::string& word) {
+[[noreturn]] void refuseUnknownOption(Command command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   std::vector<std::string> known;
   for (const Option& option : optionTable()) {

@@ -10,7 +10,7 @@ namespace {
 using nlohmann::json;
 
 // As on a machine without any Vulkan driver.
-const Surroundings kNoDriver{{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}, {}};
+const Surroundings kNoDriver{{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}, "", {}};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -55,6 +55,14 @@ TEST_CASE("lenient accepts what strict refuses, with a warning") {
   const ProgramResult lenient = runCandela({"check", scene, "--lenient"});
   CHECK(lenient.exitCode == 0);
   CHECK(contains(lenient.out, "wibble"));
+}
+
+TEST_CASE("a report that cannot be written is no success") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const Surroundings fullDisk{{}, "/dev/full", {}};
+  CHECK(runCandela({"check", scene}, fullDisk).exitCode == 2);
+  CHECK(runCandela({"--help"}, fullDisk).exitCode == 2);
 }
 
 TEST_CASE("without a Vulkan driver the program says what to install and exits with 4") {

@@ -73,7 +73,8 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
 
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings) {
   const TemporaryFolder folder;
-  const pid_t child = spawn(words, surroundings.environment, folder.path("out"), folder.path("err"));
+  const std::string out = surroundings.standardOutput.empty() ? folder.path("out") : surroundings.standardOutput;
+  const pid_t child = spawn(words, surroundings.environment, out, folder.path("err"));
   ProgramResult result;
   result.exitCode = waitFor(child, surroundings);
   result.out = readFile(folder.path("out"));

@@ -16,6 +16,7 @@ struct ProgramResult {
 
 struct Surroundings {
   std::vector<std::string> environment;  ///< added, "NAME=value"
+  std::string standardOutput;            ///< a file to write to instead of catching it
   /// Ctrl-C after this time.
   std::optional<std::chrono::milliseconds> interruptAfter;
 };
