@@ -35,7 +35,7 @@ float grooves(float cosH, float cosO, float cosI, float cosOH) {
 
 // Half vector with pdf D cosH.
 vec3 sampleBlinn(vec2 u, float exponent) {
-  vec2 disc = sampleDisc(u);
+  vec2 disc = sampleDisc(u).xy;
   float q = min(dot(disc, disc), 1.0 - 1.0 / 16777216.0);
   if (q == 0.0) return vec3(0.0, 0.0, 1.0);
   float sinSquared = -expMinusOne(2.0 / (exponent + 2.0) * logOneMinus(q));

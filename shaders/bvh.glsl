@@ -8,8 +8,6 @@ struct Subtree {
   uint count;
 };
 
-const uint kEmpty = 0xffffffffu;  // root of a scene without finite primitives
-
 // The ray as box tests want it. Boxes are padded by the error of primitive tests in terms of the primitive's size; the
 // share that grows with the ray's own coordinates is put into the origin (host/accel/primitive_bounds.h).
 struct BoxRay {
@@ -20,7 +18,7 @@ struct BoxRay {
 
 // Zero components would make 0 * infinity = NaN at a box face; the smallest that keeps 1/d finite decides nothing.
 BoxRay boxRay(Ray ray) {
-  float pad = largest(abs(ray.origin)) * (1.0 / 1048576.0);
+  float pad = largest(abs(ray.origin)) * (1.0 / 524288.0);
   vec3 magnitude = max(abs(ray.direction), vec3(7.9e-31));
   vec3 inverse = 1.0 / mix(magnitude, -magnitude, lessThan(ray.direction, vec3(0.0)));
   return BoxRay(ray.origin + pad, ray.origin - pad, inverse);
@@ -49,8 +47,8 @@ bool finished;
 
 void startTraversal() {
   stackTop = 0u;
-  current = Subtree(constants.root.x, constants.root.y);
-  finished = constants.root.x == kEmpty;
+  current = Subtree(0u, 0u);
+  finished = false;
 }
 
 // The next subtree that waits, or the end.

@@ -6,7 +6,7 @@
 #include "shared/render_data.h"
 
 vec2 sampleLens(vec2 u) {
-  if (kLens == kLensDisc) return sampleDisc(u);
+  if (kLens == kLensDisc) return sampleDisc(u).xy;
   return 2.0 * u - 1.0;
 }
 

@@ -11,7 +11,29 @@ struct Ray {
   vec3 origin;
   vec3 direction;  // unit
   uint leaving;    // slot of the primitive that the ray leaves | kLeavingInward, or kNoSlot
+  mat3 shear;      // v * shear has the ray along z: see shearAlong
 };
+
+// The shear of Woop, Benthin and Wald (JCGT 2013): the direction's largest component becomes z, and (0, 0, 1) the ray.
+// Each column has one or two entries that are not 0, so that a product is rounded as theirs is.
+mat3 shearAlong(vec3 direction) {
+  vec3 size = abs(direction);
+  bool alongX = size.x > size.y && size.x > size.z;
+  bool alongY = !alongX && size.y > size.z;
+  vec3 d = alongX ? direction.yzx : alongY ? direction.zxy : direction;
+  vec3 x = vec3(1.0, 0.0, -d.x / d.z);
+  vec3 y = vec3(0.0, 1.0, -d.y / d.z);
+  vec3 z = vec3(0.0, 0.0, 1.0 / d.z);
+  if (alongX) return mat3(x.zxy, y.zxy, z.zxy);
+  if (alongY) return mat3(x.yzx, y.yzx, z.yzx);
+  return mat3(x, y, z);
+}
+
+Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
+  mat3 shear = mat3(1.0);
+  if (kHasTriangles) shear = shearAlong(direction);
+  return Ray(origin, direction, leaving, shear);
+}
 
 float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 
@@ -36,27 +58,20 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
   return near > 0.0 ? near : positiveOrNone(far);
 }
 
-// Signed volumes of the ray with the triangle's edges: twice the opposite vertices' barycentric weights, up to a common
-// factor. Free of scales: no epsilon anywhere. An edge shared by two triangles gives both the same number but for its
-// sign, so nothing slips between them.
-vec3 edgeVolumes(vec3 v0, vec3 v1, vec3 v2, vec3 direction) {
-  precise float w1 = dot(cross(v2 - v0, v2 + v0), direction);
-  precise float w2 = dot(cross(v0 - v1, v0 + v1), direction);
-  precise float w0 = dot(cross(v1 - v2, v1 + v2), direction);
-  return vec3(w0, w1, w2);
-}
-
-// The distance is the weighted mean of the vertices' distances along the ray: it never leaves the triangle's bounds.
+// Woop, Benthin and Wald's watertight test: no epsilon anywhere. An edge shared by two triangles gives both the same
+// number but for its sign, so nothing slips between them. The distance is the weighted mean of the vertices' distances
+// along the ray, so it never leaves the triangle's bounds.
 float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
-  vec3 v0 = p0 - ray.origin;
-  vec3 v1 = p1 - ray.origin;
-  vec3 v2 = p2 - ray.origin;
-  vec3 weights = edgeVolumes(v0, v1, v2, ray.direction);
-  bool inside = min(weights.x, min(weights.y, weights.z)) >= 0.0 || max(weights.x, max(weights.y, weights.z)) <= 0.0;
-  precise float sum = weights.x + weights.y + weights.z;
+  precise vec3 a = (p0 - ray.origin) * ray.shear;
+  precise vec3 b = (p1 - ray.origin) * ray.shear;
+  precise vec3 c = (p2 - ray.origin) * ray.shear;
+  precise float u = c.x * b.y - c.y * b.x;
+  precise float v = a.x * c.y - a.y * c.x;
+  precise float w = b.x * a.y - b.y * a.x;
+  bool inside = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+  precise float sum = u + v + w;
   if (!inside || sum == 0.0) return kNoHit;
-  precise vec3 along = vec3(dot(v0, ray.direction), dot(v1, ray.direction), dot(v2, ray.direction));
-  precise float t = dot(weights, along) / sum;
+  precise float t = (u * a.z + v * b.z + w * c.z) / sum;
   return positiveOrNone(t);
 }
 
@@ -114,22 +129,32 @@ float coneRootInRange(float t, float shift, float z, float dz, float height) {
   return at >= 0.0 && at <= height ? positiveOrNone(t + shift) : kNoHit;
 }
 
-// The quadratic is set up at the ray's closest approach to the base, where its coefficients do not cancel.
+// How far to move the origin before the quadratic is set up, so that its coefficients do not cancel: to where the ray is
+// closest to the axis' middle, and from there to where it is closest to the axis, but no farther than a hit can be.
+float coneShift(ConeFrame cone, vec3 fromBase, vec3 direction, vec3 dAcross, float reach) {
+  float toMiddle = -dot(fromBase - 0.5 * cone.height * cone.axis, direction);
+  vec3 middle = fromBase + toMiddle * direction;
+  float squared = dot(dAcross, dAcross);
+  float toAxis = squared > 0.0 ? -dot(middle, dAcross) / squared : 0.0;
+  return toMiddle + clamp(toAxis, -reach, reach);
+}
+
 float hitCone(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRadius, bool leaving) {
   ConeFrame cone = coneFrame(base, baseRadius, apex, apexRadius);
   vec3 fromBase = ray.origin - base;
-  float shift = leaving ? 0.0 : -dot(fromBase, ray.direction);
+  precise float dz = dot(ray.direction, cone.axis);
+  precise vec3 dAcross = ray.direction - dz * cone.axis;
+  float reach = cone.height + baseRadius + apexRadius;
+  float shift = leaving ? 0.0 : coneShift(cone, fromBase, ray.direction, dAcross, reach);
   precise vec3 m = fromBase + shift * ray.direction;
   precise float z = dot(m, cone.axis);
-  precise float dz = dot(ray.direction, cone.axis);
   precise vec3 across = m - z * cone.axis;
-  precise vec3 dAcross = ray.direction - dz * cone.axis;
   float rho = baseRadius + cone.slope * z;
   float dRho = cone.slope * dz;
   precise float a = dot(dAcross, dAcross) - dRho * dRho;
   precise float b = dot(across, dAcross) - dRho * rho;
-  precise float c = leaving ? 0.0 : dot(across, across) - rho * rho;
   if (leaving) return a == 0.0 ? kNoHit : coneRootInRange(-2.0 * b / a, 0.0, z, dz, cone.height);
+  precise float c = dot(across, across) - rho * rho;
   precise float discriminant = b * b - a * c;
   if (discriminant < 0.0) return kNoHit;
   float root = sqrt(discriminant);
@@ -172,7 +197,7 @@ vec2 barycentrics(vec3 position, vec3 p0, vec3 p1, vec3 p2) {
 // its coordinates (after Waechter and Binder, Ray Tracing Gems 6), so that neighbours in the same plane are not met.
 vec3 offsetAlong(vec3 position, vec3 normal, vec3 direction) {
   vec3 magnitude = abs(position);
-  float distance = largest(magnitude) * (1.0 / 524288.0);
+  float distance = largest(magnitude) * (1.0 / 4194304.0);
   return position + normal * (dot(normal, direction) < 0.0 ? -distance : distance);
 }
 

@@ -1,6 +1,7 @@
 // The specialisation constants, by name.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
+#include "shared/scene_rows.h"
 #include "shared/specialization.h"
 
 layout(constant_id = kSpecSpheres) const bool kHasSpheres = true;
@@ -17,6 +18,7 @@ layout(constant_id = kSpecEmission) const bool kHasEmission = true;
 layout(constant_id = kSpecSphereLights) const bool kHasSphereLights = true;
 layout(constant_id = kSpecTriangleLights) const bool kHasTriangleLights = true;
 layout(constant_id = kSpecPointLights) const bool kHasPointLights = true;
+layout(constant_id = kSpecInsideOnly) const bool kHasInsideOnly = true;
 layout(constant_id = kSpecSky) const bool kHasSky = true;
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
@@ -28,6 +30,12 @@ layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecMultiLobe) const bool kHasMixtures = true;
 
+// The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
+const uint kManyKinds = 7u;
+const uint kKindCount = uint(kHasSpheres) + uint(kHasTriangles) + uint(kHasBoxes) + uint(kHasCones) + uint(kHasPlanes);
+const uint kOnlyKind = kKindCount != 1u ? kManyKinds
+                       : kHasSpheres ? kKindSphere
+                       : kHasTriangles ? kKindTriangle : kHasBoxes ? kKindBox : kHasCones ? kKindCone : kKindPlane;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;
 const bool kHasLights = kHasSampledEmitters || kHasPointLights;

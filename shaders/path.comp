@@ -16,7 +16,7 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 
 Path unpackPath(PathState state) {
   Path path;
-  path.ray = Ray(state.originPdf.xyz, uintBitsToFloat(state.directionLeaving.xyz), state.directionLeaving.w);
+  path.ray = makeRay(state.originPdf.xyz, uintBitsToFloat(state.directionLeaving.xyz), state.directionLeaving.w);
   path.pdf = state.originPdf.w;
   path.throughput = state.throughput.xyz;
   path.radiance = state.radiance.xyz;

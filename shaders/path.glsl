@@ -33,7 +33,7 @@ struct RayCounts {
 void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   vec3 origin, direction;
   cameraRay(constants, pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
-  path.ray = Ray(origin, direction, kNoSlot);
+  path.ray = makeRay(origin, direction, kNoSlot);
   path.pdf = 0.0;
   path.throughput = vec3(1.0);
   path.radiance = vec3(0.0);

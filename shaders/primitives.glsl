@@ -9,15 +9,15 @@ struct PrimitiveHit {
   uint index;  // primitive index in the scene
 };
 
-bool isKind(uint kind, uint wanted) { return (kind & kKindMask) == wanted; }
+bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
-// With a single kind in the scene this is known without looking.
 float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool leaving, bool inward) {
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec4 row2 = uintBitsToFloat(rows[2]);
   if (kHasSpheres && isKind(kind, kKindSphere)) {
-    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, (kind & kFlagInsideOnly) != 0u, leaving);
+    bool insideOnly = kHasInsideOnly && (kind & kFlagInsideOnly) != 0u;
+    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, leaving);
   }
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
     return leaving ? kNoHit : hitTriangle(ray, row0.xyz, row1.xyz, row2.xyz);
@@ -130,7 +130,7 @@ Ray rayFrom(Surface surface, vec3 direction) {
   bool inward = dot(surface.outward, direction) < 0.0;
   vec3 origin = surface.position;
   if (kHasFlat && surface.flatSurface) origin = offsetAlong(origin, surface.outward, direction);
-  return Ray(origin, direction, surface.slot | (inward ? kLeavingInward : 0u));
+  return makeRay(origin, direction, surface.slot | (inward ? kLeavingInward : 0u));
 }
 
 #endif

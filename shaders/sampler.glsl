@@ -89,7 +89,7 @@ uint permute(uint i, uint count, uint key) {
     i ^= i >> 5;
     inside = i < count;
   }
-  return (i % count + key) % count;
+  return (i % count + key % count) % count;
 }
 
 // First word of stratum `cell` of `count`; that of `count` itself wraps to 0.

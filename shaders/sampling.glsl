@@ -3,15 +3,15 @@
 #define CANDELA_SAMPLING_GLSL
 #include "math.glsl"
 
-// Shirley and Chiu's concentric map of the unit square onto the unit disc.
-vec2 sampleDisc(vec2 u) {
+// Shirley and Chiu's concentric map of the unit square onto the unit disc. z: 1 - x^2 - y^2, free of cancellation.
+vec3 sampleDisc(vec2 u) {
   vec2 square = 2.0 * u - 1.0;
   bool wide = abs(square.x) > abs(square.y);
   float radius = wide ? square.x : square.y;
   float other = wide ? square.y : square.x;
-  if (radius == 0.0) return vec2(0.0);
+  if (radius == 0.0) return vec3(0.0, 0.0, 1.0);
   vec2 turned = radius * cosSin((0.25 * kPi) * (other / radius));
-  return wide ? turned : turned.yx;
+  return vec3(wide ? turned : turned.yx, (1.0 - radius) * (1.0 + radius));
 }
 
 // Columns tangent, bitangent, n: Duff et al., JCGT 2017, switched where no common scene has its normals.
@@ -24,15 +24,17 @@ mat3 frameAround(vec3 n) {
 
 // Cosine-weighted, pdf z / pi.
 vec3 sampleCosineHemisphere(vec2 u) {
-  vec2 disc = sampleDisc(u);
-  return vec3(disc, sqrt(max(0.0, 1.0 - dot(disc, disc))));
+  vec3 disc = sampleDisc(u);
+  return vec3(disc.xy, sqrt(disc.z));
 }
 
 // Uniform in the cap of this height (1 - cos of the opening angle) around z, pdf 1 / (2 pi height).
 vec3 sampleCap(vec2 u, float height) {
-  vec2 disc = sampleDisc(u);
-  float q = dot(disc, disc);
-  return vec3(disc * sqrt(max(0.0, height * (2.0 - q * height))), 1.0 - q * height);
+  vec3 disc = sampleDisc(u);
+  float q = 1.0 - disc.z;
+  // height (2 - q height), written so that neither narrow nor whole caps cancel
+  float scaleSquared = height * (2.0 * disc.z + q * (2.0 - height));
+  return vec3(disc.xy * sqrt(scaleSquared), 1.0 - q * height);
 }
 
 float capPdf(float height) { return 1.0 / (2.0 * kPi * height); }

@@ -141,7 +141,7 @@ std::uint32_t permute(std::uint32_t i, std::uint32_t length, std::uint32_t key) 
   do {
     i = permuteRound(i, mask, key);
   } while (i >= length && ++turns < 32);
-  return (i % length + key) % length;
+  return (i % length + key % length) % length;
 }
 
 std::uint32_t jitterInStratum(std::uint32_t stratum, std::uint32_t count, std::uint32_t jitter) {

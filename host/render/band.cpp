@@ -65,8 +65,8 @@ Band::Band(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, cons
       width_(settings.size.width),
       states_(device, sizeof(gpu::PathState) * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
-      results_(device, resultBytes(settings, std::uint64_t{width_} * maxHeight),
-               vulkan::Usage::storage | vulkan::Usage::readback),
+      results_(device, resultBytes(settings, std::uint64_t{width_} * maxHeight), vulkan::Usage::storage),
+      counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
       bindings_(pipeline, {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.constants()}) {}
 
 void Band::start(BandRows rows) {
@@ -76,6 +76,7 @@ void Band::start(BandRows rows) {
     recorder.fillBuffer(states_, 0);
     recorder.fillBuffer(film_, 0);
     recorder.fillBuffer(results_, 0);
+    recorder.fillBuffer(counters_, 0);
   });
 }
 
@@ -87,11 +88,12 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudg
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.dispatch(pipeline_, bindings_, std::as_bytes(std::span(&constants, 1)), count);
+    recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
   });
 }
 
 const gpu::Counters& Band::counters() const {
-  return *reinterpret_cast<const gpu::Counters*>(results_.mapped().data());
+  return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());
 }
 
 std::uint64_t Band::takeFinishedSamples() {
@@ -113,10 +115,10 @@ bool Band::finish(const LoopBudget& budget, const RenderControl& control, Render
   TileCursor cursor = cursorOver({width_, rows_.height}, settings_);
   while (counters().finishedPixels < pixels()) {
     if (control.stop != nullptr && *control.stop) return false;
-    const Plan wanted = governor.next();
-    const Rect region = cursor.next(wanted.pixels);
-    const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
     const std::uint64_t unfinished = pixels() - counters().finishedPixels;
+    // Where most pixels are finished, a region must be larger to hold as many that are not.
+    const Rect region = cursor.next(governor.next().pixels * pixels() / unfinished);
+    const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
     const std::uint64_t active = std::max<std::uint64_t>(1, lanes * unfinished / pixels());
     const Plan plan{lanes, governor.segmentsFor(active)};
     const double seconds = dispatch(region, plan.segments, budget);
@@ -144,8 +146,8 @@ void Band::readCounts(RenderStatistics& statistics) {
 }
 
 void Band::readRecords(PathRecords& paths) {
-  const std::byte* records = results_.mapped().data() + sizeof(gpu::Counters);
-  const std::span packed(reinterpret_cast<const gpu::uvec2*>(records), pixels() * gpu::kRecordedVertices);
+  std::vector<gpu::uvec2> packed(pixels() * gpu::kRecordedVertices);
+  results_.download(std::as_writable_bytes(std::span(packed)), sizeof(gpu::Counters));
   for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
     PathRecord& path = paths.emplace_back();
     for (std::uint32_t i = 0; i < gpu::kRecordedVertices; ++i) {

@@ -61,6 +61,7 @@ class Band {
   vulkan::Buffer states_;
   vulkan::Buffer film_;
   vulkan::Buffer results_;
+  vulkan::Buffer counters_;  ///< copy of the head of results_, for the host
   vulkan::BindingSet bindings_;
 };
 

@@ -14,7 +14,9 @@ namespace candela {
 
 /// What of the kernel a scene needs; the rest is compiled out.
 struct SceneFeatures {
-  bool spheres = false, triangles = false, boxes = false, cones = false, planes = false, smooth = false;
+  bool spheres = false, triangles = false, boxes = false, cones = false, planes = false;
+  bool smooth = false;      ///< triangles with vertex normals
+  bool insideOnly = false;  ///< spheres of negative radius
   bool diffuse = false, glossy = false, mirror = false, dielectric = false, mixtures = false;
   bool emission = false;
   bool sphereLights = false, triangleLights = false, pointLights = false;
@@ -25,7 +27,7 @@ struct FlatScene {
   std::vector<gpu::uvec4> rows;
   gpu::RenderConstants constants{};
   SceneFeatures features;
-  bool hierarchy = false;           ///< a BVH is among the rows
+  bool hierarchy = false;           ///< a BVH of more than one leaf is among the rows; else all primitives are tested
   std::uint32_t stackSize = 1;      ///< entries that a traversal needs
   std::uint32_t slotCount = 0;      ///< primitives, planes included
   std::map<std::string, double> structureQuality;

@@ -9,7 +9,10 @@ namespace {
 
 void noteKind(const Scene& scene, const Primitive& primitive, SceneFeatures& features) {
   switch (primitive.kind) {
-    case PrimitiveKind::sphere: features.spheres = true; break;
+    case PrimitiveKind::sphere:
+      features.spheres = true;
+      features.insideOnly |= scene.spheres[primitive.index].radius < 0;
+      break;
     case PrimitiveKind::triangle:
       features.triangles = true;
       features.smooth |= scene.triangles[primitive.index].normals != Triangle::kNoNormals;

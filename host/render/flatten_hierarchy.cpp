@@ -9,9 +9,11 @@
 namespace candela {
 namespace {
 
-constexpr std::uint32_t kEmptyRoot = 0xffffffffu;
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
+// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf.
+constexpr std::size_t kSingleLeaf = 16;
+constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCost = 1e6f};
 
 // A child as its parent stores it: its box, and where it leads.
 void appendChild(const BvhNode& child, std::span<const std::uint32_t> innerIndex, std::size_t index, Rows& rows) {
@@ -46,16 +48,15 @@ void noteQuality(const BvhQuality& measured, FlatScene& flat) {
 }  // namespace
 
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, FlatScene& flat) {
-  const Bvh bvh = buildBvh(bounds.bounds, kBvhOptions);
+  const BvhOptions& options = bounds.bounds.size() <= kSingleLeaf ? kSingleLeafOptions : kBvhOptions;
+  const Bvh bvh = buildBvh(bounds.bounds, options);
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
-  flat.hierarchy = true;
+  flat.hierarchy = bvh.nodes.size() > 1;
   flat.stackSize = std::max(1u, measured.depth);
   flat.constants.sections.x = rowCount(flat.rows);
   const Rows nodes = nodeRows(bvh);
   flat.rows.insert(flat.rows.end(), nodes.begin(), nodes.end());
-  const bool leafRoot = !bvh.nodes.empty() && bvh.nodes[0].isLeaf();
-  flat.constants.root = {bvh.nodes.empty() ? kEmptyRoot : 0u, leafRoot ? bvh.nodes[0].count : 0u, 0, 0};
   std::vector<std::uint32_t> order;
   order.reserve(bvh.primitiveIndices.size());
   for (const std::uint32_t i : bvh.primitiveIndices) order.push_back(bounds.finite[i]);

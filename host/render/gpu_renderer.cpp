@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <vector>
 
 #include "host/core/errors.h"
 #include "host/render/band.h"
@@ -61,8 +63,9 @@ LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatSce
 
 class GpuRenderer : public Renderer {
  public:
-  explicit GpuRenderer(const std::string& selector)
-      : device_(vulkan::Device::open(selector)), loopLimit_(vulkan::probeLoopLimit(device_)) {}
+  GpuRenderer(const std::string& selector, const GpuRendererOptions& options)
+      : device_(vulkan::Device::open(selector)),
+        loopLimit_(options.loopLimit ? *options.loopLimit : vulkan::probeLoopLimit(device_)) {}
 
   RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override;
 
@@ -71,15 +74,30 @@ class GpuRenderer : public Renderer {
   void renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
                    const RenderControl& control, RenderResult& result);
 
+  const vulkan::ComputePipeline& pipelineFor(const FlatScene& flat, const RenderSettings& settings, bool texels);
+
   vulkan::Device device_;
   std::uint32_t loopLimit_;
+  // The pipeline of the last render: drivers take long to compile one, and the next render often needs the same.
+  std::vector<vulkan::Specialisation> pipelineKey_;
+  std::optional<vulkan::ComputePipeline> pipeline_;
 };
+
+const vulkan::ComputePipeline& GpuRenderer::pipelineFor(const FlatScene& flat, const RenderSettings& settings,
+                                                        bool texels) {
+  const vulkan::PipelineOptions options = pipelineOptions(flat, settings, texels);
+  if (!pipeline_ || options.specialisations != pipelineKey_) {
+    pipeline_.emplace(device_, spirv::path, options);
+    pipelineKey_ = options.specialisations;
+  }
+  return *pipeline_;
+}
 
 void GpuRenderer::describe(const FlatScene& flat, const RenderSettings& settings, bool texels,
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
-  statistics.structure = flat.hierarchy ? "bvh" : "none";
+  statistics.structure = settings.accel == AccelKind::bvh ? "bvh" : "none";
   statistics.kernel = "megakernel";
   statistics.workgroup = settings.workgroup;
   statistics.sceneLoads = texels ? "texel" : "storage";
@@ -99,7 +117,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   statistics.seconds["upload"] = watch.lap();
   describe(flat, settings, deviceScene.readsTexels(), statistics);
 
-  const vulkan::ComputePipeline pipeline(device_, spirv::path, pipelineOptions(flat, settings, deviceScene.readsTexels()));
+  const vulkan::ComputePipeline& pipeline = pipelineFor(flat, settings, deviceScene.readsTexels());
   const std::uint32_t height = bandHeight(device_.info(), settings);
   result.film = Film(settings.size.width, settings.size.height);
   Band band(device_, pipeline, deviceScene, settings, height);
@@ -134,6 +152,8 @@ void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget
 
 }  // namespace
 
-std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector) { return std::make_unique<GpuRenderer>(selector); }
+std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options) {
+  return std::make_unique<GpuRenderer>(selector, options);
+}
 
 }  // namespace candela

@@ -1,15 +1,22 @@
 // Makes the two tracers.
 #pragma once
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "host/render/renderer.h"
 
 namespace candela {
 
+struct GpuRendererOptions {
+  /// Loop turns that the device grants an invocation; absent: measured. Only tests state what is not so.
+  std::optional<std::uint32_t> loopLimit;
+};
+
 /// The compute-shader tracer on the device that `selector` names (see selectDevice).
 /// Throws NoDeviceError.
-std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector);
+std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options = {});
 /// The independent double-precision tracer.
 std::unique_ptr<Renderer> makeReferenceRenderer();
 

@@ -48,7 +48,8 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecTexels, texels},
           {gpu::kSpecRecord, settings.recordPaths},
           {gpu::kSpecStackSize, flat.stackSize},
-          {gpu::kSpecMultiLobe, has.mixtures}};
+          {gpu::kSpecMultiLobe, has.mixtures},
+          {gpu::kSpecInsideOnly, has.insideOnly}};
 }
 
 }  // namespace candela

@@ -15,6 +15,7 @@ enum class BindingKind { storageBuffer, uniformTexelBuffer, uniformBuffer };
 struct Specialisation {
   std::uint32_t id = 0;
   std::uint32_t value = 0;
+  bool operator==(const Specialisation&) const = default;
 };
 
 struct PipelineOptions {

@@ -17,7 +17,6 @@ struct RenderConstants {
   uvec4 limits;           // max depth, roulette start, light count, 0
   uvec4 sections;         // first row of nodes, primitives, materials, lights
   uvec4 moreSections;     // first row of normals, first row of sky, first plane slot, end of slots
-  uvec4 root;             // root reference, root primitive count, 0, 0
 };
 
 // One per dispatch.

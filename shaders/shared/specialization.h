@@ -30,6 +30,7 @@ CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buff
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecMultiLobe = 25u;    // some material has more than one lobe
+CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;

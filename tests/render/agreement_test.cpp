@@ -1,0 +1,67 @@
+// The comparison names the decision in which two paths part.
+#include <catch2/catch.hpp>
+
+#include "host/render/agreement.h"
+
+using namespace candela;
+
+namespace {
+
+PathRecord twoVertices() {
+  PathRecord record;
+  record.vertexCount = 2;
+  record.vertices[0] = {.primitive = 3, .lobe = Lobe::diffuse, .shadow = ShadowOutcome::visible};
+  record.vertices[1] = {.primitive = 5, .lobe = Lobe::diffuse, .shadow = ShadowOutcome::occluded};
+  return record;
+}
+
+RenderResult picture(double first, double second) {
+  RenderResult result;
+  result.film = Film(2, 1);
+  result.film.addSample(0, 0, glm::dvec3(first), 0);
+  result.film.addSample(1, 0, glm::dvec3(second), 0);
+  result.paths.assign(2, twoVertices());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the first decision that differs is the cause") {
+  const PathRecord record = twoVertices();
+  PathRecord other = record;
+  CHECK(causeOf(record, other) == Cause::rounding);
+  other.vertices[1].survivedRoulette = false;
+  CHECK(causeOf(record, other) == Cause::roulette);
+  other.vertices[1].lobe = Lobe::glossy;
+  CHECK(causeOf(record, other) == Cause::lobe);
+  other.vertices[1].shadow = ShadowOutcome::visible;
+  CHECK(causeOf(record, other) == Cause::shadow);
+  other.vertices[0].primitive = 4;
+  CHECK(causeOf(record, other) == Cause::primitive);
+}
+
+TEST_CASE("pixels that differ are counted among all and among the lit ones") {
+  RenderResult device = picture(0.5, 0);
+  const RenderResult reference = picture(0.5001, 0);
+  device.paths[0].vertices[0].primitive = 9;
+  const PixelAgreement result = comparePixels(device, reference);
+  CHECK(result.pixels == 2);
+  CHECK(result.equal == 1);
+  CHECK(result.lit == 1);
+  CHECK(result.litEqual == 0);
+  CHECK(result.causes[static_cast<std::size_t>(Cause::primitive)] == 1);
+  CHECK(result.worst == Approx(1e-4));
+  CHECK(!result.agree());
+}
+
+TEST_CASE("channels within the tolerance are equal") {
+  CHECK(comparePixels(picture(1, 0), picture(1.00009, 0)).litShare() == 1);
+  CHECK(comparePixels(picture(0, 0), picture(0x1p-27, 0)).litShare() == 1);
+}
+
+TEST_CASE("means agree within a thousandth") {
+  CHECK(MeanAgreement{.samples = 64, .device = 1.0009, .reference = 1}.agree());
+  CHECK(!MeanAgreement{.samples = 64, .device = 1.0011, .reference = 1}.agree());
+  CHECK(MeanAgreement{.samples = 64, .device = 0, .reference = 0}.agree());
+  CHECK(!MeanAgreement{.samples = 64, .device = 0.1, .reference = 0}.agree());
+}

@@ -1,0 +1,97 @@
+// How a picture is computed never changes a bit of it.
+#include <catch2/catch.hpp>
+
+#include "tests/render/render_support.h"
+
+using namespace candela;
+
+namespace {
+
+RenderSettings baseSettings() {
+  RenderSettings settings = squareSettings(72, 4);
+  settings.size.height = 50;  // no multiple of any workgroup
+  return settings;
+}
+
+std::uint64_t baseHash(const Scene& scene) { return renderOnDevice(scene, baseSettings()).film.hash(); }
+
+}  // namespace
+
+TEST_CASE("the workgroup does not change the image") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  const std::uint64_t expected = baseHash(scene);
+  for (const Extent workgroup : {Extent{16, 4}, Extent{64, 1}, Extent{1, 1}}) {
+    RenderSettings settings = baseSettings();
+    settings.workgroup = workgroup;
+    const RenderResult result = renderOnDevice(scene, settings);
+    CHECK(result.film.hash() == expected);
+    CHECK(result.statistics.workgroup.width == workgroup.width);
+    CHECK(result.statistics.workgroup.height == workgroup.height);
+  }
+}
+
+TEST_CASE("the number of segments per dispatch does not change the image") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  const std::uint64_t expected = baseHash(scene);
+  std::size_t fewerDispatches = ~std::size_t{0};
+  for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
+    RenderSettings settings = baseSettings();
+    settings.segmentsPerDispatch = segments;
+    const RenderResult result = renderOnDevice(scene, settings);
+    CHECK(result.film.hash() == expected);
+    CHECK(result.statistics.maxSegmentsPerDispatch == segments);
+    CHECK(result.statistics.dispatchSeconds.size() <= fewerDispatches);
+    fewerDispatches = result.statistics.dispatchSeconds.size();
+  }
+}
+
+TEST_CASE("the tile does not change the image") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  const std::uint64_t expected = baseHash(scene);
+  for (const Extent tile : {Extent{8, 8}, Extent{17, 5}, Extent{72, 1}, Extent{500, 500}}) {
+    RenderSettings settings = baseSettings();
+    settings.tile = tile;
+    const RenderResult result = renderOnDevice(scene, settings);
+    CHECK(result.film.hash() == expected);
+    CHECK(result.statistics.tile.width == std::min(tile.width, settings.size.width));
+    CHECK(result.statistics.tile.height == std::min(tile.height, settings.size.height));
+  }
+}
+
+TEST_CASE("structure and scene loads do not change the image") {
+  for (const char* name : {"primitives.p3f", "cornell.p3f", "smallpt.p3f"}) {
+    const Scene scene = loadTestScene(name);
+    RenderSettings settings = baseSettings();
+    settings.sceneLoads = SceneLoads::texel;
+    const RenderResult texel = renderOnDevice(scene, settings);
+    CHECK(texel.statistics.sceneLoads == "texel");
+    settings.sceneLoads = SceneLoads::storage;
+    const RenderResult storage = renderOnDevice(scene, settings);
+    CHECK(storage.statistics.sceneLoads == "storage");
+    settings.accel = AccelKind::none;
+    const RenderResult bruteForce = renderOnDevice(scene, settings);
+    CHECK(bruteForce.statistics.structure == "none");
+    CAPTURE(name);
+    CHECK(storage.film.hash() == texel.film.hash());
+    CHECK(bruteForce.film.hash() == texel.film.hash());
+  }
+}
+
+TEST_CASE("the reference's threads do not change its image") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  RenderSettings settings = baseSettings();
+  settings.threads = 1;
+  const RenderResult one = renderOnReference(scene, settings);
+  settings.threads = 2;
+  const RenderResult two = renderOnReference(scene, settings);
+  CHECK(one.statistics.threads == 1);
+  CHECK(two.statistics.threads == 2);
+  CHECK(one.film.hash() == two.film.hash());
+}
+
+TEST_CASE("another seed gives another image") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  RenderSettings settings = baseSettings();
+  settings.seed = 1;
+  CHECK(renderOnDevice(scene, settings).film.hash() != baseHash(scene));
+}

@@ -1,0 +1,101 @@
+// Rows that flatten writes, read back and held against the scene.
+#include <bit>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "host/render/flat_scene.h"
+#include "host/scene/load.h"
+#include "shaders/shared/scene_rows.h"
+
+using namespace candela;
+
+namespace {
+
+Scene loadFixture(const char* name) {
+  return loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / name).scene;
+}
+
+RenderSettings smallSettings() {
+  RenderSettings settings;
+  settings.size = {64, 64};
+  return settings;
+}
+
+glm::dvec3 xyz(const gpu::uvec4& row) {
+  return {std::bit_cast<float>(row.x), std::bit_cast<float>(row.y), std::bit_cast<float>(row.z)};
+}
+
+}  // namespace
+
+TEST_CASE("every primitive has one slot, with infinite planes last") {
+  const Scene scene = loadFixture("primitives.p3f");
+  for (const AccelKind accel : {AccelKind::none, AccelKind::bvh}) {
+    RenderSettings settings = smallSettings();
+    settings.accel = accel;
+    const FlatScene flat = flatten(scene, settings);
+    REQUIRE(flat.slotCount == scene.primitives.size());
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
+      const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
+      const std::uint32_t primitive = flat.rows[row + 1].w;
+      const std::uint32_t kind = flat.rows[row + 2].w;
+      seen.insert(primitive);
+      CHECK((kind & gpu::kKindMask) == static_cast<std::uint32_t>(scene.primitives[primitive].kind));
+      CHECK(kind >> gpu::kMaterialShift == scene.primitives[primitive].material);
+      CHECK(((kind & gpu::kKindMask) == gpu::kKindPlane) == (slot >= flat.constants.moreSections.z));
+    }
+    CHECK(seen.size() == scene.primitives.size());
+  }
+}
+
+TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
+  const Scene scene = loadFixture("smallpt.p3f");
+  RenderSettings settings = smallSettings();
+  settings.accel = AccelKind::none;
+  const FlatScene flat = flatten(scene, settings);
+  for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
+    const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
+    const Sphere& sphere = scene.spheres[scene.primitives[flat.rows[row + 1].w].index];
+    const glm::dvec3 anchor = xyz(flat.rows[row]);
+    const glm::dvec3 k = xyz(flat.rows[row + 1]);
+    const double scale = std::max(glm::length(anchor), 1.0);
+    CHECK(std::abs(glm::length(anchor - glm::dvec3(sphere.centre)) - std::abs(sphere.radius)) <= 1e-6 * scale);
+    CHECK(glm::length(k) == Approx(1).epsilon(1e-6));
+    CHECK(std::bit_cast<float>(flat.rows[row].w) == std::abs(sphere.radius));
+  }
+}
+
+TEST_CASE("a light's row leads to its primitive and back") {
+  const Scene scene = loadFixture("cornell.p3f");
+  const FlatScene flat = flatten(scene, smallSettings());
+  REQUIRE(flat.constants.limits.z == 2);  // the lamp's two triangles
+  for (std::uint32_t light = 0; light < 2; ++light) {
+    const gpu::uvec4& head = flat.rows[flat.constants.sections.w + light * gpu::kLightRows];
+    const std::uint32_t row = flat.constants.sections.y + head.w * gpu::kPrimitiveRows;
+    CHECK(head.z == gpu::kLightTriangle);
+    CHECK(flat.rows[row].w == light + 1);
+    CHECK((flat.rows[row + 2].w & gpu::kFlagEmissive) != 0);
+  }
+}
+
+TEST_CASE("what a scene does not use is not among its features") {
+  const FlatScene smallpt = flatten(loadFixture("smallpt.p3f"), smallSettings());
+  CHECK(smallpt.features.spheres);
+  CHECK(!smallpt.features.triangles);
+  CHECK(smallpt.features.sphereLights);
+  CHECK(!smallpt.features.pointLights);
+  CHECK(!smallpt.features.glossy);
+  CHECK(!smallpt.features.sky);
+  RenderSettings withoutLightSampling = smallSettings();
+  withoutLightSampling.nextEventEstimation = false;
+  CHECK(!flatten(loadFixture("smallpt.p3f"), withoutLightSampling).features.sphereLights);
+  CHECK(flatten(loadFixture("sky.p3f"), smallSettings()).features.sky);
+}
+
+TEST_CASE("a scene without primitives has no hierarchy and no slots") {
+  Scene scene;
+  scene.camera = Camera{};
+  const FlatScene flat = flatten(scene, smallSettings());
+  CHECK(flat.slotCount == 0);
+  CHECK(!flat.hierarchy);
+}

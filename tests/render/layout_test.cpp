@@ -1,0 +1,106 @@
+// Host and shader agree on the place of every member of every structure that they share.
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "host/image/film.h"
+#include "host/render/path_record.h"
+#include "shaders/shared/render_data.h"
+#include "spirv/path.h"
+
+using namespace candela;
+
+namespace {
+
+using Offsets = std::map<std::string, std::uint32_t>;
+
+// Member offsets of the module's structures by name, read from its debug names and decorations.
+class Module {
+ public:
+  explicit Module(std::span<const std::uint32_t> words) {
+    constexpr std::uint32_t kHeaderWords = 5;
+    for (std::size_t at = kHeaderWords; at < words.size(); at += words[at] >> 16) {
+      readInstruction(words[at] & 0xffff, words.subspan(at, words[at] >> 16));
+    }
+  }
+
+  // The structure of this name that has explicit offsets. SPIR-V keeps one copy per layout.
+  Offsets offsetsOf(const std::string& name) const {
+    for (const auto& [id, structName] : names_) {
+      if (structName != name || !offsets_.contains(id)) continue;
+      Offsets result;
+      for (const auto& [member, offset] : offsets_.at(id)) result[memberNames_.at(id).at(member)] = offset;
+      return result;
+    }
+    return {};
+  }
+
+ private:
+  static constexpr std::uint32_t kOpName = 5, kOpMemberName = 6, kOpMemberDecorate = 72, kDecorationOffset = 35;
+
+  void readInstruction(std::uint32_t opcode, std::span<const std::uint32_t> words) {
+    if (opcode == kOpName) names_[words[1]] = text(words.subspan(2));
+    if (opcode == kOpMemberName) memberNames_[words[1]][words[2]] = text(words.subspan(3));
+    if (opcode == kOpMemberDecorate && words[3] == kDecorationOffset) offsets_[words[1]][words[2]] = words[4];
+  }
+
+  static std::string text(std::span<const std::uint32_t> words) {
+    const char* begin = reinterpret_cast<const char*>(words.data());
+    return std::string(begin, strnlen(begin, words.size() * 4));
+  }
+
+  std::map<std::uint32_t, std::string> names_;
+  std::map<std::uint32_t, std::map<std::uint32_t, std::string>> memberNames_;
+  std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> offsets_;
+};
+
+#define MEMBER(type, member) {#member, static_cast<std::uint32_t>(offsetof(gpu::type, member))}
+
+}  // namespace
+
+TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
+  const Module module(spirv::path);
+  CHECK(module.offsetsOf("RenderConstants") ==
+        Offsets{MEMBER(RenderConstants, cameraOrigin), MEMBER(RenderConstants, cameraForward),
+                MEMBER(RenderConstants, cameraRight), MEMBER(RenderConstants, cameraUp),
+                MEMBER(RenderConstants, lensRight), MEMBER(RenderConstants, lensUp), MEMBER(RenderConstants, background),
+                MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
+                MEMBER(RenderConstants, moreSections)});
+  CHECK(module.offsetsOf("DispatchConstants") ==
+        Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
+  CHECK(module.offsetsOf("PathState") ==
+        Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving), MEMBER(PathState, throughput),
+                MEMBER(PathState, radiance), MEMBER(PathState, progress), MEMBER(PathState, counts)});
+  CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
+                                                MEMBER(FilmRows, luminanceSquared)});
+  CHECK(module.offsetsOf("Counters") ==
+        Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated), MEMBER(Counters, finishedSamples),
+                MEMBER(Counters, unused)});
+}
+
+TEST_CASE("the film's pixel is what the device writes") {
+  CHECK(sizeof(gpu::FilmRows) == sizeof(FilmPixel));
+  CHECK(offsetof(FilmPixel, red) == offsetof(gpu::FilmRows, red));
+  CHECK(offsetof(FilmPixel, sampleCount) == offsetof(gpu::FilmRows, red) + 12);
+  CHECK(offsetof(FilmPixel, green) == offsetof(gpu::FilmRows, green));
+  CHECK(offsetof(FilmPixel, badCount) == offsetof(gpu::FilmRows, green) + 12);
+  CHECK(offsetof(FilmPixel, blue) == offsetof(gpu::FilmRows, blue));
+  CHECK(offsetof(FilmPixel, firstBadSample) == offsetof(gpu::FilmRows, blue) + 12);
+  CHECK(offsetof(FilmPixel, luminanceSquared) == offsetof(gpu::FilmRows, luminanceSquared));
+}
+
+TEST_CASE("path records have the same vocabulary on both sides") {
+  CHECK(PathRecord::kRecordedVertices == gpu::kRecordedVertices);
+  CHECK(VertexRecord::kMiss == gpu::kRecordMiss);
+  CHECK(static_cast<std::uint32_t>(Lobe::none) == gpu::kLobeNone);
+  CHECK(static_cast<std::uint32_t>(Lobe::diffuse) == gpu::kLobeDiffuse);
+  CHECK(static_cast<std::uint32_t>(Lobe::glossy) == gpu::kLobeGlossy);
+  CHECK(static_cast<std::uint32_t>(Lobe::mirror) == gpu::kLobeMirror);
+  CHECK(static_cast<std::uint32_t>(Lobe::reflect) == gpu::kLobeReflect);
+  CHECK(static_cast<std::uint32_t>(Lobe::refract) == gpu::kLobeRefract);
+  CHECK(static_cast<std::uint32_t>(ShadowOutcome::notTraced) == gpu::kShadowNotTraced);
+  CHECK(static_cast<std::uint32_t>(ShadowOutcome::visible) == gpu::kShadowVisible);
+  CHECK(static_cast<std::uint32_t>(ShadowOutcome::occluded) == gpu::kShadowOccluded);
+}

@@ -1,0 +1,139 @@
+// The shader's leaf functions on a device, against the reference's and against the C library.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <glm/glm.hpp>
+#include <limits>
+#include <random>
+#include <span>
+
+#include "host/image/film.h"
+#include "host/reference/sampler.h"
+#include "host/reference/sampling.h"
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/compute_pipeline.h"
+#include "shaders/shared/specialization.h"
+#include "spirv/film_leaf.h"
+#include "spirv/sampler_leaf.h"
+#include "spirv/warp_leaf.h"
+#include "tests/vulkan_support/test_device.h"
+
+using namespace candela;
+
+namespace {
+
+// Runs one lane per output item on `inputs`; both push constants are given.
+template <typename Output, typename Input>
+std::vector<Output> runLeaf(std::span<const std::uint32_t> spirv, const std::vector<Input>& inputs, std::size_t outputs,
+                            std::array<std::uint32_t, 2> push, std::vector<vulkan::Specialisation> specialisations = {}) {
+  vulkan::Device device = openTestDevice();
+  const vulkan::ComputePipeline pipeline(device, spirv,
+                                         {.bindings = {2, vulkan::BindingKind::storageBuffer},
+                                          .pushConstantBytes = sizeof push,
+                                          .specialisations = std::move(specialisations)});
+  vulkan::Buffer in(device, inputs.size() * sizeof(Input), vulkan::Usage::storage);
+  vulkan::Buffer out(device, outputs * sizeof(Output), vulkan::Usage::storage);
+  in.upload(std::as_bytes(std::span(inputs)));
+  const vulkan::BindingSet bindings(pipeline, {&in, &out});
+  device.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = (push[0] + 63) / 64});
+  });
+  std::vector<Output> result(outputs);
+  out.download(std::as_writable_bytes(std::span(result)));
+  return result;
+}
+
+std::vector<glm::vec4> randomInputs(std::size_t count) {
+  std::mt19937 random(3);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+  std::vector<glm::vec4> inputs;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float height = i % 2 == 0 ? 2 * uniform() + 1e-7f : 1e-6f * uniform() + 1e-9f;
+    inputs.push_back({uniform(), uniform(), uniform(), height});
+  }
+  return inputs;
+}
+
+bool isNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) { return glm::length(a - b) <= tolerance; }
+
+}  // namespace
+
+TEST_CASE("the samplers agree with the reference bit for bit") {
+  const auto [kind, id] = GENERATE(table<SamplerKind, std::uint32_t>({{SamplerKind::independent, gpu::kSamplerIndependent},
+                                                                      {SamplerKind::stratified, gpu::kSamplerStratified},
+                                                                      {SamplerKind::sobol, gpu::kSamplerSobol}}));
+  const std::uint32_t samples = GENERATE(1u, 16u, 225u, 1000u);
+  constexpr std::uint32_t kSeed = 12345;
+  std::mt19937 engine(5);
+  const auto random = [&] { return static_cast<std::uint32_t>(engine()); };
+  std::vector<glm::uvec4> keys;
+  for (int i = 0; i < 4000; ++i) {
+    const std::uint32_t pixel = random() % 4096 + 65536 * (random() % 2160);
+    keys.push_back({pixel, random() % samples, i % 8 == 0 ? random() % 40000 : random() % 12, kSeed});
+  }
+  const std::uint32_t side = samples == 225 ? 15 : samples == 1000 ? 31 : samples == 16 ? 4 : 1;
+  const auto words = runLeaf<glm::uvec4>(spirv::sampler_leaf, keys, keys.size(),
+                                         {static_cast<std::uint32_t>(keys.size()), side}, {{gpu::kSpecSampler, id}});
+  const reference::Sampler sampler(kind, kSeed, samples);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const reference::Words expected = sampler.group(keys[i].x, keys[i].y, keys[i].z);
+    CAPTURE(i, keys[i].x, keys[i].y, keys[i].z, samples);
+    REQUIRE(std::memcmp(expected.data(), &words[i], sizeof expected) == 0);
+  }
+}
+
+TEST_CASE("warps and elementary functions are accurate to a few units in the last place") {
+  const auto inputs = randomInputs(20000);
+  const auto rows = runLeaf<glm::vec4>(spirv::warp_leaf, inputs, 4 * inputs.size(),
+                                       {static_cast<std::uint32_t>(inputs.size()), 0});
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const glm::dvec4 u(inputs[i]);
+    const glm::dvec2 disc = reference::sampleDisc({u.x, u.y});
+    const glm::dvec3 direction = reference::sampleCap({u.x, u.y}, u.w);
+    CAPTURE(i, u.x, u.y, u.z, u.w);
+    REQUIRE(isNear({disc, 0}, {rows[4 * i].x, rows[4 * i].y, 0}, 3e-7));
+    REQUIRE(isNear(direction, glm::vec3(rows[4 * i + 1]), 4e-7));
+    // Of a narrow cap the distance from its axis counts.
+    REQUIRE(std::hypot(rows[4 * i + 1].x - direction.x, rows[4 * i + 1].y - direction.y) <= 1e-6 * std::sqrt(u.w));
+    REQUIRE(rows[4 * i + 2].x == Approx(std::log1p(-u.x)).epsilon(1e-6));
+    REQUIRE(rows[4 * i + 2].y == Approx(std::expm1(-50 * u.y)).epsilon(4e-6));
+  }
+}
+
+TEST_CASE("the device's film adds up to the host's") {
+  constexpr std::uint32_t kLanes = 500, kPerLane = 40;
+  std::mt19937 random(11);
+  std::vector<glm::vec4> samples;
+  for (std::uint32_t i = 0; i < kLanes * kPerLane; ++i) {
+    const auto value = [&] {
+      switch (random() % 40) {
+        case 0: return std::numeric_limits<float>::quiet_NaN();
+        case 1: return std::numeric_limits<float>::infinity();
+        case 2: return -1.0f;
+        case 3: return 3e6f;
+        case 4: return 1e-45f;  // denormal: adds 0
+        default: return std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 63);
+      }
+    };
+    samples.push_back({value(), value(), value(), 0});
+  }
+  const auto films = runLeaf<FilmPixel>(spirv::film_leaf, samples, kLanes, {kLanes, kPerLane});
+  Film expected(kLanes, 1);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    expected.addSample(i / kPerLane, 0, glm::dvec3(samples[i]), i % kPerLane);
+  }
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const FilmPixel& host = expected.at(lane, 0);
+    CAPTURE(lane);
+    REQUIRE(films[lane].red == host.red);
+    REQUIRE(films[lane].green == host.green);
+    REQUIRE(films[lane].blue == host.blue);
+    REQUIRE(films[lane].sampleCount == kPerLane);
+    REQUIRE(films[lane].badCount == host.badCount);
+    REQUIRE(films[lane].firstBadSample == host.firstBadSample);
+    const auto high = [](const FixedSum& sum) { return std::ldexp(sum[2], 64) + std::ldexp(sum[1], 32) + sum[0]; };
+    REQUIRE(high(films[lane].luminanceSquared) == Approx(high(host.luminanceSquared)).epsilon(1e-6).margin(kPerLane));
+  }
+}

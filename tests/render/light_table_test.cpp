@@ -1,0 +1,67 @@
+// Light probabilities against values worked out by hand.
+#include <catch2/catch.hpp>
+
+#include "host/render/light_table.h"
+
+using namespace candela;
+
+namespace {
+
+// Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
+Scene lamps() {
+  Scene scene;
+  Material lamp;
+  lamp.emission = {2, 2, 2};
+  scene.materials = {Material{}, lamp};
+  scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
+  scene.primitives = {{PrimitiveKind::triangle, 0, 0}, {PrimitiveKind::triangle, 0, 1}, {PrimitiveKind::triangle, 1, 1}};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("emitters are chosen in proportion to area times emission") {
+  const auto table = buildLightTable(lamps(), true);
+  REQUIRE(table.size() == 2);
+  CHECK(table[0].index == 1);
+  CHECK(table[0].probability == 0.25f);
+  CHECK(table[0].threshold == 1u << 22);
+  CHECK(table[1].threshold == 1u << 24);
+  CHECK(table[1].probability == 0.75f);
+}
+
+TEST_CASE("point lights get half of the probability beside emitters, and all of it alone") {
+  Scene scene = lamps();
+  scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}, {{0, 0, 6}, {3, 3, 3}}};
+  const auto both = buildLightTable(scene, true);
+  REQUIRE(both.size() == 4);
+  CHECK(both[0].probability == 0.125f);
+  CHECK(both[2].probability == 0.125f);
+  CHECK(both[3].probability == 0.375f);
+  const auto pointsOnly = buildLightTable(scene, false);
+  REQUIRE(pointsOnly.size() == 2);
+  CHECK(pointsOnly[0].isPoint);
+  CHECK(pointsOnly[0].probability == 0.25f);
+}
+
+TEST_CASE("what cannot be sampled by area is not in the table") {
+  Scene scene = lamps();
+  scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
+  scene.primitives.push_back({PrimitiveKind::cone, 0, 1});
+  scene.triangles.push_back({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});  // no area
+  scene.primitives.push_back({PrimitiveKind::triangle, 2, 1});
+  CHECK(buildLightTable(scene, true).size() == 2);
+}
+
+TEST_CASE("thresholds rise and end at 2^24 however many lights there are") {
+  Scene scene = lamps();
+  for (std::uint32_t i = 0; i < 999; ++i) scene.primitives.push_back({PrimitiveKind::triangle, i % 2, 1});
+  const auto table = buildLightTable(scene, true);
+  double sum = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    sum += table[i].probability;
+    if (i > 0) REQUIRE(table[i].threshold >= table[i - 1].threshold);
+  }
+  CHECK(table.back().threshold == 1u << 24);
+  CHECK(sum == 1);
+}

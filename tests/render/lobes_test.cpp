@@ -1,0 +1,46 @@
+// The rules that turn an `f` line into lobes.
+#include <catch2/catch.hpp>
+
+#include "host/render/lobes.h"
+
+using namespace candela;
+
+namespace {
+
+Material material(float kd, float ks, float t, float ior) {
+  Material m;
+  m.kd = kd;
+  m.ks = ks;
+  m.t = t;
+  m.ior = ior;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("Kd = 1 is diffuse whatever else is given") {
+  CHECK(lobesOf(material(1, 1, 1, 1.5f)).diffuse == 1);
+  CHECK(!lobesOf(material(1, 1, 1, 1.5f)).mirror);
+}
+
+TEST_CASE("Ks = 1 is a mirror") {
+  CHECK(lobesOf(material(0.5f, 1, 0, 1)).mirror);
+  CHECK(lobesOf(material(0.5f, 1, 0, 1)).diffuse == 0);
+}
+
+TEST_CASE("Kd = Ks = 0 is glass, and black where there is no index of refraction") {
+  CHECK(lobesOf(material(0, 0, 0, 1.5f)).dielectric == 1);
+  CHECK(lobesOf(material(0, 0, 0, 0)).dielectric == 0);
+}
+
+TEST_CASE("everything between is a mixture, scaled to 1 where it exceeds it") {
+  const Lobes within = lobesOf(material(0.5f, 0.25f, 0.125f, 1.5f));
+  CHECK(within.diffuse == 0.5);
+  CHECK(within.glossy == 0.25);
+  CHECK(within.dielectric == 0.125);
+  const Lobes beyond = lobesOf(material(0.75f, 0.75f, 0.5f, 1.5f));
+  CHECK(beyond.diffuse == 0.375);
+  CHECK(beyond.glossy == 0.375);
+  CHECK(beyond.dielectric == 0.25);
+  CHECK(lobesOf(material(0.5f, 0.25f, 0.125f, 0)).dielectric == 0);
+}
