@@ -13,7 +13,7 @@ vec2 sampleLens(vec2 u) {
 // The ray of one sample of a pixel; numbers are those of filter x, y and lens u, v.
 void cameraRay(RenderConstants camera, uvec2 pixel, vec4 numbers, out vec3 origin, out vec3 direction) {
   vec2 offset = kTentFilter ? vec2(sampleTent(numbers.x), sampleTent(numbers.y)) : numbers.xy - 0.5;
-  vec2 raster = (vec2(pixel) + 0.5 + offset) / vec2(camera.imageSeed.xy);
+  vec2 raster = (vec2(pixel) + 0.5 + offset) * vec2(camera.cameraRight.w, camera.cameraUp.w);
   precise vec3 toPlane = camera.cameraForward.xyz + (raster.x - 0.5) * camera.cameraRight.xyz +
                          (0.5 - raster.y) * camera.cameraUp.xyz;
   origin = camera.cameraOrigin.xyz;

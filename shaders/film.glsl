@@ -6,18 +6,14 @@
 
 const float kFilmMaximum = 1048576.0;
 
-// floor(value 2^40) as 96 bits, least significant first; value in [0, 2^40].
+// floor(value 2^40) as 96 bits, least significant first; value in [0, 2^40]. Every step is exact: it takes the leading
+// bits off.
 uvec3 toFixed(float value) {
-  uint bits = floatBitsToUint(value);
-  uint exponent = bits >> 23;
-  uint mantissa = exponent == 0u ? 0u : (bits & 0x007fffffu) | 0x00800000u;
-  if (exponent < 110u) return uvec3(mantissa >> min(110u - exponent, 31u), 0u, 0u);
-  uint shift = exponent - 110u;
-  uint bit = shift & 31u;
-  uint low = mantissa << bit;
-  uint high = bit == 0u ? 0u : mantissa >> (32u - bit);
-  uint word = shift >> 5;
-  return word == 0u ? uvec3(low, high, 0u) : word == 1u ? uvec3(0u, low, high) : uvec3(0u, 0u, low);
+  precise float high = floor(value * (1.0 / 16777216.0));
+  precise float rest = (value - high * 16777216.0) * 256.0;
+  precise float middle = floor(rest);
+  precise float low = (rest - middle) * 4294967296.0;
+  return uvec3(uint(low), uint(middle), uint(high));
 }
 
 uvec3 addFixed(uvec3 sum, uvec3 term) {

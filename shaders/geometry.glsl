@@ -39,23 +39,25 @@ float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 
 // Sphere with a surface point `anchor` near the scene and k = (anchor - centre) / radius: with a = origin - anchor,
 // |o-c|^2 - r^2 = |a|^2 + 2 r a.k and (o-c).d = a.d + r k.d, free of the cancellation that a radius of 1e5 brings.
+// Without branches: lanes of a group would pay for both sides. For a ray that leaves the sphere c is 0, and the roots are
+// 0, which does not count, and -2 b.
 float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, bool leaving) {
   vec3 a = ray.origin - anchor;
   precise float b = dot(a, ray.direction) + radius * dot(k, ray.direction);
-  if (leaving) return positiveOrNone(-2.0 * b);
   precise float aa = dot(a, a);
-  precise float c = aa + 2.0 * radius * dot(a, k);
+  precise float c = leaving ? 0.0 : aa + 2.0 * radius * dot(a, k);
   // Far from a small sphere b*b - c cancels; the distance of the ray's closest approach does not.
   precise vec3 closest = (a + radius * k) - b * ray.direction;
-  precise float discriminant = aa > radius * radius ? radius * radius - dot(closest, closest) : b * b - c;
-  if (discriminant < 0.0) return kNoHit;
-  float root = sqrt(discriminant);
+  precise float near2 = b * b - c;
+  precise float far2 = radius * radius - dot(closest, closest);
+  float discriminant = aa > radius * radius && !leaving ? far2 : near2;
+  float root = sqrt(max(discriminant, 0.0));
   precise float q = b > 0.0 ? -b - root : root - b;
   precise float other = c / q;
-  float near = min(q, other);
-  float far = max(q, other);
-  if (insideOnly) return near <= 0.0 ? positiveOrNone(far) : kNoHit;
-  return near > 0.0 ? near : positiveOrNone(far);
+  float first = min(q, other);
+  float second = max(q, other);
+  float t = first > 0.0 ? (insideOnly ? kNoHit : first) : second;
+  return discriminant >= 0.0 && t > 0.0 ? t : kNoHit;
 }
 
 // Woop, Benthin and Wald's watertight test: no epsilon anywhere. An edge shared by two triangles gives both the same

@@ -28,6 +28,7 @@ layout(constant_id = kSpecHierarchy) const bool kHierarchy = true;
 layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
+layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
 layout(constant_id = kSpecMultiLobe) const bool kHasMixtures = true;
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.

@@ -63,13 +63,12 @@ Shading shadingAt(Surface surface, vec3 wo) {
 }
 
 // Emission found by the path itself, weighed against the chance that a light sample had found it.
-vec3 emissionFound(Path path, Surface surface, float t) {
-  if ((surface.kind & kFlagEmissive) == 0u) return vec3(0.0);
+vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   float weight = 1.0;
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
     weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
   }
-  return materialEmission(surface.kind) * weight;
+  return material.emission * weight;
 }
 
 // Next-event estimation: the light of one sample of the table, before the throughput.
@@ -120,17 +119,17 @@ bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
   counts.bounce += path.depth > 1u ? 1u : 0u;
   Hit hit = traceClosest(path.ray, work);
-  if (hit.slot == kNoSlot) {
+  if (hit.t >= kNoHit) {
     path.radiance += path.throughput * backgroundRadiance(path.ray.direction);
     return false;
   }
   counts.vertices += 1u;
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
-  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, hit.t);
+  Material material = loadMaterial(surface.kind);
+  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.limits.x) return false;
 
-  Material material = loadMaterial(surface.kind);
   Shading shading = shadingAt(surface, -path.ray.direction);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {

@@ -41,14 +41,17 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
   return dot(cross(p1 - p0, p2 - p0), ray.direction) > 0.0;
 }
 
-PrimitiveHit hitPrimitive(Ray ray, uint slot) {
-  uint row = primitiveRow(slot);
-  uvec4 rows[3] = uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
+PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3]) {
   uint kind = rows[2].w;
   bool leaving = (ray.leaving & ~kLeavingInward) == slot;
   float t = hitDistance(ray, rows, kind, leaving, (ray.leaving & kLeavingInward) != 0u);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
+}
+
+PrimitiveHit hitPrimitive(Ray ray, uint slot) {
+  uint row = primitiveRow(slot);
+  return hitRows(ray, slot, uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u)));
 }
 
 // Where a ray met a surface, all in world space.

@@ -25,6 +25,7 @@ struct Material {
   float diffuseWeight;
   vec3 specular;
   float glossyWeight;
+  vec3 emission;
   float dielectricWeight;
   float exponent;
   float ior;
@@ -34,8 +35,6 @@ struct Material {
 uint materialRow(uint kindAndMaterial) {
   return constants.sections.z + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
 }
-
-vec3 materialEmission(uint kindAndMaterial) { return sceneRowFloat(materialRow(kindAndMaterial) + 2u).xyz; }
 
 Material loadMaterial(uint kindAndMaterial) {
   uint row = materialRow(kindAndMaterial);
@@ -50,8 +49,13 @@ Material loadMaterial(uint kindAndMaterial) {
     material.specular = specular.xyz;
     material.glossyWeight = specular.w;
   }
+  material.emission = vec3(0.0);
   material.dielectricWeight = 0.0;
-  if (kHasDielectric) material.dielectricWeight = sceneRowFloat(row + 2u).w;
+  if (kHasEmission || kHasDielectric) {
+    vec4 emission = sceneRowFloat(row + 2u);
+    material.emission = emission.xyz;
+    material.dielectricWeight = emission.w;
+  }
   material.exponent = 0.0;
   material.ior = 1.0;
   material.mirror = false;

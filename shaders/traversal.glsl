@@ -1,10 +1,11 @@
 // The closest hit and the any-hit query, by BVH or by brute force: the result never depends on which.
 #ifndef CANDELA_TRAVERSAL_GLSL
 #define CANDELA_TRAVERSAL_GLSL
+#extension GL_EXT_control_flow_attributes : require
 #include "primitives.glsl"
 
 struct Hit {
-  float t;     // kNoHit: nothing
+  float t;     // kNoHit: nothing, whatever the rest says
   uint slot;
   uint index;  // primitive index: the lower wins between equal distances
 };
@@ -15,22 +16,17 @@ struct Work {
   uint truncated;
 };
 
-void closer(inout Hit hit, Ray ray, uint slot) {
-  PrimitiveHit candidate = hitPrimitive(ray, slot);
-  bool better = candidate.t < hit.t || (candidate.t == hit.t && candidate.t < kNoHit && candidate.index < hit.index);
+void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
+  bool better = candidate.t < hit.t || (candidate.t == hit.t && candidate.index < hit.index);
   hit.t = better ? candidate.t : hit.t;
   hit.slot = better ? slot : hit.slot;
   hit.index = better ? candidate.index : hit.index;
 }
 
-bool blocks(Ray ray, uint slot, uint ignored, float limit) {
-  return slot != ignored && hitPrimitive(ray, slot).t < limit;
-}
-
 void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
   uint slot = first;
   while (slot < end) {
-    closer(hit, ray, slot);
+    keepCloser(hit, hitPrimitive(ray, slot), slot);
     ++slot;
   }
   work.steps += slot - first;
@@ -41,7 +37,7 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
   uint slot = first;
   bool blocked = false;
   while (slot < end && !blocked) {
-    blocked = blocks(ray, slot, ignored, limit);
+    blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     ++slot;
   }
   work.steps += slot - first;
@@ -49,11 +45,36 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
   return blocked;
 }
 
+// Of a handful of primitives all are tested, from the uniform buffer, in loops that compilers unroll (the bound is a
+// literal for their sake): then each value is loaded once for all lanes, where a row that is looked up costs every lane
+// a load of its own.
+PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
+  uint row = slot * kPrimitiveRows;
+  return hitRows(ray, slot, uvec4[3](constants.slotRows[row], constants.slotRows[row + 1u], constants.slotRows[row + 2u]));
+}
+
+void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
+  [[unroll]] for (uint slot = 0u; slot < kMaxUniformSlots; ++slot) {
+    if (slot < kUniformSlots) keepCloser(hit, hitUniformSlot(ray, slot), slot);
+  }
+  work.steps += kUniformSlots;
+}
+
+bool anyOfUniform(Ray ray, uint ignored, float limit, inout Work work) {
+  bool blocked = false;
+  [[unroll]] for (uint slot = 0u; slot < kMaxUniformSlots; ++slot) {
+    if (slot < kUniformSlots) blocked = blocked || (slot != ignored && hitUniformSlot(ray, slot).t < limit);
+  }
+  work.steps += kUniformSlots;
+  return blocked;
+}
+
 #include "bvh.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
   Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
-  if (kHierarchy) closestInHierarchy(hit, ray, work);
+  if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
+  else if (kHierarchy) closestInHierarchy(hit, ray, work);
   else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
   if (kHasPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
   return hit;
@@ -62,6 +83,7 @@ Hit traceClosest(Ray ray, inout Work work) {
 // True if something but `ignored` is hit before `limit`.
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
   if (kHasPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) return true;
+  if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
   if (kHierarchy) return anyInHierarchy(ray, ignored, limit, work);
   return anyInRange(ray, 0u, constants.moreSections.z, ignored, limit, work);
 }

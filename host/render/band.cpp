@@ -7,6 +7,7 @@
 
 #include "host/core/errors.h"
 #include "host/render/tile_cursor.h"
+#include "host/render/unfinished_rows.h"
 
 namespace candela {
 namespace {
@@ -112,17 +113,19 @@ bool Band::finish(const LoopBudget& budget, const RenderControl& control, Render
                   const std::function<void(std::uint64_t)>& samplesFinished) {
   Governor governor(governorOptions(settings_, budget, pixels()));
   governor.record(governor.next(), 0, 0);  // the warm-up, which does not count
-  TileCursor cursor = cursorOver({width_, rows_.height}, settings_);
+  const Extent extent{width_, rows_.height};
+  TileCursor cursor = cursorOver(extent, settings_);
+  UnfinishedRows unfinished(extent);
   while (counters().finishedPixels < pixels()) {
     if (control.stop != nullptr && *control.stop) return false;
-    const std::uint64_t unfinished = pixels() - counters().finishedPixels;
-    // Where most pixels are finished, a region must be larger to hold as many that are not.
-    const Rect region = cursor.next(governor.next().pixels * pixels() / unfinished);
+    const Rect region = cursor.next(unfinished.pixelsHolding(governor.next().pixels, cursor.row()));
     const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
-    const std::uint64_t active = std::max<std::uint64_t>(1, lanes * unfinished / pixels());
+    const std::uint64_t active = unfinished.activeIn(region);
+    const std::uint32_t finishedBefore = counters().finishedPixels;
     const Plan plan{lanes, governor.segmentsFor(active)};
     const double seconds = dispatch(region, plan.segments, budget);
     governor.record(plan, active, seconds);
+    unfinished.finish(region, counters().finishedPixels - finishedBefore);
     statistics.dispatchSeconds.push_back(seconds);
     statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, plan.segments);
     if (lanes > std::uint64_t{statistics.tile.width} * statistics.tile.height) {

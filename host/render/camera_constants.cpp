@@ -17,8 +17,8 @@ void setCamera(gpu::RenderConstants& constants, const Camera& camera, const Exte
   const double lensRadius = camera.aperture * height / camera.height;
   constants.cameraOrigin = gpu::vec4(glm::vec3(from), 0);
   constants.cameraForward = gpu::vec4(glm::vec3(-backward), 0);
-  constants.cameraRight = gpu::vec4(glm::vec3(width * u), 0);
-  constants.cameraUp = gpu::vec4(glm::vec3(height * v), 0);
+  constants.cameraRight = gpu::vec4(glm::vec3(width * u), 1.0f / static_cast<float>(size.width));
+  constants.cameraUp = gpu::vec4(glm::vec3(height * v), 1.0f / static_cast<float>(size.height));
   constants.lensRight = gpu::vec4(glm::vec3(lensRadius * u), static_cast<float>(1.0 / camera.focal));
   constants.lensUp = gpu::vec4(glm::vec3(lensRadius * v), 0);
 }

@@ -29,6 +29,7 @@ struct FlatScene {
   SceneFeatures features;
   bool hierarchy = false;           ///< a BVH of more than one leaf is among the rows; else all primitives are tested
   std::uint32_t stackSize = 1;      ///< entries that a traversal needs
+  std::uint32_t uniformSlots = 0;   ///< finite primitives whose rows are in the constants too; 0: none
   std::uint32_t slotCount = 0;      ///< primitives, planes included
   std::map<std::string, double> structureQuality;
 };

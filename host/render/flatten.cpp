@@ -1,6 +1,7 @@
 // Scene to FlatScene: the sections of rows, one after the other.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -98,6 +99,13 @@ void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, 
   flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
 }
 
+void copyToConstants(std::uint32_t finiteCount, FlatScene& flat) {
+  if (flat.hierarchy || finiteCount > gpu::kMaxUniformSlots) return;
+  flat.uniformSlots = finiteCount;
+  const auto first = flat.rows.begin() + flat.constants.sections.y;
+  std::copy_n(first, finiteCount * gpu::kPrimitiveRows, flat.constants.slotRows);
+}
+
 // n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
 std::uint32_t strataPerSide(const RenderSettings& settings) {
   if (settings.sampler != SamplerKind::stratified) return 0;
@@ -129,6 +137,7 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings) {
 
   const std::vector<LightEntry> table = buildLightTable(scene, settings.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
+  copyToConstants(flat.constants.moreSections.z, flat);
   appendMaterials(scene, flat);
   appendLights(scene, table, slotsOf(order), flat);
   flat.constants.moreSections.y = rowCount(flat.rows);

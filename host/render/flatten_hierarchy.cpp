@@ -5,6 +5,7 @@
 
 #include "host/accel/bvh.h"
 #include "host/render/flat_rows.h"
+#include "shaders/shared/render_data.h"
 
 namespace candela {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
 // So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf.
-constexpr std::size_t kSingleLeaf = 16;
+constexpr std::uint32_t kSingleLeaf = gpu::kMaxUniformSlots;
 constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCost = 1e6f};
 
 // A child as its parent stores it: its box, and where it leads.

@@ -15,9 +15,8 @@ glm::dvec3 sphereAnchor(const Scene& scene, const glm::dvec3& centre, double rad
 
 std::uint32_t kindWord(const Scene& scene, const Primitive& primitive, std::uint32_t kindAndFlags) {
   const Material& material = scene.materials[primitive.material];
-  const std::uint32_t emissive = isEmissive(material) ? gpu::kFlagEmissive : 0;
   const std::uint32_t opaque = material.t == 0 ? gpu::kFlagOpaque : 0;
-  return kindAndFlags | emissive | opaque | primitive.material << gpu::kMaterialShift;
+  return kindAndFlags | opaque | primitive.material << gpu::kMaterialShift;
 }
 
 void appendSphere(const Scene& scene, const PrimitiveContext& context, const Primitive& primitive, Rows& rows) {

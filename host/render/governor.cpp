@@ -6,7 +6,8 @@
 namespace candela {
 namespace {
 
-constexpr std::uint32_t kPreferredSegments = 16;
+// Storing and loading a path costs as much as two or three segments (docs/performance.md).
+constexpr std::uint32_t kPreferredSegments = 128;
 constexpr double kGrowth = 2.0;         // per step, near the target
 constexpr double kFastGrowth = 8.0;     // per step, while dispatches are so short that even this keeps to the target
 constexpr double kSmoothing = 0.3;      // share of a step upwards taken at once, near the target

@@ -29,8 +29,8 @@ class Governor {
  public:
   explicit Governor(const GovernorOptions& options);
 
-  /// What to dispatch next: all pixels if that leaves each 16 segments or more (loading and storing a path's state
-  /// costs something), else fewer pixels of 16 segments, else `minimumPixels` of fewer segments, else fewer pixels
+  /// What to dispatch next: all pixels if that leaves each 128 segments or more (loading and storing a path's state
+  /// costs something), else fewer pixels of 128 segments, else `minimumPixels` of fewer segments, else fewer pixels
   /// still.
   Plan next() const;
   /// Segments for a region that is chosen already and has so many unfinished pixels.

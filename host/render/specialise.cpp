@@ -49,7 +49,8 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecRecord, settings.recordPaths},
           {gpu::kSpecStackSize, flat.stackSize},
           {gpu::kSpecMultiLobe, has.mixtures},
-          {gpu::kSpecInsideOnly, has.insideOnly}};
+          {gpu::kSpecInsideOnly, has.insideOnly},
+          {gpu::kSpecUniformSlots, flat.uniformSlots}};
 }
 
 }  // namespace candela

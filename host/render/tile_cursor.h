@@ -23,6 +23,8 @@ class TileCursor {
   /// that is enough for them, else pieces of a strip that is one workgroup high. What is left of a strip or of the
   /// image is divided evenly, so that no small remainder comes last.
   Rect next(std::uint64_t pixelsWanted);
+  /// First row of the next piece.
+  std::uint32_t row() const { return y_; }
   /// Whether the next piece is the first of a sweep.
   bool isAtStart() const { return x_ == 0 && y_ == 0; }
 

@@ -4,12 +4,16 @@
 #include "language.h"
 CANDELA_BEGIN
 
+// Of a scene with so few primitives, their rows are in the uniform buffer too: see traversal.glsl.
+CANDELA_CONST uint kMaxUniformSlots = 16u;
+CANDELA_CONST uint kUniformRows = 48u;
+
 // One per render, uniform buffer, std140.
 struct RenderConstants {
   vec4 cameraOrigin;      // xyz
   vec4 cameraForward;     // xyz: -d n, from the eye to the view plane's centre
-  vec4 cameraRight;       // xyz: w u, the width of the view plane
-  vec4 cameraUp;          // xyz: h v
+  vec4 cameraRight;       // xyz: w u, the width of the view plane; w: 1 / pixels across
+  vec4 cameraUp;          // xyz: h v; w: 1 / pixels down
   vec4 lensRight;         // xyz: a u; w = 1 / focal
   vec4 lensUp;            // xyz: a v
   vec4 background;        // rgb
@@ -17,6 +21,7 @@ struct RenderConstants {
   uvec4 limits;           // max depth, roulette start, light count, 0
   uvec4 sections;         // first row of nodes, primitives, materials, lights
   uvec4 moreSections;     // first row of normals, first row of sky, first plane slot, end of slots
+  uvec4 slotRows[kUniformRows];
 };
 
 // One per dispatch.

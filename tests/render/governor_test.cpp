@@ -140,7 +140,7 @@ TEST_CASE("where the whole image takes seconds for one segment the region shrink
   CHECK(plan.pixels % 64 == 0);
 }
 
-TEST_CASE("paths get 16 segments before more pixels are used than the device needs, and more when all are used") {
+TEST_CASE("paths get 128 segments before more pixels are used than the device needs, and more when all are used") {
   const auto planAt = [](double unitsPerSecond) {
     Governor governor(optionsFor(kMegapixel));
     FakeDevice device(unitsPerSecond, 0.0);
@@ -150,12 +150,12 @@ TEST_CASE("paths get 16 segments before more pixels are used than the device nee
   const Plan few = planAt(1e6);  // 1e5 units: 16384 pixels of 6
   CHECK(few.segments == 6);
   CHECK(few.pixels == 16640);       // 1e5 / 6, whole workgroups of 64
-  const Plan middle = planAt(2e7);  // 2e6 units
-  CHECK(middle.segments == 16);
-  CHECK(middle.pixels == Approx(125000).epsilon(0.01));
-  const Plan all = planAt(1e9);  // 1e8 units
+  const Plan middle = planAt(4e7);  // 4e6 units
+  CHECK(middle.segments == 128);
+  CHECK(middle.pixels == Approx(31250).epsilon(0.01));
+  const Plan all = planAt(5e9);  // 5e8 units
   CHECK(all.pixels == kMegapixel);
-  CHECK(all.segments == 95);
+  CHECK(all.segments == 476);
   CHECK(planAt(1e12).segments == 1024);
 }
 

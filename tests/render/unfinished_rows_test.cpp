@@ -1,0 +1,29 @@
+// Where work is left is known well enough to size the next dispatch.
+#include <catch2/catch.hpp>
+
+#include "host/render/unfinished_rows.h"
+
+using namespace candela;
+
+TEST_CASE("at first every pixel has work left") {
+  const UnfinishedRows rows({100, 50});
+  CHECK(rows.activeIn({0, 0, 100, 50}) == 5000);
+  CHECK(rows.activeIn({20, 10, 30, 2}) == 60);
+  CHECK(rows.pixelsHolding(1000, 0) == 1000);
+}
+
+TEST_CASE("a region grows over rows that are finished, up to where work is left") {
+  UnfinishedRows rows({100, 50});
+  rows.finish({0, 0, 100, 20}, 2000);
+  CHECK(rows.activeIn({0, 0, 100, 20}) == 1);
+  CHECK(rows.activeIn({0, 10, 100, 20}) == 1000);
+  CHECK(rows.pixelsHolding(1000, 0) == 3000);
+}
+
+TEST_CASE("a region never shrinks below what was asked, and ends with the band") {
+  UnfinishedRows rows({100, 50});
+  rows.finish({0, 0, 100, 50}, 4000);
+  CHECK(rows.activeIn({0, 0, 100, 50}) == Approx(1000).margin(1));
+  CHECK(rows.pixelsHolding(400, 0) == Approx(2000).margin(100));
+  CHECK(rows.pixelsHolding(5000, 40) == 5000);
+}
