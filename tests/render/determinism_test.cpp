@@ -37,6 +37,7 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
     RenderSettings settings = baseSettings();
     settings.segmentsPerDispatch = segments;
+    settings.tile = settings.size;  // so that the number of dispatches depends on nothing else
     const RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.maxSegmentsPerDispatch == segments);
