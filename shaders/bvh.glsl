@@ -16,7 +16,7 @@ struct BoxRay {
   vec3 inverse;
 };
 
-// Zero components would make 0 * infinity = NaN at a box face; the smallest that keeps 1/d finite decides nothing.
+// Zero components would make 0 * infinity = NaN at a box face; 2^-100 decides nothing.
 BoxRay boxRay(Ray ray) {
   float pad = largest(abs(ray.origin)) * (1.0 / 524288.0);
   vec3 magnitude = max(abs(ray.direction), vec3(7.9e-31));
@@ -90,6 +90,7 @@ void descendToLeaf(BoxRay ray, float limit, inout Work work) {
     visitNode(ray, limit);
     work.steps += 1u;
   }
+  work.truncated += !finished && current.count == 0u ? 1u : 0u;
 }
 
 void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {

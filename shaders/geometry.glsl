@@ -56,7 +56,7 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
   precise float other = c / q;
   float first = min(q, other);
   float second = max(q, other);
-  float t = first > 0.0 ? (insideOnly ? kNoHit : first) : second;
+  float t = first > 0.0 && !insideOnly ? first : second;
   return discriminant >= 0.0 && t > 0.0 ? t : kNoHit;
 }
 
@@ -84,27 +84,24 @@ float hitPlane(Ray ray, vec3 point, vec3 normal) {
   return positiveOrNone(t);
 }
 
-// Distances at which the ray enters and leaves the slabs of a box. A zero component of the direction gives infinities
-// and, for an origin on a face, NaN: min and max are ordered so that the other operand wins.
-void boxSlabs(Ray ray, vec3 low, vec3 high, out float entry, out float exit) {
-  vec3 inverse = 1.0 / ray.direction;
+// Distances at which the ray enters and leaves each pair of a box's planes. Where it runs parallel to them it is between
+// them always or never.
+void boxSlabs(Ray ray, vec3 low, vec3 high, out vec3 near, out vec3 far) {
+  bvec3 parallel = equal(ray.direction, vec3(0.0));
+  vec3 inverse = 1.0 / mix(ray.direction, vec3(1.0), parallel);
   precise vec3 t0 = (low - ray.origin) * inverse;
   precise vec3 t1 = (high - ray.origin) * inverse;
-  entry = -kLargestFloat;
-  exit = kLargestFloat;
-  for (int axis = 0; axis < 3; ++axis) {
-    bool parallel = ray.direction[axis] == 0.0;
-    bool outside = ray.origin[axis] < low[axis] || ray.origin[axis] > high[axis];
-    float near = parallel ? (outside ? kLargestFloat : -kLargestFloat) : min(t0[axis], t1[axis]);
-    float far = parallel ? (outside ? -kLargestFloat : kLargestFloat) : max(t0[axis], t1[axis]);
-    entry = max(entry, near);
-    exit = min(exit, far);
-  }
+  vec3 between = vec3(greaterThanEqual(ray.origin, low)) * vec3(lessThanEqual(ray.origin, high));
+  vec3 always = mix(vec3(kLargestFloat), vec3(-kLargestFloat), greaterThan(between, vec3(0.5)));
+  near = mix(min(t0, t1), always, parallel);
+  far = mix(max(t0, t1), -always, parallel);
 }
 
 float hitBox(Ray ray, vec3 low, vec3 high, bool leaving, bool inward) {
-  float entry, exit;
-  boxSlabs(ray, low, high, entry, exit);
+  vec3 near, far;
+  boxSlabs(ray, low, high, near, far);
+  float entry = largest(near);
+  float exit = min(far.x, min(far.y, far.z));
   if (entry > exit) return kNoHit;
   if (leaving) return inward ? positiveOrNone(exit) : kNoHit;
   return entry > 0.0 ? entry : positiveOrNone(exit);
@@ -175,32 +172,43 @@ vec3 coneNormal(vec3 position, vec3 base, float baseRadius, vec3 apex, float ape
   return unit(unit(across) - cone.slope * cone.axis);
 }
 
-// Outward normal of the face that the position is on; the position's coordinate there becomes exact.
-vec3 boxNormal(inout vec3 position, vec3 low, vec3 high) {
-  vec3 toLow = abs(position - low);
-  vec3 toHigh = abs(position - high);
-  vec3 nearest = min(toLow, toHigh);
-  int axis = nearest.x <= nearest.y && nearest.x <= nearest.z ? 0 : nearest.y <= nearest.z ? 1 : 2;
-  bool lower = toLow[axis] < toHigh[axis];
+// Outward normal of the face that the ray meets; the position's coordinate there becomes exact. The face follows from
+// the slabs and not from the position, which on a thin box may be nearer to the other side.
+vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool leaving, inout vec3 position) {
+  vec3 near, far;
+  boxSlabs(ray, low, high, near, far);
+  bool entering = !leaving && largest(near) > 0.0;
+  vec3 order = entering ? -near : far;
+  int axis = order.x <= order.y && order.x <= order.z ? 0 : order.y <= order.z ? 1 : 2;
+  bool lower = (ray.direction[axis] > 0.0) == entering;
   position[axis] = lower ? low[axis] : high[axis];
   vec3 normal = vec3(0.0);
   normal[axis] = lower ? -1.0 : 1.0;
   return normal;
 }
 
+// Scaled so that products of the edges neither overflow nor vanish.
+vec3 triangleNormal(vec3 edge1, vec3 edge2) {
+  float scale = 1.0 / max(largest(abs(edge1)), largest(abs(edge2)));
+  return unit(cross(edge1 * scale, edge2 * scale));
+}
+
 // Barycentric weights of p1 and p2 at a point in the triangle's plane.
 vec2 barycentrics(vec3 position, vec3 p0, vec3 p1, vec3 p2) {
-  vec3 normal = cross(p1 - p0, p2 - p0);
-  float scale = 1.0 / dot(normal, normal);
-  return vec2(dot(cross(position - p0, p2 - p0), normal), dot(cross(p1 - p0, position - p0), normal)) * scale;
+  float scale = 1.0 / max(largest(abs(p1 - p0)), largest(abs(p2 - p0)));
+  vec3 edge1 = (p1 - p0) * scale;
+  vec3 edge2 = (p2 - p0) * scale;
+  vec3 toPosition = (position - p0) * scale;
+  vec3 normal = cross(edge1, edge2);
+  return vec2(dot(cross(toPosition, edge2), normal), dot(cross(edge1, toPosition), normal)) / dot(normal, normal);
 }
 
 // Moves a point that lies on a flat primitive off it, to the side that `direction` goes to, by more than the rounding of
 // its coordinates (after Waechter and Binder, Ray Tracing Gems 6), so that neighbours in the same plane are not met.
 vec3 offsetAlong(vec3 position, vec3 normal, vec3 direction) {
-  vec3 magnitude = abs(position);
-  float distance = largest(magnitude) * (1.0 / 4194304.0);
-  return position + normal * (dot(normal, direction) < 0.0 ? -distance : distance);
+  float distance = largest(abs(position)) * (1.0 / 4194304.0);
+  precise vec3 moved = position + normal * (dot(normal, direction) < 0.0 ? -distance : distance);
+  return moved;
 }
 
 #endif

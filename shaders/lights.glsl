@@ -46,7 +46,7 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   float distanceSquared = dot(toPoint, toPoint);
   float distance = sqrt(distanceSquared);
   vec3 wi = toPoint / distance;
-  float cosine = -dot(unit(cross(edge1, edge2)), wi);
+  float cosine = -dot(triangleNormal(edge1, edge2), wi);
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
   return LightSample(wi, light.emission, distance, light.probability * distanceSquared / (light.area * abs(cosine)), false);
 }

@@ -5,6 +5,10 @@
 
 const float kPi = 3.14159265358979;
 const float kLargestFloat = 3.402823e38;
+const uint kNotANumber = 0x7fc00000u;
+
+// By bits: comparisons with NaN are not relied on.
+bool isFinite(float value) { return (floatBitsToUint(value) & 0x7f800000u) != 0x7f800000u; }
 
 // (cos x, sin x) for |x| <= pi/4: Taylor series, truncated below 2^-26.
 vec2 cosSin(float x) {
@@ -41,7 +45,6 @@ float expMinusOne(float y) {
 // The device's own normalize() may use an approximate root.
 vec3 unit(vec3 v) { return v * (1.0 / sqrt(dot(v, v))); }
 
-float lengthSquared(vec3 v) { return dot(v, v); }
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 

@@ -29,7 +29,7 @@ layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
-layout(constant_id = kSpecMultiLobe) const bool kHasMixtures = true;
+layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
 const uint kManyKinds = 7u;

@@ -16,18 +16,20 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 
 Path unpackPath(PathState state) {
   Path path;
-  path.ray = makeRay(state.originPdf.xyz, uintBitsToFloat(state.directionLeaving.xyz), state.directionLeaving.w);
-  path.pdf = state.originPdf.w;
-  path.throughput = state.throughput.xyz;
-  path.radiance = state.radiance.xyz;
-  path.depth = state.progress.x;
+  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
+                     state.directionLeaving.w);
+  path.pdf = uintBitsToFloat(state.originPdf.w);
+  path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
+  path.depth = state.throughputDepth.w;
+  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
   return path;
 }
 
-PathState packPath(Path path, uint sampleIndex, uint truncated, uvec4 counts) {
-  return PathState(vec4(path.ray.origin, path.pdf), uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
-                   vec4(path.throughput, 0.0), vec4(path.radiance, 0.0), uvec4(path.depth, sampleIndex, truncated, 0u),
-                   counts);
+PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
+  return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
+                   uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
+                   uvec4(floatBitsToUint(path.throughput), path.depth),
+                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }
 
 void record(uint pixelIndex, uint depth, Decisions decisions) {
@@ -42,7 +44,8 @@ void main() {
   uvec2 pixel = dispatch.region.xy + inRegion;
   uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
   PathState state = pathStates[pixelIndex];
-  uint sampleIndex = state.progress.y;
+  uint firstSample = state.radianceSample.w;
+  uint sampleIndex = firstSample;
   uint sampleEnd = dispatch.work.z;
   if (sampleIndex >= sampleEnd) return;
 
@@ -69,9 +72,9 @@ void main() {
   }
   uint truncated = work.truncated + (working ? 1u : 0u);
   film[pixelIndex] = sums;
-  pathStates[pixelIndex] = packPath(path, sampleIndex, truncated,
+  pathStates[pixelIndex] = packPath(path, sampleIndex,
                                     uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w + work.steps));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);
-  if (sampleIndex > state.progress.y) atomicAdd(counters.finishedSamples, sampleIndex - state.progress.y);
+  if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
   if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);
 }

@@ -32,7 +32,7 @@ struct RayCounts {
 
 void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   vec3 origin, direction;
-  cameraRay(constants, pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
+  cameraRay(pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
   path.ray = makeRay(origin, direction, kNoSlot);
   path.pdf = 0.0;
   path.throughput = vec3(1.0);
@@ -64,6 +64,8 @@ Shading shadingAt(Surface surface, vec3 wo) {
 
 // Emission found by the path itself, weighed against the chance that a light sample had found it.
 vec3 emissionFound(Path path, Surface surface, Material material, float t) {
+  bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
+  if (kOneSided && isKind(surface.kind, kKindTriangle) && fromBehind) return vec3(0.0);
   float weight = 1.0;
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
     weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
@@ -75,7 +77,7 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
 vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numbers, inout Work work,
                  inout RayCounts counts, out uint shadow) {
   shadow = kShadowNotTraced;
-  Light light = loadLight(chooseLight(numbers.x >> 8));
+  Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
@@ -103,6 +105,11 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
+  // What is not finite must not end a path in silence: the film counts it as a bad sample.
+  if (!isFinite(dot(path.throughput, direction))) {
+    path.radiance = vec3(uintBitsToFloat(kNotANumber));
+    return false;
+  }
   return above != transmitted && largest(path.throughput) > 0.0;
 }
 

@@ -80,8 +80,9 @@ void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
 
 void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
   vec2 weights = barycentrics(surface.position, p0, p1, p2);
-  surface.position = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
-  surface.outward = unit(cross(p1 - p0, p2 - p0));
+  precise vec3 onPlane = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
+  surface.position = onPlane;
+  surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
   surface.light = extra;
   if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.moreSections.x + extra, weights);
@@ -96,8 +97,10 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   vec4 row0 = uintBitsToFloat(bits0);
   vec4 row1 = uintBitsToFloat(bits1);
   vec4 row2 = uintBitsToFloat(bits2);
+  bool leaving = (ray.leaving & ~kLeavingInward) == slot;
+  precise vec3 position = ray.origin + t * ray.direction;
   Surface surface;
-  surface.position = ray.origin + t * ray.direction;
+  surface.position = position;
   surface.slot = slot;
   surface.kind = bits2.w;
   surface.index = bits1.w;
@@ -111,7 +114,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
     surface.flatSurface = false;
   }
   if (kHasBoxes && isKind(surface.kind, kKindBox)) {
-    surface.outward = boxNormal(surface.position, row0.xyz, row1.xyz);
+    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, leaving, surface.position);
   }
   if (kHasCones && isKind(surface.kind, kKindCone)) {
     surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);

@@ -89,7 +89,7 @@ Light loadLight(uint light) {
 }
 
 // The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
-uint chooseLight(uint k) {
+uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
   uint high = constants.limits.z - 1u;
   while (low < high) {
@@ -98,6 +98,7 @@ uint chooseLight(uint k) {
     low = right ? middle + 1u : low;
     high = right ? high : middle;
   }
+  truncated += low < high ? 1u : 0u;
   return low;
 }
 

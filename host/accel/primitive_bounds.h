@@ -26,7 +26,7 @@
 // cone after the origin was moved to the ray's closest point to the axis (to one point of the axis is not enough: long
 // thin cones then lose hits); a box by slabs; the triangle sheared to the ray (Woop et al., JCGT 2013). Signed volumes
 // of the ray with a triangle's edges are not quite. In both triangle tests a needle's distance errs by u length^2 /
-// width and more: needles need the clamp to their own box.
+// width and more: of the hits on needles about one in a million falls outside the box and depends on the structure.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -39,8 +39,8 @@ namespace candela {
 
 /// Share of the largest coordinate, of box or ray origin, by which boxes are widened.
 inline constexpr float kBoundsPad = 0x1p-19f;
-/// Largest coordinate of a box in magnitude, about 1.15e18: squares of distances stay finite in single precision.
-inline constexpr float kMaxCoordinate = 0x1p60f;
+/// Largest coordinate of a box in magnitude, about 1.1e12: products of three distances stay finite in single precision.
+inline constexpr float kMaxCoordinate = 0x1p40f;
 
 /// The padded box of one primitive, computed in double and rounded outward; none for a plane, which has no end.
 /// Throws FileError if it reaches beyond kMaxCoordinate.

@@ -13,6 +13,8 @@ namespace candela {
 namespace {
 
 constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
+constexpr std::uint64_t kReadChunk = 65536;                         // path states read back at a time
+constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30;  // what every device allocates in one piece
 
 std::uint64_t largestBytesPerPixel(const RenderSettings& settings) {
   const std::uint64_t path = std::max(sizeof(gpu::PathState), sizeof(gpu::FilmRows));
@@ -39,6 +41,15 @@ TileCursor cursorOver(Extent band, const RenderSettings& settings) {
   return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroup);
 }
 
+void addCounts(const gpu::PathState& state, RenderStatistics& statistics) {
+  const bool underWay = state.throughputDepth.w > 0;
+  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
+  statistics.bounceRays += state.counts.x;
+  statistics.shadowRays += state.counts.y;
+  statistics.vertices += state.counts.z;
+  statistics.traversalSteps += state.counts.w;
+}
+
 VertexRecord unpackRecord(const gpu::uvec2& packed) {
   return {.primitive = packed.x,
           .lobe = static_cast<Lobe>(packed.y & 255u),
@@ -50,10 +61,12 @@ VertexRecord unpackRecord(const gpu::uvec2& packed) {
 
 std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings) {
   const std::uint64_t rowBytes = largestBytesPerPixel(settings) * settings.size.width;
-  const std::uint64_t rows = (info.maxStorageBufferRange - sizeof(gpu::Counters)) / rowBytes;
+  // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
+  const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
+  const std::uint64_t rows = mostBytes <= sizeof(gpu::Counters) ? 0 : (mostBytes - sizeof(gpu::Counters)) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.size.width, rowBytes >> 10, info.name, info.maxStorageBufferRange >> 10));
+                                settings.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
   }
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
 }
@@ -137,14 +150,11 @@ bool Band::finish(const LoopBudget& budget, const RenderControl& control, Render
 }
 
 void Band::readCounts(RenderStatistics& statistics) {
-  std::vector<gpu::PathState> states(pixels());
-  states_.download(std::as_writable_bytes(std::span(states)));
-  for (const gpu::PathState& state : states) {
-    statistics.cameraRays += state.progress.y + (state.progress.x > 0 ? 1 : 0);
-    statistics.bounceRays += state.counts.x;
-    statistics.shadowRays += state.counts.y;
-    statistics.vertices += state.counts.z;
-    statistics.traversalSteps += state.counts.w;
+  std::vector<gpu::PathState> states(std::min<std::uint64_t>(pixels(), kReadChunk));
+  for (std::uint64_t first = 0; first < pixels(); first += states.size()) {
+    const std::span chunk(states.data(), std::min<std::uint64_t>(states.size(), pixels() - first));
+    states_.download(std::as_writable_bytes(chunk), first * sizeof(gpu::PathState));
+    for (const gpu::PathState& state : chunk) addCounts(state, statistics);
   }
 }
 

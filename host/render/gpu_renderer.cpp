@@ -54,11 +54,13 @@ void checkWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
 LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat) {
   if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
   if (flat.hierarchy) return {limit / 4, limit / (2 * std::max(1u, info.subgroupSize))};
-  const std::uint32_t segments = limit / (2 * flat.slotCount + 32);
+  constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations
+  const std::uint32_t half = limit / 2;
+  const std::uint32_t segments = half / (2 * flat.slotCount + kOtherTurns);
   if (segments > 0) return {segments, 0xffffffffu};
   throw FileError(fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
                               "use --accel bvh",
-                              flat.slotCount, info.name, limit, (limit - 32) / 2));
+                              flat.slotCount, info.name, limit, half > kOtherTurns ? (half - kOtherTurns) / 2 : 0));
 }
 
 class GpuRenderer : public Renderer {

@@ -19,13 +19,13 @@ namespace candela {
 struct RenderStatistics {
   std::string device;        ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
   std::string driver;        ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
-  std::string structure;     ///< "bvh" or "none", as in use
+  std::string structure;     ///< "bvh" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
   std::string kernel;        ///< "megakernel" or "reference"
   Extent workgroup{};        ///< in use; 0x0 for the reference
   Extent tile{};             ///< largest region of one dispatch
   std::uint32_t maxSegmentsPerDispatch = 0;
   std::uint32_t threads = 0; ///< of the reference
-  std::string sceneLoads;    ///< "texel", "storage" or "mixed"
+  std::string sceneLoads;    ///< "texel" or "storage"
 
   std::uint64_t samples = 0;         ///< pixel samples finished
   std::uint64_t cameraRays = 0;

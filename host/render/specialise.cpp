@@ -48,7 +48,7 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecTexels, texels},
           {gpu::kSpecRecord, settings.recordPaths},
           {gpu::kSpecStackSize, flat.stackSize},
-          {gpu::kSpecMultiLobe, has.mixtures},
+          {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
           {gpu::kSpecUniformSlots, flat.uniformSlots}};
 }

@@ -30,14 +30,13 @@ struct DispatchConstants {
   uvec4 work;     // first image row of the band, segments per lane, end of the sample range, loop turns per lane
 };
 
-// A path between two dispatches; one per pixel of the band, 80 bytes. All zero: no sample started.
+// A path between two dispatches; one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample started.
 struct PathState {
-  vec4 originPdf;            // ray origin, pdf of its direction (0: delta)
-  uvec4 directionLeaving;    // ray direction (float bits), leaving (slot | kLeavingInward, or kNoSlot)
-  vec4 throughput;           // rgb
-  vec4 radiance;             // rgb
-  uvec4 progress;            // depth of the ray (0: the sample has not begun), sample index, truncations, 0
-  uvec4 counts;              // bounce rays, shadow rays, vertices, traversal steps
+  uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
+  uvec4 directionLeaving;  // ray direction, leaving (slot | kLeavingInward, or kNoSlot)
+  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not begun)
+  uvec4 radianceSample;    // rgb, sample index
+  uvec4 counts;            // bounce rays, shadow rays, vertices, traversal steps; each wraps at 2^32
 };
 
 // Film, four rows a pixel: see FilmPixel in host/image/film.h.

@@ -29,7 +29,7 @@ CANDELA_CONST uint kSpecHierarchy = 21u;    // 0: brute force
 CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
-CANDELA_CONST uint kSpecMultiLobe = 25u;    // some material has more than one lobe
+CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
 CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
 

@@ -103,7 +103,7 @@ TEST_CASE("planes are kept apart, and boxes remember their primitives") {
 TEST_CASE("a primitive too far away to be traced is refused by name of its scene") {
   Scene scene;
   scene.name = "far.p3f";
-  scene.spheres = {{{0, 1e17f, 0}, 1}, {{0, 0, -1e18f}, 2e17f}};
+  scene.spheres = {{{0, 1e11f, 0}, 1}, {{0, 0, -1e12f}, 2e11f}};
   scene.primitives = {{PrimitiveKind::sphere, 0, 0}};
   CHECK_NOTHROW(boundPrimitives(scene));
   scene.primitives.push_back({PrimitiveKind::sphere, 1, 0});

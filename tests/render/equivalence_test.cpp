@@ -70,6 +70,23 @@ TEST_CASE("depth limit and roulette agree with the reference") {
   requireSamePixels(scene, settings);
 }
 
+TEST_CASE("rules that scenes seldom meet agree with the reference") {
+  const std::string view = "b 0.3 0.4 0.5\nv\nfrom 0.3 -6 2\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 8 8\n";
+  const std::string floor = "f 0.7 0.6 0.5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 -1 1 0 -1 0 1 -1\n";
+  const std::string object = GENERATE(
+      as<std::string>(), "s 0 0 0 -1\n",                                             // from inside only, camera outside
+      "f 0.9 0.9 0.9 0 0 0 0 0 1 1 1.5 0 0 0\nbox -1 -0.5 0 1 0.5 0\n",               // flat glass box
+      "f 0.9 0.9 0.9 1 0 0 0 0 1 0 1 0 0 0\nbox -1 -0.5 0.2 1 0.5 0.2000001\n",       // thin box, far away for its size
+      "f 0.5 0.5 0.5 0.5 1 1 1 0.2 20 0.3 1.4 3 2 1\np 3 -1 0 -0.5 0 1 1 1 0 -0.5\n",  // lamp that lets light through
+      "f 0.8 0.8 0.8 0 1 1 1 0.5 50 0.5 1.3 0 0 0\nc 0 0 -1 0.8 0 0 1 0.2\nl 3 -3 4 1 1 1\n");
+  const Scene scene = sceneFromText(view + floor + object);
+  RenderSettings settings = squareSettings(64, 1);
+  settings.nextEventEstimation = GENERATE(true, false);
+  settings.oneSided = GENERATE(false, true);
+  CAPTURE(object, settings.oneSided);
+  requireSamePixels(scene, settings);
+}
+
 TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
   const Scene scene = loadTestScene("smallpt.p3f");
   RenderSettings settings = squareSettings(96, 16);

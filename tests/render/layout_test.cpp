@@ -71,8 +71,8 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   CHECK(module.offsetsOf("DispatchConstants") ==
         Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
   CHECK(module.offsetsOf("PathState") ==
-        Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving), MEMBER(PathState, throughput),
-                MEMBER(PathState, radiance), MEMBER(PathState, progress), MEMBER(PathState, counts)});
+        Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving), MEMBER(PathState, throughputDepth),
+                MEMBER(PathState, radianceSample), MEMBER(PathState, counts)});
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
                                                 MEMBER(FilmRows, luminanceSquared)});
   CHECK(module.offsetsOf("Counters") ==
