@@ -4,6 +4,7 @@
 #define CANDELA_GEOMETRY_GLSL
 #include "math.glsl"
 #include "options.glsl"
+#include "shared/render_data.h"
 
 const float kNoHit = kLargestFloat;
 
@@ -34,6 +35,9 @@ Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
   if (kHasTriangles) shear = shearAlong(direction);
   return Ray(origin, direction, leaving, shear);
 }
+
+// Whether the ray starts on the primitive in this slot.
+bool leaves(Ray ray, uint slot) { return (ray.leaving & ~kLeavingInward) == slot; }
 
 float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 

@@ -69,7 +69,7 @@ LightSample sampleLight(Light light, Surface from, vec2 u) {
 float lightPdf(Ray ray, Surface emitter, float t) {
   Light light = loadLight(emitter.light - 1u);
   if (kHasSphereLights && light.kind == kLightSphere) {
-    bool leaving = (ray.leaving & ~kLeavingInward) == light.slot;
+    bool leaving = leaves(ray, light.slot);
     return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, leaving));
   }
   return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));

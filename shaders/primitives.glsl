@@ -43,8 +43,7 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
 
 PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3]) {
   uint kind = rows[2].w;
-  bool leaving = (ray.leaving & ~kLeavingInward) == slot;
-  float t = hitDistance(ray, rows, kind, leaving, (ray.leaving & kLeavingInward) != 0u);
+  float t = hitDistance(ray, rows, kind, leaves(ray, slot), (ray.leaving & kLeavingInward) != 0u);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
 }
@@ -97,7 +96,6 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   vec4 row0 = uintBitsToFloat(bits0);
   vec4 row1 = uintBitsToFloat(bits1);
   vec4 row2 = uintBitsToFloat(bits2);
-  bool leaving = (ray.leaving & ~kLeavingInward) == slot;
   precise vec3 position = ray.origin + t * ray.direction;
   Surface surface;
   surface.position = position;
@@ -114,7 +112,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
     surface.flatSurface = false;
   }
   if (kHasBoxes && isKind(surface.kind, kKindBox)) {
-    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, leaving, surface.position);
+    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, leaves(ray, slot), surface.position);
   }
   if (kHasCones && isKind(surface.kind, kKindCone)) {
     surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);

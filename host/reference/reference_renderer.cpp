@@ -1,12 +1,12 @@
 // Renders with the reference tracer: threads over tiles, one writer per pixel.
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <new>
 #include <thread>
 #include <vector>
 
 #include "host/core/errors.h"
+#include "host/core/stopwatch.h"
 #include "host/reference/path.h"
 #include "host/render/make_renderer.h"
 
@@ -17,15 +17,6 @@ using reference::Counters;
 using reference::PathTracer;
 
 constexpr Extent kDefaultTile{16, 16};
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 std::uint32_t threadCount(const RenderSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
@@ -161,18 +152,18 @@ class ReferenceRenderer final : public Renderer {
     statistics.kernel = "reference";
     statistics.threads = threadCount(settings);
 
-    const Stopwatch buildTime;
+    Stopwatch watch;
     const PathTracer tracer(scene, settings);
-    statistics.seconds["build"] = buildTime.seconds();
+    statistics.seconds["build"] = watch.lap();
     statistics.structure = tracer.tracing().hasHierarchy() ? "bvh" : "none";
     if (tracer.tracing().hasHierarchy()) {
       statistics.structureQuality["nodes"] = static_cast<double>(tracer.tracing().hierarchy().nodes.size());
     }
 
-    const Stopwatch traceTime;
+    watch.lap();
     Job job(tracer, settings, control, result);
     addCounters(job.run(statistics.threads), statistics);
-    statistics.seconds["trace"] = traceTime.seconds();
+    statistics.seconds["trace"] = watch.lap();
     statistics.tile = job.tile();
     result.interrupted = job.wasInterrupted();
     statistics.badSamples = badSampleCount(result.film);

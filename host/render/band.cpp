@@ -117,9 +117,9 @@ std::uint64_t Band::takeFinishedSamples() {
   return fresh;
 }
 
-double Band::warmUp(const LoopBudget& budget) {
+void Band::warmUp(const LoopBudget& budget) {
   const Extent corner{std::min(width_, settings_.workgroup.width), std::min(rows_.height, settings_.workgroup.height)};
-  return dispatch({0, 0, corner.width, corner.height}, 1, budget);
+  dispatch({0, 0, corner.width, corner.height}, 1, budget);
 }
 
 bool Band::finish(const LoopBudget& budget, const RenderControl& control, RenderStatistics& statistics,

@@ -35,8 +35,8 @@ class Band {
 
   /// Sets all paths and sums of the band to their beginning.
   void start(BandRows rows);
-  /// One tiny dispatch, in which drivers compile; returns its seconds.
-  double warmUp(const LoopBudget& budget);
+  /// One tiny dispatch, in which drivers compile.
+  void warmUp(const LoopBudget& budget);
   /// Dispatches until every sample of the band is done or `control` says stop; adds times to `statistics`, and tells
   /// `samplesFinished` of new samples as they come. True if all is done.
   bool finish(const LoopBudget& budget, const RenderControl& control, RenderStatistics& statistics,

@@ -1,15 +1,11 @@
 #include "host/render/flatten_sky.h"
 
-#include <cmath>
+#include "host/image/colour_transfer.h"
 
 namespace candela {
 namespace {
 
-// The sRGB transfer function's inverse (IEC 61966-2-1).
-double linearFromByte(std::uint32_t byte) {
-  const double encoded = byte / 255.0;
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
+double linearFromByte(std::uint32_t byte) { return srgbDecode(byte / 255.0); }
 
 void appendTable(Rows& rows) {
   for (std::uint32_t i = 0; i < 256; i += 4) {

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <vector>
 
 #include "host/core/errors.h"
+#include "host/core/stopwatch.h"
 #include "host/render/band.h"
 #include "host/render/flat_scene.h"
 #include "host/render/make_renderer.h"
@@ -17,20 +17,6 @@
 
 namespace candela {
 namespace {
-
-// Seconds since it was made or last asked.
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - last_;
-    last_ = now;
-    return passed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 vulkan::PipelineOptions pipelineOptions(const FlatScene& flat, const RenderSettings& settings, bool texels) {
   using enum vulkan::BindingKind;

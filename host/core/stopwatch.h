@@ -1,0 +1,21 @@
+// Times of phases by a steady clock.
+#pragma once
+#include <chrono>
+
+namespace candela {
+
+class Stopwatch {
+ public:
+  /// Seconds since it was made or last asked.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace candela
