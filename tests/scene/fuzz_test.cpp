@@ -1,8 +1,8 @@
 // No damage to a scene file crashes the reader: it loads or says what is wrong.
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <iterator>
 #include <random>
+#include <sstream>
 
 #include "tests/scene/scene_text.h"
 
@@ -11,7 +11,9 @@ namespace {
 
 std::string readText(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
 }
 
 /// The start of each scene file, so that a test takes well under a second.
