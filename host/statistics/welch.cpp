@@ -1,0 +1,49 @@
+#include "host/statistics/welch.h"
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace candela::statistics {
+
+namespace math = boost::math;
+
+Summary summarise(std::span<const double> values) {
+  Summary summary;
+  double squares = 0;  // of deviations from the mean so far (Welford 1962)
+  for (const double value : values) {
+    ++summary.count;
+    const double deviation = value - summary.mean;
+    summary.mean += deviation / static_cast<double>(summary.count);
+    squares += deviation * (value - summary.mean);
+  }
+  if (summary.count > 1) summary.variance = squares / static_cast<double>(summary.count - 1);
+  return summary;
+}
+
+WelchTest welch(const Summary& a, const Summary& b) {
+  WelchTest test;
+  test.difference = a.mean - b.mean;
+  const double errorA = a.squaredError();
+  const double errorB = b.squaredError();
+  test.standardError = std::sqrt(errorA + errorB);
+  if (test.standardError == 0) {
+    test.pValue = test.difference == 0 ? 1 : 0;
+    return test;
+  }
+  const double freedomA = errorA * errorA / static_cast<double>(a.count - 1);
+  const double freedomB = errorB * errorB / static_cast<double>(b.count - 1);
+  test.degreesOfFreedom = (errorA + errorB) * (errorA + errorB) / (freedomA + freedomB);
+  test.t = test.difference / test.standardError;
+  const math::students_t distribution(test.degreesOfFreedom);
+  test.pValue = 2 * math::cdf(math::complement(distribution, std::abs(test.t)));
+  return test;
+}
+
+double criticalT(double pValue, double degreesOfFreedom) {
+  return math::quantile(math::complement(math::students_t(degreesOfFreedom), pValue / 2));
+}
+
+double normalQuantile(double probability) { return math::quantile(math::normal(), probability); }
+
+}  // namespace candela::statistics

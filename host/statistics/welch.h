@@ -1,0 +1,33 @@
+// Welch's t-test: do two samples of unequal variance have the same mean?
+#pragma once
+#include <cstddef>
+#include <span>
+
+namespace candela::statistics {
+
+struct Summary {
+  std::size_t count = 0;
+  double mean = 0;
+  double variance = 0;  ///< unbiased; 0 for fewer than two values
+
+  /// Of the mean.
+  double squaredError() const { return count == 0 ? 0 : variance / static_cast<double>(count); }
+};
+Summary summarise(std::span<const double> values);
+
+struct WelchTest {
+  double difference = 0;        ///< mean of a - mean of b
+  double standardError = 0;     ///< of the difference
+  double degreesOfFreedom = 0;  ///< Welch and Satterthwaite's; 0 where neither sample varies
+  double t = 0;                 ///< difference / standardError; 0 where neither sample varies
+  double pValue = 1;            ///< two-sided; where neither sample varies 1 for equal means, else 0
+};
+/// Both samples have at least two values (Welch, Biometrika 34, 1947).
+WelchTest welch(const Summary& a, const Summary& b);
+
+/// The |t| that is exceeded with probability `pValue` in (0, 1] where both means are equal; `degreesOfFreedom` > 0.
+double criticalT(double pValue, double degreesOfFreedom);
+/// The z that a standard normal variable stays below with `probability` in (0, 1).
+double normalQuantile(double probability);
+
+}  // namespace candela::statistics
