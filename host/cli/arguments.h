@@ -9,10 +9,11 @@
 #include "host/core/log.h"
 #include "host/image/image.h"
 #include "host/render/settings.h"
+#include "host/verify/light_test.h"
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, verify = 16 };
 
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
@@ -36,6 +37,9 @@ struct Arguments {
   std::optional<double> tolerance;  ///< largest relMSE that passes
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
+
+  verify::LightTestOptions verification;
+  std::string junit;  ///< as `json`
 
   std::string json;  ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;

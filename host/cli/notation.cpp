@@ -20,6 +20,20 @@ Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest)
           [](const std::uint32_t& value) { return fmt::to_string(value); }};
 }
 
+Notation<double> share(std::string metavar, double lowest, double highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<double> {
+    const bool percent = word.ends_with('%');
+    const std::string_view digits = std::string_view(word).substr(0, word.size() - (percent ? 1 : 0));
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+    if (percent) value /= 100;
+    return value >= lowest && value <= highest ? std::optional(value) : std::nullopt;
+  };
+  return {std::move(metavar), fmt::format("a share from {} to {}, or the same in percent (0.5%)", lowest, highest), parse,
+          [](const double& value) { return fmt::to_string(value); }};
+}
+
 Notation<Extent> extent(std::string metavar, std::uint32_t highest) {
   const auto parse = [=](const std::string& word) -> std::optional<Extent> {
     const std::size_t cross = word.find('x');

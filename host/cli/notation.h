@@ -27,6 +27,8 @@ Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest)
 /// lowest to highest; infinities and NaN are refused.
 template <class Real>
 Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
+/// A share of one, as a number ("0.005") or in percent ("0.5%"), from `lowest` to `highest`.
+Notation<double> share(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
 Notation<Extent> extent(std::string metavar, std::uint32_t highest);
 /// Any text; an empty value, which can only be the default, prints as `empty`.

@@ -12,9 +12,10 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
 constexpr unsigned kCheck = static_cast<unsigned>(Command::check);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
-constexpr unsigned kTracing = kRender | kCompare;
+constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
+constexpr unsigned kTracing = kRender | kCompare | kVerify;
 constexpr unsigned kReadingScenes = kTracing | kCheck;
-constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare;
+constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare | kVerify;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
 constexpr std::uint32_t kMostSegments = 1u << 20;
@@ -97,7 +98,7 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
   return {
-    valued({"--spp", kTracing, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
+    valued({"--spp", kRender | kCompare, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
@@ -155,9 +156,9 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kTracing, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kTracing, kGroup, "brightness of the same; each stop doubles it"},
+    valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
   };
 }
@@ -169,6 +170,20 @@ std::vector<Option> comparisonOptions() {
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
     path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
     path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+  };
+}
+
+std::vector<Option> verificationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::verification;
+  return {
+    valued({"--alpha", kVerify, kGroup, "probability of a false alarm of the whole run"},
+           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
+    valued({"--bias", kVerify, kGroup, "difference of the image mean that must not stay unseen"},
+           share("SHARE", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--time-limit", kVerify, kGroup, "after it no further look at the images begins"},
+           orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
+    valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
   };
 }
 
@@ -193,7 +208,7 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), generalOptions()}) {
+                             comparisonOptions(), verificationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 
+#include "host/scene/exact_mean.h"
 #include "host/scene/hash.h"
 #include "host/scene/parser.h"
 #include "host/scene/scene_checks.h"
@@ -67,6 +68,7 @@ LoadedScene parseScene(const std::string& text, const std::string& name, const s
   }
   Parser parser(text, name, folder.empty() ? "." : folder, options);
   parseStatements(parser);
+  parser.scene.exactMean = findExactMean(text, parser.log);
   parser.log.throwIfErrors();
   checkScene(parser.scene, parser.log);
   parser.scene.name = std::filesystem::path(name).filename().string();

@@ -104,6 +104,12 @@ struct Sky {
   SkyFace faces[6];
 };
 
+/// What the image's mean is known to be, in a part of it: a comment "# exact-mean: r g b [x y width height]".
+struct ExactMean {
+  glm::vec3 rgb;
+  glm::vec4 area{0, 0, 1, 1};  ///< x, y, width, height in shares of the image, inside [0, 1]
+};
+
 struct Scene {
   std::string name;  ///< file name without folder, for reports
   std::optional<Camera> camera;
@@ -122,6 +128,7 @@ struct Scene {
 
   std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
   std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total
+  std::optional<ExactMean> exactMean;             ///< for paths of any length, next-event estimation or not
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };
 

@@ -1,5 +1,6 @@
 #include "host/statistics/welch.h"
 
+#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -21,22 +22,23 @@ Summary summarise(std::span<const double> values) {
   return summary;
 }
 
-WelchTest welch(const Summary& a, const Summary& b) {
+WelchTest welch(const Summary& a, const Summary& b, double margin) {
   WelchTest test;
   test.difference = a.mean - b.mean;
   const double errorA = a.squaredError();
   const double errorB = b.squaredError();
   test.standardError = std::sqrt(errorA + errorB);
+  const double excess = std::max(0.0, std::abs(test.difference) - margin);
   if (test.standardError == 0) {
-    test.pValue = test.difference == 0 ? 1 : 0;
+    test.pValue = excess == 0 ? 1 : 0;
     return test;
   }
   const double freedomA = errorA * errorA / static_cast<double>(a.count - 1);
   const double freedomB = errorB * errorB / static_cast<double>(b.count - 1);
   test.degreesOfFreedom = (errorA + errorB) * (errorA + errorB) / (freedomA + freedomB);
-  test.t = test.difference / test.standardError;
+  test.t = excess / test.standardError;
   const math::students_t distribution(test.degreesOfFreedom);
-  test.pValue = 2 * math::cdf(math::complement(distribution, std::abs(test.t)));
+  test.pValue = 2 * math::cdf(math::complement(distribution, test.t));
   return test;
 }
 

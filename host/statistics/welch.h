@@ -19,11 +19,12 @@ struct WelchTest {
   double difference = 0;        ///< mean of a - mean of b
   double standardError = 0;     ///< of the difference
   double degreesOfFreedom = 0;  ///< Welch and Satterthwaite's; 0 where neither sample varies
-  double t = 0;                 ///< difference / standardError; 0 where neither sample varies
-  double pValue = 1;            ///< two-sided; where neither sample varies 1 for equal means, else 0
+  double t = 0;                 ///< (|difference| - margin, at least 0) / standardError; 0 where neither sample varies
+  double pValue = 1;            ///< two-sided; where neither sample varies 1 for a difference within the margin, else 0
 };
-/// Both samples have at least two values (Welch, Biometrika 34, 1947).
-WelchTest welch(const Summary& a, const Summary& b);
+/// Tests whether the means differ by more than `margin` >= 0. Both samples have at least two values (Welch,
+/// Biometrika 34, 1947).
+WelchTest welch(const Summary& a, const Summary& b, double margin = 0);
 
 /// The |t| that is exceeded with probability `pValue` in (0, 1] where both means are equal; `degreesOfFreedom` > 0.
 double criticalT(double pValue, double degreesOfFreedom);

@@ -1,0 +1,37 @@
+// `candela verify`: the verdict on a device.
+#include "host/verify/verify.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_job.h"
+#include "host/cli/text_output.h"
+#include "host/core/interrupt.h"
+#include "host/render/make_renderer.h"
+
+namespace candela::cli {
+
+ExitCode runVerify(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") {
+    throw UsageError("--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
+  }
+  requireWritableReport(arguments.json);
+  requireWritableReport(arguments.junit);
+  const RenderJob job = loadJob(arguments, log);
+  const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
+  RenderControl control;
+  control.stop = &watchInterrupts();
+  const verify::VerifyReport report =
+      verify::verifyScene(job.scene, job.settings, *device, *reference, arguments.verification, control);
+  if (arguments.wantsText() && arguments.junit != "-") std::cout << toText(report) << std::flush;
+  writeText(arguments.junit, toJunit(report));
+  writeJson(arguments.json, toJson(report));
+  if (report.interrupted) return ExitCode::interrupted;
+  return report.agree() ? ExitCode::done : ExitCode::differ;
+}
+
+}  // namespace candela::cli

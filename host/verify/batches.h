@@ -1,0 +1,51 @@
+// One side's batches: independent renders of one scene, of which only the means over regions are kept.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/render/renderer.h"
+#include "host/verify/regions.h"
+
+namespace candela::verify {
+
+inline constexpr std::uint32_t kBatchCount = 32;
+
+enum class Side : std::uint32_t { device = 0, reference = 1 };
+
+/// A seed of its own for every side, batch and look of a run; by SplitMix64's finaliser (Steele et al., OOPSLA 2014).
+std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, std::uint32_t look);
+
+class Batches {
+ public:
+  /// What is referred to must outlive the object.
+  Batches(Side side, Renderer& renderer, const Scene& scene, const RenderSettings& settings,
+          std::span<const Region> regions);
+
+  /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and of
+  /// no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
+  bool render(std::uint32_t samples, std::uint32_t look, const RenderControl& control);
+
+  /// Samples per pixel of each batch so far.
+  std::uint64_t samples() const { return samples_; }
+  /// The batches' means of one region.
+  std::array<double, kBatchCount> means(std::size_t region) const;
+  /// Of the last render.
+  const RenderStatistics& statistics() const { return statistics_; }
+  std::uint64_t badSamples() const { return badSamples_; }
+
+ private:
+  Side side_;
+  Renderer& renderer_;
+  const Scene& scene_;
+  RenderSettings settings_;
+  std::uint32_t runSeed_;
+  std::span<const Region> regions_;
+  std::uint64_t samples_ = 0;
+  std::uint64_t badSamples_ = 0;
+  std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
+  RenderStatistics statistics_;
+};
+
+}  // namespace candela::verify

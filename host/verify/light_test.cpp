@@ -1,0 +1,160 @@
+#include "host/verify/light_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/core/stopwatch.h"
+#include "host/render/agreement.h"
+#include "host/statistics/error_rates.h"
+
+namespace candela::verify {
+namespace {
+
+using statistics::summarise;
+using statistics::welch;
+
+constexpr std::uint32_t kFirstSamples = 1;  // per pixel and batch
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 24;  // per pixel and batch
+
+RegionResult compareRegion(const Region& region, const std::array<double, kBatchCount>& device,
+                           const std::array<double, kBatchCount>& reference, double level) {
+  const statistics::Summary a = summarise(device);
+  const statistics::Summary b = summarise(reference);
+  const double rounding = kRelativeTolerance * std::abs(b.mean) + kAbsoluteTolerance;
+  RegionResult result{region, a.mean, b.mean, welch(a, b, rounding), 0, false};
+  result.differs = result.test.pValue < level;
+  if (result.test.standardError == 0 || b.mean == 0) return result;
+  const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
+  result.detectableBias =
+      (critical + statistics::normalQuantile(kPower)) * result.test.standardError / std::abs(b.mean);
+  return result;
+}
+
+std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {
+  if (watched) regions.push_back(*watched);
+  return regions;
+}
+
+class LightTest {
+ public:
+  LightTest(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
+            const LightTestOptions& options, const RenderControl& control)
+      : options_(options),
+        control_(control),
+        regions_(withWatched(regionsOf(settings.size), options.watched)),
+        testCount_(regions_.size() - (options.watched ? 1 : 0)),
+        device_(Side::device, device, scene, settings, regions_),
+        reference_(Side::reference, reference, scene, settings, regions_) {}
+
+  LightTestResult run() {
+    std::uint64_t samples = kFirstSamples;
+    for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
+      if (!renderTo(samples, look)) return interrupted();
+      takeLook(look);
+      if (result_.information == 1 || result_.differs()) break;
+      result_.outOfTime = isOutOfTime();
+      if (result_.outOfTime || look + 1 == kMaxLooks) break;
+      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMostSamples);
+    }
+    return finished();
+  }
+
+ private:
+  bool isOutOfTime() {
+    elapsed_ += watch_.lap();
+    return options_.timeLimit && elapsed_ >= *options_.timeLimit;
+  }
+
+  bool renderTo(std::uint64_t samples, std::uint32_t look) {
+    const auto more = static_cast<std::uint32_t>(samples - device_.samples());
+    return device_.render(more, look, control_) && reference_.render(more, look, control_);
+  }
+
+  // The plan is for a test at the level of a single look, which is close to that of the last.
+  double informationNow() const {
+    const double level = statistics::sidakLevel(options_.alpha, testCount_);
+    const RegionResult image = compareRegion(regions_.front(), device_.means(0), reference_.means(0), level);
+    if (image.test.standardError == 0 || image.referenceMean == 0) return 1;
+    return informationShare(image.test.standardError, options_.bias * std::abs(image.referenceMean),
+                            statistics::criticalT(level, image.test.degreesOfFreedom));
+  }
+
+  void takeLook(std::uint32_t look) {
+    result_.information = std::max(result_.information, informationNow());
+    const bool last = look + 1 == kMaxLooks;
+    const double spent = statistics::spentAlpha(options_.alpha, last ? 1 : result_.information);
+    if (spent > spent_) compareAll(statistics::sidakLevel(spent - spent_, testCount_));
+    spent_ = std::max(spent_, spent);
+    result_.looks = look + 1;
+  }
+
+  void compareAll(double level) {
+    result_.level = level;
+    result_.regions.clear();
+    for (std::size_t i = 0; i < testCount_; ++i) {
+      result_.regions.push_back(compareRegion(regions_[i], device_.means(i), reference_.means(i), level));
+    }
+  }
+
+  LightTestResult finished() {
+    result_.samplesPerPixel = device_.samples() * kBatchCount;
+    result_.badSamples = device_.badSamples() + reference_.badSamples();
+    result_.deviceStatistics = device_.statistics();
+    if (options_.watched && result_.samplesPerPixel > 0) {
+      result_.watchedDevice = summarise(device_.means(testCount_));
+      result_.watchedReference = summarise(reference_.means(testCount_));
+    }
+    return std::move(result_);
+  }
+
+  LightTestResult interrupted() {
+    result_.interrupted = true;
+    return finished();
+  }
+
+  const LightTestOptions& options_;
+  const RenderControl& control_;
+  std::vector<Region> regions_;  ///< those tested, then the one watched
+  std::size_t testCount_;
+  Batches device_;
+  Batches reference_;
+  Stopwatch watch_;
+  double elapsed_ = 0;
+  double spent_ = 0;  ///< of alpha
+  LightTestResult result_;
+};
+
+}  // namespace
+
+double informationShare(double standardError, double bias, double criticalT) {
+  if (standardError == 0) return 1;
+  const double ratio = bias / ((criticalT + statistics::normalQuantile(kPower)) * standardError);
+  return std::min(1.0, ratio * ratio);
+}
+
+std::uint64_t nextSamples(std::uint64_t samples, double information, std::uint32_t looksLeft) {
+  constexpr double kReserve = 1.1;  // one look less in most runs, for a tenth more samples
+  const double needed = kReserve / information;
+  const double evenly = std::pow(needed, 1.0 / looksLeft);
+  const double growth = std::min(needed, std::max(2.0, evenly));
+  return std::max(samples + 1, static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * growth)));
+}
+
+bool LightTestResult::differs() const {
+  return std::any_of(regions.begin(), regions.end(), [](const RegionResult& result) { return result.differs; });
+}
+
+const RegionResult& LightTestResult::mostSignificant() const {
+  if (image().differs) return image();
+  const auto least = std::min_element(regions.begin(), regions.end(), [](const RegionResult& a, const RegionResult& b) {
+    return a.test.pValue < b.test.pValue;
+  });
+  return least->differs ? *least : image();
+}
+
+LightTestResult testLight(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
+                          const LightTestOptions& options, const RenderControl& control) {
+  return LightTest(scene, settings, device, reference, options, control).run();
+}
+
+}  // namespace candela::verify

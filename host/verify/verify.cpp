@@ -1,0 +1,77 @@
+#include "host/verify/verify.h"
+
+#include <cmath>
+
+#include "host/core/stopwatch.h"
+#include "host/statistics/error_rates.h"
+
+namespace candela::verify {
+namespace {
+
+using statistics::Summary;
+
+// At least one pixel, in the middle of the area.
+Region regionOf(const ExactMean& exact, const Extent& image) {
+  const auto first = [](float share, std::uint32_t size) {
+    return std::min(static_cast<std::uint32_t>(std::floor(share * static_cast<float>(size))), size - 1);
+  };
+  const auto count = [](float share, std::uint32_t size) {
+    return std::max(1u, static_cast<std::uint32_t>(std::lround(share * static_cast<float>(size))));
+  };
+  Region region{first(exact.area.x, image.width), first(exact.area.y, image.height), 0, 0, 0,
+                Region::Quantity::luminance};
+  region.width = std::min(count(exact.area.z, image.width), image.width - region.x);
+  region.height = std::min(count(exact.area.w, image.height), image.height - region.y);
+  return region;
+}
+
+double pValueAgainst(const Summary& measured, double expected) {
+  const Summary exact{kBatchCount, expected, 0};
+  return statistics::welch(measured, exact, kRelativeTolerance * expected + kAbsoluteTolerance).pValue;
+}
+
+ExactTest testExact(const ExactMean& exact, const LightTestResult& light, double alpha) {
+  ExactTest test;
+  test.expected = luminance(glm::dvec3(exact.rgb));
+  test.device = light.watchedDevice.mean;
+  test.reference = light.watchedReference.mean;
+  test.devicePValue = pValueAgainst(light.watchedDevice, test.expected);
+  test.referencePValue = pValueAgainst(light.watchedReference, test.expected);
+  test.level = statistics::sidakLevel(alpha, 2);
+  return test;
+}
+
+PixelAgreement comparePaths(const Scene& scene, RenderSettings settings, Renderer& device, Renderer& reference,
+                            const RenderControl& control, bool& interrupted) {
+  settings.sampleCount = 1;
+  settings.recordPaths = true;
+  const RenderResult a = device.render(scene, settings, control);
+  if (a.interrupted) return interrupted = true, PixelAgreement{};
+  const RenderResult b = reference.render(scene, settings, control);
+  if (b.interrupted) return interrupted = true, PixelAgreement{};
+  return comparePixels(a, b);
+}
+
+}  // namespace
+
+VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
+                         const LightTestOptions& options, const RenderControl& control) {
+  Stopwatch watch;
+  VerifyReport report;
+  report.scene = scene.name;
+  report.options = options;
+  report.paths = comparePaths(scene, settings, device, reference, control, report.interrupted);
+  if (report.interrupted) return report;
+
+  // A stated answer is a test of its own: the run's false alarms are shared evenly.
+  LightTestOptions own = options;
+  own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
+  if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.size);
+  report.light = testLight(scene, settings, device, reference, own, control);
+  report.interrupted = report.light.interrupted;
+  if (scene.exactMean && !report.interrupted) report.exact = testExact(*scene.exactMean, report.light, own.alpha);
+  report.seconds = watch.lap();
+  return report;
+}
+
+}  // namespace candela::verify

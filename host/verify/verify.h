@@ -1,0 +1,47 @@
+// The verdict: do device and reference compute the same light, and is it the right one?
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "host/render/agreement.h"
+#include "host/verify/light_test.h"
+
+namespace candela::verify {
+
+/// Both sides against what the scene states of itself.
+struct ExactTest {
+  double expected = 0;        ///< luminance of the stated mean
+  double device = 0;
+  double reference = 0;
+  double devicePValue = 1;
+  double referencePValue = 1;
+  double level = 0;
+  bool isMet() const { return devicePValue >= level && referencePValue >= level; }
+};
+
+struct VerifyReport {
+  std::string scene;
+  LightTestOptions options;
+  PixelAgreement paths;           ///< 1: same numbers, same paths?
+  LightTestResult light;          ///< 2: same light?
+  std::optional<ExactTest> exact; ///< 3: right light? Only for scenes that state their answer
+  double seconds = 0;
+  bool interrupted = false;
+
+  bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
+  /// One sentence that says what was found, and how sure that is.
+  std::string verdict() const;
+};
+
+/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.sampleCount` is not
+/// used. Throws as testLight does.
+VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
+                         const LightTestOptions& options, const RenderControl& control);
+
+std::string toText(const VerifyReport& report);
+nlohmann::ordered_json toJson(const VerifyReport& report);
+/// A test suite of three cases, as continuous integration servers read it.
+std::string toJunit(const VerifyReport& report);
+
+}  // namespace candela::verify

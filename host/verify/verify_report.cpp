@@ -1,0 +1,211 @@
+// The verdict for people, for programs and for continuous integration servers.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host/core/version.h"
+#include "host/verify/verify.h"
+
+namespace candela::verify {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<const char*, 4> kQuantityNames{"luminance", "red", "green", "blue"};
+
+std::string regionText(const Region& region) {
+  const char* quantity = kQuantityNames[static_cast<std::size_t>(region.quantity)];
+  if (region.tileSize == 0) return fmt::format("image mean ({})", quantity);
+  return fmt::format("tile {}x{} at {},{}", region.tileSize, region.tileSize, region.x, region.y);
+}
+
+// Signed, of the reference's mean; the whole difference where that is black.
+double relativeDifference(const RegionResult& result) {
+  return result.referenceMean == 0 ? result.test.difference : result.test.difference / std::abs(result.referenceMean);
+}
+
+std::string differenceText(const RegionResult& result) {
+  const double relative = relativeDifference(result);
+  const double error = result.referenceMean == 0 ? result.test.standardError
+                                                 : result.test.standardError / std::abs(result.referenceMean);
+  return fmt::format("{}: {:.6g} against {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
+                     regionText(result.region), result.deviceMean, result.referenceMean, 100 * relative, 100 * error,
+                     result.test.pValue);
+}
+
+std::size_t differingTiles(const LightTestResult& light) {
+  std::size_t count = 0;
+  for (const RegionResult& result : light.regions) count += result.differs && result.region.tileSize > 0 ? 1 : 0;
+  return count;
+}
+
+std::string pathsText(const VerifyReport& report) {
+  const PixelAgreement& paths = report.paths;
+  std::string text = fmt::format(
+      "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit ones (at least {} %)\n",
+      paths.agree() ? "yes" : "NO", 100 * paths.share(), paths.pixels, 100 * kRequiredShare, 100 * paths.litShare(),
+      paths.lit, 100 * kRequiredLitShare);
+  text += "                             first difference of the others:";
+  for (std::size_t i = 0; i < paths.causes.size(); ++i) text += fmt::format(" {} {}", kCauseNames[i], paths.causes[i]);
+  if (paths.worst > 0) text += fmt::format("; largest {:.6g} at {},{}", paths.worst, paths.worstX, paths.worstY);
+  return text + "\n";
+}
+
+std::string lightText(const VerifyReport& report) {
+  const LightTestResult& light = report.light;
+  std::string text = fmt::format("2 Same light?                {}: {} samples per pixel a side, {} look{}, {} tests at p < {:.1e}\n",
+                                 light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks,
+                                 light.looks == 1 ? "" : "s", light.regions.size(), light.level);
+  text += fmt::format("                             {}\n", differenceText(light.image()));
+  const RegionResult& most = light.mostSignificant();
+  if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
+  if (const std::size_t tiles = differingTiles(light)) text += fmt::format("                             {} tiles differ\n", tiles);
+  if (light.badSamples > 0) text += fmt::format("                             {} bad samples\n", light.badSamples);
+  return text;
+}
+
+std::string exactText(const VerifyReport& report) {
+  if (!report.exact) return "3 Right light?               the scene does not state its answer\n";
+  const ExactTest& exact = *report.exact;
+  return fmt::format("3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
+                     exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
+                     exact.referencePValue);
+}
+
+std::string differenceVerdict(const VerifyReport& report) {
+  if (report.light.differs()) {
+    const RegionResult& most = report.light.mostSignificant();
+    return fmt::format("Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device, which chance "
+                       "alone would give once in {:.1e} runs.",
+                       regionText(most.region), 100 * std::abs(relativeDifference(most)),
+                       most.test.difference > 0 ? "brighter" : "darker",
+                       most.test.pValue > 0 ? 1 / most.test.pValue : HUGE_VAL);
+  }
+  if (!report.paths.agree()) {
+    return "Device and reference compute the same light as far as was seen, but NOT by the same paths: equal random numbers "
+           "should give equal pixels.";
+  }
+  return "Device and reference agree with each other, but NOT with the answer that the scene states.";
+}
+
+ordered_json regionJson(const RegionResult& result) {
+  return {{"x", result.region.x},
+          {"y", result.region.y},
+          {"width", result.region.width},
+          {"height", result.region.height},
+          {"tileSize", result.region.tileSize},
+          {"quantity", kQuantityNames[static_cast<std::size_t>(result.region.quantity)]},
+          {"device", result.deviceMean},
+          {"reference", result.referenceMean},
+          {"difference", result.test.difference},
+          {"standardError", result.test.standardError},
+          {"degreesOfFreedom", result.test.degreesOfFreedom},
+          {"t", result.test.t},
+          {"pValue", result.test.pValue},
+          {"detectableBias", result.detectableBias},
+          {"differs", result.differs}};
+}
+
+ordered_json pathsJson(const PixelAgreement& paths) {
+  ordered_json causes;
+  for (std::size_t i = 0; i < paths.causes.size(); ++i) causes[kCauseNames[i]] = paths.causes[i];
+  return {{"agree", paths.agree()},   {"pixels", paths.pixels},     {"share", paths.share()},
+          {"lit", paths.lit},         {"litShare", paths.litShare()}, {"causes", causes},
+          {"worst", {{"difference", paths.worst}, {"x", paths.worstX}, {"y", paths.worstY}}}};
+}
+
+ordered_json lightJson(const LightTestResult& light) {
+  ordered_json json{{"differs", light.differs()},
+                    {"batches", kBatchCount},
+                    {"samplesPerPixel", light.samplesPerPixel},
+                    {"information", light.information},
+                    {"looks", light.looks},
+                    {"level", light.level},
+                    {"outOfTime", light.outOfTime},
+                    {"badSamples", light.badSamples}};
+  for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result));
+  return json;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char character : text) {
+    switch (character) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
+    }
+  }
+  return out;
+}
+
+std::string junitCase(const std::string& name, bool passed, const std::string& text) {
+  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"", escaped(name));
+  if (passed) return head + "/>\n";
+  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, escaped(text));
+}
+
+}  // namespace
+
+std::string VerifyReport::verdict() const {
+  if (interrupted) return "Interrupted: there is no verdict.";
+  if (!agree()) return differenceVerdict(*this);
+  const double seen = std::max(light.image().detectableBias, kRelativeTolerance);
+  const std::string limit = light.information < 1 ? " (the run ended before the bias that was asked for could be seen)" : "";
+  return fmt::format("Device and reference compute the same light{}: a difference of {:.2g} % of the image mean would have been "
+                     "seen with {:.0f} % probability{}.",
+                     exact ? ", and it is the stated answer" : "", 100 * seen, 100 * kPower, limit);
+}
+
+std::string toText(const VerifyReport& report) {
+  std::string text = fmt::format("{}: {} against the reference\n", report.scene, report.light.deviceStatistics.device);
+  if (!report.interrupted) text += pathsText(report) + lightText(report) + exactText(report);
+  return text + report.verdict() + "\n";
+}
+
+ordered_json toJson(const VerifyReport& report) {
+  ordered_json json;
+  json["schema"] = "candela-verify/1";
+  json["version"] = versionText();
+  json["scene"] = report.scene;
+  json["device"] = report.light.deviceStatistics.device;
+  json["driver"] = report.light.deviceStatistics.driver;
+  json["agree"] = report.agree();
+  json["interrupted"] = report.interrupted;
+  json["verdict"] = report.verdict();
+  json["alpha"] = report.options.alpha;
+  json["bias"] = report.options.bias;
+  json["seconds"] = report.seconds;
+  if (report.interrupted) return json;
+  json["samePaths"] = pathsJson(report.paths);
+  json["sameLight"] = lightJson(report.light);
+  if (report.exact) {
+    json["rightLight"] = {{"met", report.exact->isMet()},
+                          {"expected", report.exact->expected},
+                          {"device", report.exact->device},
+                          {"reference", report.exact->reference},
+                          {"devicePValue", report.exact->devicePValue},
+                          {"referencePValue", report.exact->referencePValue},
+                          {"level", report.exact->level}};
+  }
+  return json;
+}
+
+std::string toJunit(const VerifyReport& report) {
+  const bool light = !report.interrupted && !report.light.differs();
+  const bool right = !report.exact || report.exact->isMet();
+  const int failures = (report.paths.agree() ? 0 : 1) + (light ? 0 : 1) + (right ? 0 : 1);
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format("<testsuite name=\"candela verify {}\" tests=\"{}\" failures=\"{}\" time=\"{:.3f}\">\n",
+                     escaped(report.scene), report.exact ? 3 : 2, failures, report.seconds);
+  xml += junitCase("same numbers, same paths", report.paths.agree(), report.interrupted ? report.verdict() : pathsText(report));
+  xml += junitCase("same light", light, report.verdict());
+  if (report.exact) xml += junitCase("right light", right, exactText(report));
+  return xml + "</testsuite>\n";
+}
+
+}  // namespace candela::verify

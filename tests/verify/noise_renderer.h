@@ -1,0 +1,43 @@
+// A renderer whose images are known: a ramp, plus normal noise that falls with the number of samples.
+#pragma once
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "host/render/renderer.h"
+
+namespace candela::verify {
+
+struct NoiseOptions {
+  double deviation = 0.5;  ///< of one sample, relative to the pixel's mean
+  /// Factor of the pixel x, y.
+  std::function<double(std::uint32_t, std::uint32_t)> factor = [](std::uint32_t, std::uint32_t) { return 1.0; };
+};
+
+class NoiseRenderer final : public Renderer {
+ public:
+  explicit NoiseRenderer(NoiseOptions options = {}) : options_(std::move(options)) {}
+
+  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+    RenderResult result;
+    result.film = Film(settings.size.width, settings.size.height);
+    result.interrupted = control.stop != nullptr && *control.stop;
+    std::mt19937 random(settings.seed);
+    std::normal_distribution<double> noise(0, options_.deviation / std::sqrt(double{1} * settings.sampleCount));
+    for (std::uint32_t y = 0; y < settings.size.height; ++y) {
+      for (std::uint32_t x = 0; x < settings.size.width; ++x) {
+        const double mean = (1 + 0.1 * x) * options_.factor(x, y);
+        result.film.addSample(x, y, glm::dvec3(mean * std::max(0.0, 1 + noise(random))), 0);
+      }
+    }
+    samples += settings.sampleCount;
+    return result;
+  }
+
+  std::uint64_t samples = 0;  ///< per pixel, of all renders so far
+
+ private:
+  NoiseOptions options_;
+};
+
+}  // namespace candela::verify

@@ -1,0 +1,59 @@
+// What the verdict says, and where.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/verify/verify.h"
+#include "tests/verify/noise_renderer.h"
+
+namespace candela::verify {
+namespace {
+
+using Catch::Contains;
+
+// Paths are not compared here: noise has none.
+VerifyReport reportOf(double deviceFactor, std::optional<ExactMean> exact = std::nullopt) {
+  const NoiseOptions options{.deviation = 0.5, .factor = [=](std::uint32_t, std::uint32_t) { return deviceFactor; }};
+  NoiseRenderer a(options), b;
+  Scene scene;
+  scene.name = "a<b>.p3f";
+  RenderSettings settings;
+  settings.size = {16, 16};
+  VerifyReport report;
+  report.scene = scene.name;
+  report.light = testLight(scene, settings, a, b, report.options, {});
+  report.paths.pixels = report.paths.equal = 256;
+  if (exact) report.exact = ExactTest{.expected = 1, .device = 2, .reference = 2, .devicePValue = 0, .level = 5e-5};
+  return report;
+}
+
+TEST_CASE("agreement says how large a difference would have been seen") {
+  const VerifyReport report = reportOf(1);
+  CHECK(report.agree());
+  CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
+  CHECK(toJson(report)["agree"] == true);
+  CHECK(toJson(report)["schema"] == "candela-verify/1");
+  CHECK_THAT(toText(report), Contains("the scene does not state its answer"));
+}
+
+TEST_CASE("a difference is named with its place, its size and its sign") {
+  const VerifyReport report = reportOf(0.98);
+  CHECK_FALSE(report.agree());
+  CHECK_THAT(report.verdict(), Contains("do NOT compute the same light") && Contains("image mean") && Contains("darker"));
+  CHECK(toJson(report)["sameLight"]["differs"] == true);
+}
+
+TEST_CASE("two sides that agree on a wrong answer fail") {
+  const VerifyReport report = reportOf(1, ExactMean{});
+  CHECK_FALSE(report.agree());
+  CHECK_THAT(report.verdict(), Contains("NOT with the answer that the scene states"));
+  CHECK(toJson(report)["rightLight"]["met"] == false);
+}
+
+TEST_CASE("JUnit has a case for each question, failures among them, and is well-formed whatever a scene is called") {
+  CHECK_THAT(toJunit(reportOf(1)), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
+  const std::string failed = toJunit(reportOf(0.98, ExactMean{}));
+  CHECK_THAT(failed, Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
+}
+
+}  // namespace
+}  // namespace candela::verify
