@@ -12,7 +12,7 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, bench = 16 };
 
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
@@ -36,6 +36,9 @@ struct Arguments {
   std::optional<double> tolerance;  ///< largest relMSE that passes
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
+
+  std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
+  std::string markdown;       ///< as `json`
 
   std::string json;  ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;

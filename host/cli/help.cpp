@@ -26,6 +26,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
     GroupTitle{OptionGroup::execution, "How it is computed (no setting but the device changes a bit of the image)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
+    GroupTitle{OptionGroup::benchmark, "Benchmarks"},
     GroupTitle{OptionGroup::general, "General"},
 };
 

@@ -12,15 +12,17 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
 constexpr unsigned kCheck = static_cast<unsigned>(Command::check);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
-constexpr unsigned kTracing = kRender | kCompare;
+constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
+constexpr unsigned kTracing = kRender | kCompare | kBench;
 constexpr unsigned kReadingScenes = kTracing | kCheck;
-constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare;
+constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare | kBench;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
 constexpr std::uint32_t kMostSegments = 1u << 20;
 constexpr std::uint32_t kLargestSide = 65535;
 constexpr std::uint32_t kLargestWorkgroupSide = 1024;
 constexpr std::uint32_t kMostThreads = 1024;
+constexpr std::uint32_t kMostRepeats = 1000;
 
 const Arguments kDefaults;
 
@@ -137,7 +139,7 @@ std::vector<Option> executionOptions() {
   return {
     valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
-    valued({"--accel", kTracing, kGroup, "search structure; absent, the file's `accel` goes before the default"},
+    valued({"--accel", kRender | kCompare, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<AccelKind>({{"bvh", AccelKind::bvh}, {"none", AccelKind::none}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
     valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup"},
            extent("XxY", kLargestWorkgroupSide), [](auto& a) -> auto& { return a.settings.workgroup; }),
@@ -155,9 +157,9 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kTracing, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kTracing, kGroup, "brightness of the same; each stop doubles it"},
+    valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
   };
 }
@@ -169,6 +171,16 @@ std::vector<Option> comparisonOptions() {
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
     path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
     path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+  };
+}
+
+std::vector<Option> benchmarkOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::benchmark;
+  return {
+    valued({"--repeat", kBench, kGroup, "runs of each variant, in turn; the median counts"},
+           wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
+    valued({"--markdown", kBench, kGroup, "write the table as Markdown; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
   };
 }
 
@@ -193,7 +205,7 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), generalOptions()}) {
+                             comparisonOptions(), benchmarkOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -9,7 +9,7 @@
 
 namespace candela::cli {
 
-enum class OptionGroup { image, sceneFile, execution, output, comparison, general };
+enum class OptionGroup { image, sceneFile, execution, output, comparison, benchmark, general };
 
 struct Option {
   std::string names;  ///< e.g. "-t,--threads"

@@ -95,7 +95,6 @@ std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); 
 
 ordered_json toJson(const RenderReport& report) {
   const RenderStatistics& statistics = report.result.statistics;
-  const std::uint64_t rays = statistics.cameraRays + statistics.bounceRays + statistics.shadowRays;
   const ordered_json seconds = secondsJson(report);
   const double traceSeconds = seconds["trace"];
   ordered_json json;
@@ -120,11 +119,11 @@ ordered_json toJson(const RenderReport& report) {
   json["rays"] = {{"camera", statistics.cameraRays},
                   {"bounce", statistics.bounceRays},
                   {"shadow", statistics.shadowRays},
-                  {"total", rays}};
+                  {"total", statistics.rays()}};
   json["traversalSteps"] = statistics.traversalSteps;
   json["verticesPerSample"] = ratio(static_cast<double>(statistics.vertices), static_cast<double>(statistics.samples));
   json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
-  json["mraysPerSecond"] = ratio(static_cast<double>(rays) / 1e6, traceSeconds);
+  json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
   json["badSamples"] = statistics.badSamples;
   json["dispatch"] = dispatchJson(statistics.dispatchSeconds);

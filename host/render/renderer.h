@@ -36,7 +36,9 @@ struct RenderStatistics {
   std::uint64_t truncated = 0;       ///< loops that ended before their work was done; anything but 0 is an error
   std::uint64_t badSamples = 0;      ///< samples that were not finite or beyond the film's range
 
-  std::map<std::string, double> seconds;  ///< by phase: parse, build, upload, pipeline, trace, readBack, ...
+  std::uint64_t rays() const { return cameraRays + bounceRays + shadowRays; }
+
+  std::map<std::string, double> seconds;  ///< by phase: parse, build (structure, a part of it), upload, pipeline, trace, readBack, ...
   std::vector<double> dispatchSeconds;    ///< each dispatch but the warm-up
   std::map<std::string, double> structureQuality;  ///< e.g. sahCost, depth, nodes, leaves
   std::uint64_t deviceBytes = 0;          ///< device memory in use at the peak
