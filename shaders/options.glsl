@@ -24,7 +24,7 @@ layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
 layout(constant_id = kSpecTent) const bool kTentFilter = false;
 layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;
-layout(constant_id = kSpecHierarchy) const bool kHierarchy = true;
+layout(constant_id = kSpecStructure) const uint kStructure = kStructureBvh;
 layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;

@@ -23,6 +23,8 @@ constexpr std::uint32_t kLargestSide = 65535;
 constexpr std::uint32_t kLargestWorkgroupSide = 1024;
 constexpr std::uint32_t kMostThreads = 1024;
 constexpr std::uint32_t kMostRepeats = 1000;
+constexpr float kLeastGridDensity = 0.0625f;
+constexpr float kMostGridDensity = 64;
 
 const Arguments kDefaults;
 
@@ -140,7 +142,11 @@ std::vector<Option> executionOptions() {
     valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare, kGroup, "search structure; absent, the file's `accel` goes before the default"},
-           orAbsent(choice<AccelKind>({{"bvh", AccelKind::bvh}, {"none", AccelKind::none}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+           orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--bvh-split", kRender | kCompare, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+           choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
+    valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
+           realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
     valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup"},
            extent("XxY", kLargestWorkgroupSide), [](auto& a) -> auto& { return a.settings.workgroup; }),
     valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},

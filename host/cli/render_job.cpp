@@ -28,11 +28,11 @@ void requireMemoryForFilm(const Extent& size) {
                                      size.width, size.height, needed / kGiB, present / kGiB));
 }
 
-AccelKind requestedAccel(const Scene& scene, const Log& log) {
+AccelKind requestedAccel(const Scene& scene) {
   constexpr std::uint32_t kNone = 0;
   constexpr std::uint32_t kGrid = 1;
   if (scene.requestedAccel == kNone) return AccelKind::none;
-  if (scene.requestedAccel == kGrid) log.note("the file asks for a uniform grid; a BVH takes its place");
+  if (scene.requestedAccel == kGrid) return AccelKind::grid;
   return AccelKind::bvh;
 }
 
@@ -43,7 +43,7 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
     log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
   }
   if (!arguments.sampleCount) arguments.sampleCount = scene.requestedSamples.value_or(RenderSettings{}.sampleCount);
-  if (!arguments.accel) arguments.accel = requestedAccel(scene, log);
+  if (!arguments.accel) arguments.accel = requestedAccel(scene);
   if (!arguments.size) arguments.size = Extent{scene.camera->width, scene.camera->height};
   arguments.settings.sampleCount = *arguments.sampleCount;
   arguments.settings.accel = *arguments.accel;

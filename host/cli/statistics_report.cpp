@@ -108,6 +108,7 @@ ordered_json toJson(const RenderReport& report) {
   json["driver"] = statistics.driver;
   json["kernel"] = statistics.kernel;
   json["structure"] = statistics.structure;
+  json["bvhSplit"] = statistics.bvhSplit;
   json["structureQuality"] = statistics.structureQuality;
   json["sceneLoads"] = statistics.sceneLoads;
   json["workgroup"] = extentText(statistics.workgroup);

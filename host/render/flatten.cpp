@@ -11,6 +11,7 @@
 #include "host/render/flat_rows.h"
 #include "host/render/flat_scene.h"
 #include "host/render/flatten_features.h"
+#include "host/render/flatten_grid.h"
 #include "host/render/flatten_hierarchy.h"
 #include "host/render/flatten_primitives.h"
 #include "host/render/flatten_sky.h"
@@ -100,7 +101,7 @@ void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, 
 }
 
 void copyToConstants(std::uint32_t finiteCount, FlatScene& flat) {
-  if (flat.hierarchy || finiteCount > gpu::kMaxUniformSlots) return;
+  if (flat.structure != gpu::kStructureNone || finiteCount > gpu::kMaxUniformSlots) return;
   flat.uniformSlots = finiteCount;
   const auto first = flat.rows.begin() + flat.constants.sections.y;
   std::copy_n(first, finiteCount * gpu::kPrimitiveRows, flat.constants.slotRows);
@@ -122,14 +123,15 @@ void setConstants(const Scene& scene, const RenderSettings& settings, gpu::Rende
 
 }  // namespace
 
-FlatScene flatten(const Scene& scene, const RenderSettings& settings) {
+FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint32_t maxGridSide) {
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
   flat.features = featuresOf(scene);
   const SceneBounds bounds = boundPrimitives(scene);
-  std::vector<std::uint32_t> order =
-      settings.accel == AccelKind::bvh ? appendHierarchy(bounds, flat) : bounds.finite;
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (settings.accel == AccelKind::bvh) order = appendHierarchy(bounds, settings.bvhSplit, flat);
+  if (settings.accel == AccelKind::grid) appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
   flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   flat.slotCount = static_cast<std::uint32_t>(order.size());

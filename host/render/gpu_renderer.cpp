@@ -9,6 +9,7 @@
 #include "host/core/stopwatch.h"
 #include "host/render/band.h"
 #include "host/render/flat_scene.h"
+#include "host/render/loop_budget.h"
 #include "host/render/make_renderer.h"
 #include "host/render/specialise.h"
 #include "host/vulkan/device.h"
@@ -35,18 +36,13 @@ void checkWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
                                info.maxWorkgroupSize[1]));
 }
 
-// Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
-// device's limit is left for the turns that a lane does not count and for its last segment.
-LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat) {
-  if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
-  if (flat.hierarchy) return {limit / 4, limit / (2 * std::max(1u, info.subgroupSize))};
-  constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations
-  const std::uint32_t half = limit / 2;
-  const std::uint32_t segments = half / (2 * flat.slotCount + kOtherTurns);
-  if (segments > 0) return {segments, 0xffffffffu};
-  throw FileError(fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
-                              "use --accel bvh",
-                              flat.slotCount, info.name, limit, half > kOtherTurns ? (half - kOtherTurns) / 2 : 0));
+const char* structureName(AccelKind accel) {
+  switch (accel) {
+    case AccelKind::none: return "none";
+    case AccelKind::grid: return "grid";
+    case AccelKind::bvh: break;
+  }
+  return "bvh";
 }
 
 class GpuRenderer : public Renderer {
@@ -85,7 +81,8 @@ void GpuRenderer::describe(const FlatScene& flat, const RenderSettings& settings
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
-  statistics.structure = settings.accel == AccelKind::bvh ? "bvh" : "none";
+  statistics.structure = structureName(settings.accel);
+  if (settings.accel == AccelKind::bvh) statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
   statistics.kernel = "megakernel";
   statistics.workgroup = settings.workgroup;
   statistics.sceneLoads = texels ? "texel" : "storage";
@@ -97,7 +94,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   RenderResult result;
   RenderStatistics& statistics = result.statistics;
   Stopwatch watch;
-  const FlatScene flat = flatten(scene, settings);
+  const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info()));
   const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat);
   statistics.seconds["build"] = watch.lap();
 

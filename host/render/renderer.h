@@ -19,7 +19,8 @@ namespace candela {
 struct RenderStatistics {
   std::string device;        ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
   std::string driver;        ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
-  std::string structure;     ///< "bvh" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
+  std::string structure;     ///< "bvh", "grid" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
+  std::string bvhSplit;      ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
   std::string kernel;        ///< "megakernel" or "reference"
   Extent workgroup{};        ///< in use; 0x0 for the reference
   Extent tile{};             ///< largest region of one dispatch

@@ -11,7 +11,9 @@ enum class Integrator { path };
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
-enum class AccelKind { none, bvh };
+enum class AccelKind { none, grid, bvh };
+/// How a BVH's nodes are split: by the surface area heuristic, or in the middle, as the path-tracing report does.
+enum class BvhSplit { sah, midpoint };
 /// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
 enum class SceneLoads { automatic, texel, storage };
 
@@ -31,6 +33,8 @@ struct RenderSettings {
 
   // --- These never change a bit of it.
   AccelKind accel = AccelKind::bvh;
+  BvhSplit bvhSplit = BvhSplit::sah;
+  float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;
   Extent workgroup{8, 8};
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses

@@ -44,7 +44,7 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecLens, lensOf(flat, settings)},
           {gpu::kSpecTent, settings.filter == FilterKind::tent},
           {gpu::kSpecSampler, samplerOf(settings.sampler)},
-          {gpu::kSpecHierarchy, flat.hierarchy},
+          {gpu::kSpecStructure, flat.structure},
           {gpu::kSpecTexels, texels},
           {gpu::kSpecRecord, settings.recordPaths},
           {gpu::kSpecStackSize, flat.stackSize},

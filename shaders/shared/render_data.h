@@ -19,8 +19,14 @@ struct RenderConstants {
   vec4 background;        // rgb
   uvec4 imageSeed;        // width, height, seed, strata per side n (0: none)
   uvec4 limits;           // max depth, roulette start, light count, 0
-  uvec4 sections;         // first row of nodes, primitives, materials, lights
+  uvec4 sections;         // first row of nodes or of a grid's cells, of primitives, materials, lights
   uvec4 moreSections;     // first row of normals, first row of sky, first plane slot, end of slots
+  vec4 gridLow;           // xyz: the grid's lower corner; w: its largest coordinate in magnitude
+  vec4 gridHigh;          // xyz
+  vec4 gridScale;         // xyz: cells per unit of length, 0 on axes of one cell
+  vec4 gridWidth;         // xyz: of a cell
+  uvec4 gridSides;        // xyz: cells along each axis; w: first row of items
+  uvec4 gridStrides;      // xyz: cell (x, y, z) is number dot(strides, (x, y, z))
   uvec4 slotRows[kUniformRows];
 };
 

@@ -9,8 +9,13 @@ CANDELA_BEGIN
 // the right. A count of 0 makes the reference a node, otherwise the first of `count` primitive slots.
 CANDELA_CONST uint kNodeRows = 4u;
 
-// Primitives ("slots", in the order of the BVH's leaves; infinite planes behind all others), three rows each. Common to
-// all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
+// A grid's cells, three to a row: where the items of each begin, and where those of the last end. Its items, the slots of
+// primitives, are in rows of their own, four to a row. Both are numbered from 0.
+CANDELA_CONST uint kCellsPerRow = 3u;
+CANDELA_CONST uint kItemsPerRow = 4u;
+
+// Primitives ("slots", in the order of the BVH's leaves, else the scene's; infinite planes behind all others), three rows
+// each. Common to all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
 //   triangle  (p0, light + 1, or first row among the normals if smooth) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
