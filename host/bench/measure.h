@@ -18,10 +18,10 @@ struct Variant {
 /// What the renders of one variant took.
 struct Measurement {
   Variant variant;
-  RenderStatistics statistics;        ///< of the last run; rays and steps are the same in every run
+  RenderStatistics statistics{};      ///< of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
-  std::vector<double> traceSeconds;   ///< one per run, ascending; without the pipeline's compilation
-  std::vector<double> buildSeconds;   ///< of the search structure, one per run, ascending
+  std::vector<double> traceSeconds{};   ///< one per run, ascending; without the pipeline's compilation
+  std::vector<double> buildSeconds{};   ///< of the search structure, one per run, ascending
   bool agrees = true;                 ///< every run gave the image that most runs of all variants gave
 
   double mraysPerSecond() const;      ///< at the median time

@@ -34,6 +34,7 @@ struct FlatScene {
   std::uint32_t stackSize = 1;      ///< entries that the traversal of a BVH needs
   std::uint32_t uniformSlots = 0;   ///< finite primitives whose rows are in the constants too; 0: none
   std::uint32_t slotCount = 0;      ///< primitives, planes included
+  double structureSeconds = 0;      ///< that building the search structure took
   std::map<std::string, double> structureQuality;
 };
 

@@ -97,6 +97,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info()));
   const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat);
   statistics.seconds["build"] = watch.lap();
+  statistics.seconds["structure"] = flat.structureSeconds;
 
   const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
   statistics.seconds["upload"] = watch.lap();

@@ -13,7 +13,7 @@ const std::vector<AccelKind> kKinds{AccelKind::none, AccelKind::grid, AccelKind:
 
 std::vector<Variant> threeVariants() {
   std::vector<Variant> variants;
-  for (const AccelKind kind : kKinds) variants.push_back({"variant", RenderSettings{.accel = kind}});
+  for (const AccelKind kind : kKinds) variants.emplace_back("variant", RenderSettings{}).settings.accel = kind;
   return variants;
 }
 
