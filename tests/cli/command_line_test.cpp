@@ -84,7 +84,7 @@ TEST_CASE("a wrong command line says what was expected and where help is") {
         "--stats and --json - both write to stdout\nsee candela render --help");
 }
 
-TEST_CASE("--size and -o mean something else to generate") {
+TEST_CASE("generate has a --size and an -o of its own") {
   const Arguments arguments = parse({"generate", "balls", "--size", "3", "-o", "balls.nff"});
   CHECK(arguments.command == Command::generate);
   CHECK(arguments.files == std::vector<std::string>{"balls"});
