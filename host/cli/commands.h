@@ -29,5 +29,6 @@ ExitCode runRender(const Arguments& arguments, const Log& log);
 ExitCode runDevices(const Arguments& arguments, const Log& log);
 ExitCode runCheck(const Arguments& arguments, const Log& log);
 ExitCode runCompare(const Arguments& arguments, const Log& log);
+ExitCode runGenerate(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "host/image/atomic_write.h"
+#include "host/core/atomic_file.h"
 
 namespace candela::cli {
 
