@@ -12,8 +12,8 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/cli/text_output.h"
 #include "host/core/progress.h"
-#include "host/image/atomic_write.h"
 #include "host/scene/load.h"
 
 namespace candela::cli {
@@ -89,18 +89,9 @@ bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& r
   return true;
 }
 
-void writeMarkdown(const std::string& target, const std::string& text) {
-  if (target.empty()) return;
-  if (target == "-") {
-    std::cout << text << std::flush;
-  } else {
-    writeFileAtomically(target, std::as_bytes(std::span(text)));
-  }
-}
-
 ExitCode publish(const StructureReport& report, const Arguments& arguments, const Log& log) {
   if (arguments.wantsText() && arguments.markdown != "-") std::cout << bench::toText(report) << std::flush;
-  writeMarkdown(arguments.markdown, bench::toMarkdown(report));
+  writeText(arguments.markdown, bench::toMarkdown(report));
   writeJson(arguments.json, bench::toJson(report));
   if (report.agree()) return ExitCode::done;
   log.problem("the structures did not give the same image: where they differ, no time counts");

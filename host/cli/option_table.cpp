@@ -12,10 +12,12 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
 constexpr unsigned kCheck = static_cast<unsigned>(Command::check);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
+constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
 constexpr unsigned kTracing = kRender | kCompare | kBench;
 constexpr unsigned kReadingScenes = kTracing | kCheck;
-constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare | kBench;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench;
+constexpr unsigned kAll = kReporting | kGenerate;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
 constexpr std::uint32_t kMostSegments = 1u << 20;
@@ -25,6 +27,7 @@ constexpr std::uint32_t kMostThreads = 1024;
 constexpr std::uint32_t kMostRepeats = 1000;
 constexpr float kLeastGridDensity = 0.0625f;
 constexpr float kMostGridDensity = 64;
+constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
 
 const Arguments kDefaults;
 
@@ -190,11 +193,21 @@ std::vector<Option> benchmarkOptions() {
   };
 }
 
+std::vector<Option> generationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::generation;
+  return {
+    valued({"-o,--output", kGenerate, kGroup, "the scene file; `-`: stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
+    valued({"--size", kGenerate, kGroup, "how large the scene is; each kind has its range"},
+           orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
+  };
+}
+
 std::vector<Option> generalOptions() {
   constexpr OptionGroup kGroup = OptionGroup::general;
   return {
     flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
-    valued({"--json", kAll, kGroup, "write the report as JSON; `-`: to stdout"},
+    valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
     flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
     flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
@@ -211,7 +224,8 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), benchmarkOptions(), generalOptions()}) {
+                             comparisonOptions(), benchmarkOptions(), generationOptions(),
+                             generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -12,10 +12,11 @@ using nlohmann::json;
 
 const std::vector<std::string> kQuick{"--device", "cpu", "--size", "16x12", "--spp", "1", "--repeat", "2"};
 
-ProgramResult runBench(std::vector<std::string> words) {
-  words.insert(words.begin(), "bench");
-  words.insert(words.end(), kQuick.begin(), kQuick.end());
-  return runCandela(words);
+ProgramResult runBench(const std::vector<std::string>& words) {
+  std::vector<std::string> all{"bench"};
+  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), kQuick.begin(), kQuick.end());
+  return runCandela(all);
 }
 
 }  // namespace

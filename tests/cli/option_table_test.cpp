@@ -5,17 +5,23 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <set>
 #include <sstream>
 
+#include "host/cli/commands.h"
 #include "host/cli/help.h"
+#include "host/generate/kinds.h"
 #include "tests/cli/run_program.h"
 
 namespace candela::cli {
 namespace {
 
-const Option& find(const std::string& name) {
+// The first row of the name, or the one for a command.
+const Option& find(const std::string& name, std::optional<Command> command = std::nullopt) {
   const auto& table = optionTable();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name() == name; });
+  const auto found =
+      std::ranges::find_if(table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
   REQUIRE(found != table.end());
   return *found;
 }
@@ -36,6 +42,7 @@ TEST_CASE("every option has the promised name, value and default") {
     const char* names;
     const char* metavar;
     const char* defaultText;
+    std::optional<Command> command = {};
   };
   const std::vector<Promise> promises{{"-o,--output", "FILE", ""},
                                       {"--spp", "N", "16"},
@@ -62,6 +69,8 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--tolerance", "T", ""},
                                       {"--diff", "FILE", ""},
                                       {"--flip", "FILE", ""},
+                                      {"-o,--output", "FILE", "-", Command::generate},
+                                      {"--size", "N", "the kind's", Command::generate},
                                       {"--stats", "", ""},
                                       {"--json", "FILE", ""},
                                       {"-q,--quiet", "", ""},
@@ -71,11 +80,25 @@ TEST_CASE("every option has the promised name, value and default") {
   CHECK(optionTable().size() == promises.size());
   for (const Promise& promise : promises) {
     const std::string names = promise.names;
-    const Option& option = find(names.substr(names.rfind(',') + 1));
+    const Option& option = find(names.substr(names.rfind(',') + 1), promise.command);
     CHECK(option.names == names);
     CHECK(option.metavar == promise.metavar);
     CHECK(option.defaultText == promise.defaultText);
     CHECK_FALSE(option.help.empty());
+  }
+}
+
+TEST_CASE("no command has two options of one name") {
+  for (const CommandInfo& info : commandTable()) {
+    std::set<std::string> names;
+    for (const Option& option : optionTable()) {
+      if (!option.isFor(info.command)) continue;
+      std::istringstream list(option.names);
+      for (std::string name; std::getline(list, name, ',');) {
+        INFO(info.name << " " << name);
+        CHECK(names.insert(name).second);
+      }
+    }
   }
 }
 
@@ -155,8 +178,20 @@ TEST_CASE("README quotes the list of packages") {
   CHECK(readmeBlock("packages") == packages);
 }
 
+TEST_CASE("help of generate names every kind with its sizes, and its own options only") {
+  const std::string help = helpText(Command::generate);
+  for (const generate::Kind& kind : generate::kindTable()) {
+    CHECK(help.find("\n  " + std::string(kind.name) + " ") != std::string::npos);
+  }
+  CHECK(help.find("balls     1 to 7 (4)") != std::string::npos);
+  CHECK(help.find("--size N") != std::string::npos);
+  CHECK(help.find("--size WxH") == std::string::npos);
+  CHECK(helpText(Command::render).find("--size N") == std::string::npos);
+  CHECK(helpText(Command::render).find("balls") == std::string::npos);
+}
+
 TEST_CASE("help fits on a terminal of 100 columns and names every exit code") {
-  const std::string help = helpText(std::nullopt);
+  const std::string help = helpText(std::nullopt) + helpText(Command::generate);
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   for (const char* code : {"   0  ", "   1  ", "   2  ", "   3  ", "   4  ", "   5  ", "   6  ", "   7  ", "  70  "}) {
