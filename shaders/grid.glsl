@@ -45,12 +45,12 @@ void clipToGrid(Ray ray) {
 
 // The slice before the first: nextCell() enters the first one.
 void startSlices() {
-  float signedPad = walk.direction.x < 0.0 ? -walk.pad : walk.pad;
+  float signedPad = walk.inverse < 0.0 ? -walk.pad : walk.pad;
   walk.nearOrigin = walk.origin.x + signedPad;
   walk.farOrigin = walk.origin.x - signedPad;
   float first = walk.farOrigin + walk.start * walk.direction.x;
   walk.slice = int(clamp((first - walk.low.x) * walk.scale.x, 0.0, walk.lastCell.x));
-  walk.slice -= walk.direction.x < 0.0 ? -1 : 1;
+  walk.slice -= walk.inverse < 0.0 ? -1 : 1;
   walk.firstCell = uvec2(0u);
   walk.endCell = walk.firstCell;
   walk.cell = walk.firstCell;
@@ -79,7 +79,7 @@ void startWalk(Ray ray) {
 uvec2 cellsAt(vec2 x) { return uvec2(clamp((x - walk.low.yz) * walk.scale.yz, vec2(0.0), walk.lastCell.yz)); }
 
 void enterNextSlice(float limit) {
-  bool backward = walk.direction.x < 0.0;
+  bool backward = walk.inverse < 0.0;
   walk.slice += backward ? -1 : 1;
   float low = walk.low.x + float(walk.slice) * walk.width;
   float high = walk.low.x + float(walk.slice + 1) * walk.width;

@@ -110,7 +110,8 @@ class Builder {
   std::uint64_t census() {
     tallies_.assign(chunkCount() * slabCount_, {});
     forEachChunk([this](std::size_t chunk, std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end; ++i) countBlock(grid_.shape.cellsOf(bounds_[i]), &tallies_[chunk * slabCount_]);
+      Tally* tallies = &tallies_[chunk * slabCount_];
+      for (std::size_t i = first; i < end; ++i) countBlock(grid_.shape.cellsOf(bounds_[i]), tallies);
     });
     std::uint64_t references = 0;
     for (const Tally& tally : tallies_) references += tally.references;
@@ -138,8 +139,8 @@ class Builder {
       for (std::size_t i = first; i < end; ++i) {
         const Entry entry = makeEntry(static_cast<std::uint32_t>(i), grid_.shape.cellsOf(bounds_[i]));
         const auto axis = static_cast<std::size_t>(outermost_);
-        const std::uint32_t last = slabOf(entry.high[axis]);
-        for (std::uint32_t slab = slabOf(entry.low[axis]); slab <= last; ++slab) entries_[places[slab].entries++] = entry;
+        const std::uint32_t low = slabOf(entry.low[axis]), high = slabOf(entry.high[axis]);
+        for (std::uint32_t slab = low; slab <= high; ++slab) entries_[places[slab].entries++] = entry;
       }
     });
   }
@@ -223,8 +224,8 @@ std::uint64_t mostGridReferences(std::size_t primitiveCount) {
 
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {
   if (!(options.density > 0) || options.maxSide < 1) {
-    throw InternalError(fmt::format("a grid of density {} and at most {} cells along an axis", options.density,
-                                    options.maxSide));
+    throw InternalError(
+        fmt::format("a grid of density {} and at most {} cells along an axis", options.density, options.maxSide));
   }
   if (bounds.size() > kMaxPrimitives) {
     throw InternalError(fmt::format("a grid over {} primitives, at most {} fit", bounds.size(), kMaxPrimitives));

@@ -1,21 +1,21 @@
 // Uniform grids over boxes. Knows nothing of primitives or of any device's layout.
 //
 // Why a walk through the grid finds what brute force finds. Boxes and rays err by u times a coordinate, u = 2^-24
-// (primitive_bounds.h). Let o be the ray's origin, |o| its largest coordinate, G = gridReach(), B the box of a primitive
-// that is hit at distance t, and x(t) = o + t d. The pads of the boxes leave x(t) at most 20 u |o| away from a point c of
-// B. The primitive stands in the cell of c, since it stands in every cell that cellsOf(B) names. So a walk is right that
-// visits, before it ends, at least one cell that it calls cell of c. It takes e = 32 u (|o| + G) and, on the axis along
-// which the ray crosses most cells, one slice of cells after the other:
+// (primitive_bounds.h). Let o be the ray's origin, |o| its largest coordinate, G = gridReach(), B the box of a
+// primitive that is hit at distance t, and x(t) = o + t d. The pads of the boxes leave x(t) at most 20 u |o| away from
+// a point c of B. The primitive stands in the cell of c, since it stands in every cell that cellsOf(B) names. So a walk
+// is right that visits, before it ends, at least one cell that it calls cell of c. It takes e = 32 u (|o| + G) and, on
+// the axis along which the ray crosses most cells, one slice of cells after the other:
 //
 // - Slice i lies between the planes p(i) and p(i+1), p(i) = low + i * width. Rounding moves them against cellAt() by at
 //   most 11 u G. The ray is within the slice between the distances (p(i) - (o + e)) / d and (p(i+1) - (o - e)) / d,
 //   which err by 8 u (|o| + G) / d. Since e >= 20 u |o| + 11 u G + 8 u (|o| + G), the slice of c has t between the two.
-// - Of the other two axes it visits the cells from cellAt(least coordinate in the slice - e) to cellAt(greatest + e). The
-//   coordinates o + t d err by 3 u (|o| + G), rounding is monotonic in t, and e >= 20 u |o| + 4 u (|o| + G): the cell of
-//   c is among them.
-// - It begins and ends with the slices of the points where the ray enters and leaves the grid's bounds, taken with e too.
-// - Both distances grow from slice to slice. A walk may end as soon as the first of them exceeds the nearest hit, and not
-//   before: whatever is nearer, or as near, has t in a slice that it has visited.
+// - Across that axis it visits the cells from cellAt(least coordinate in the slice - e) to cellAt(greatest + e). The
+//   coordinates o + t d err by 4 u (|o| + G), rounding is monotonic in t, and e >= 20 u |o| + 4 u (|o| + G): the cell
+//   of c is among them.
+// - It begins at the slice, and ends at the distance, where the ray enters and leaves the grid's bounds widened by e.
+// - Both distances grow from slice to slice. A walk may end as soon as the first of them exceeds the nearest hit, and
+//   not before: whatever is nearer, or as near, has t in a slice that it has visited.
 //
 // So no cell needs a margin, zero components and origins far outside need no exception (e grows, and with it the number
 // of cells visited), and a ray that runs along faces between cells visits both sides.
@@ -31,9 +31,9 @@
 namespace candela {
 
 struct GridOptions {
-  double density = 2;                       ///< m of the rule, > 0
+  double density = 2;                         ///< m of the rule, > 0
   std::uint32_t maxSide = kMostCellsPerAxis;  ///< cells along an axis, >= 1; never exceeded
-  std::uint32_t threads = 0;                ///< 0: one per core. The grid does not depend on it
+  std::uint32_t threads = 0;                  ///< 0: one per core. The grid does not depend on it
 };
 
 /// Bounds of memory: cells, and references from cells to primitives.
@@ -51,7 +51,7 @@ struct Grid {
   bool operator==(const Grid& other) const { return starts == other.starts && items == other.items; }
 };
 
-/// Boxes as requireProper() wants them, at most 2^27. Throws InternalError where that, or an option's range, is violated.
+/// At most 2^27 boxes as requireProper() wants them. Throws InternalError where that, or an option's range, is violated.
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options = {});
 
 struct GridQuality {
@@ -64,8 +64,8 @@ struct GridQuality {
 /// Of a valid grid.
 GridQuality quality(const Grid& grid);
 
-/// What is wrong with a grid over `bounds`, or nothing: each primitive stands in the cells that its box touches and in no
-/// other, once. Safe on any input.
+/// What is wrong with a grid over `bounds`, or nothing: each primitive stands in the cells that its box touches and in
+/// no other, once. Safe on any input.
 std::optional<std::string> validate(const Grid& grid, std::span<const Aabb> bounds);
 
 }  // namespace candela

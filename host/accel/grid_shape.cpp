@@ -11,6 +11,9 @@ double reachOf(const Aabb& bounds) {
   return double{std::max({reach.x, reach.y, reach.z})};
 }
 
+// In lengths this small, scales would overflow.
+constexpr double kLeastCell = 0x1p-100;
+
 // s of the rule: the number of primitives per unit of length on the axes that take part.
 double linearDensity(const glm::dvec3& extent, double thinnest, std::size_t primitiveCount) {
   double product = 1;
@@ -51,7 +54,7 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
   GridShape shape;
   shape.bounds = bounds;
   const glm::dvec3 extent = bounds.extent();
-  const double thinnest = kThinnestCell * reachOf(bounds);
+  const double thinnest = std::max(kThinnestCell * reachOf(bounds), kLeastCell);
   const double s = linearDensity(extent, thinnest, primitiveCount);
   for (int axis = 0; axis < 3; ++axis) {
     shape.sides[axis] = 1;

@@ -2,8 +2,8 @@
 //
 // The rule is the path-tracing report's: with m the density, w the extent of the box around N primitives and
 // s = (N / (w_x w_y w_z))^(1/3), axis i gets trunc(m w_i s) + 1 cells, so about m^3 cells a primitive. As it stands it
-// divides by 0 where the box is flat, and knows no bound: a needle of a box around one primitive would get as many cells
-// as it is longer than wide. Three things are therefore different here.
+// divides by 0 where the box is flat, and knows no bound: a needle of a box around one primitive would get as many
+// cells as it is longer than wide. Three things are therefore different here.
 //
 // - Only axes with extent take part: s = (N / product of their w_i)^(1/k) over k = 3, 2 or 1 axes, and the others have
 //   one cell. An extent within the padding of the boxes (kThinnestCell of the largest coordinate) is none.
@@ -35,17 +35,17 @@ struct CellBlock {
 };
 
 struct GridShape {
-  Aabb bounds;             ///< the box around all primitives' boxes
-  glm::uvec3 sides{0};     ///< cells along each axis, 1 to kMostCellsPerAxis; 0 where there are no primitives
-  glm::uvec3 strides{0};   ///< cell (x, y, z) is number dot(strides, (x, y, z))
-  glm::vec3 scale{0};      ///< cells per unit of length; 0 along axes of one cell
+  Aabb bounds;            ///< the box around all primitives' boxes
+  glm::uvec3 sides{0};    ///< cells along each axis, 1 to kMostCellsPerAxis; 0 where there are no primitives
+  glm::uvec3 strides{0};  ///< cell (x, y, z) is number dot(strides, (x, y, z))
+  glm::vec3 scale{0};     ///< cells per unit of length; 0 along axes of one cell
 
   std::uint64_t cellCount() const { return std::uint64_t{sides.x} * sides.y * sides.z; }
   /// The one with most cells: a layer of cells across it has consecutive numbers.
   int outermostAxis() const;
 
-  /// The cell along `axis` that holds coordinate x, or the outermost on its side. Monotonic in x, rounding included, and
-  /// the one place where cells get their extent: builder and traversals must all use this arithmetic.
+  /// The cell along `axis` that holds coordinate x, or the outermost on its side. Monotonic in x, rounding included,
+  /// and the one place where cells get their extent: builder and traversals must all use this arithmetic.
   std::uint32_t cellAt(int axis, float x) const {
     const float place = std::max(0.0f, (x - bounds.min[axis]) * scale[axis]);
     return static_cast<std::uint32_t>(std::min(place, static_cast<float>(sides[axis] - 1)));

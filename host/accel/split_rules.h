@@ -22,8 +22,8 @@ RangeSplit splitAtMedian(std::span<BuildItem> items, const Box4& centres2);
 /// Whether both sides of a cut can still become leaves in the `levels` - 1 steps below it.
 bool fitsBelow(std::size_t leftCount, std::size_t itemCount, std::uint32_t levels, const BvhOptions& options);
 
-/// Moves the items that are not `isRight` to the front and sums up both sides on the way; one may stay empty. Which side
-/// an item is on cannot be predicted, so nothing branches on it.
+/// Moves the items that are not `isRight` to the front and sums up both sides on the way; one may stay empty. Which
+/// side an item is on cannot be predicted, so nothing branches on it.
 template <class IsRight>
 RangeSplit partition(std::span<BuildItem> items, IsRight&& isRight) {
   RangeSplit split;

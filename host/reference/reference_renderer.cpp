@@ -123,6 +123,21 @@ void addCounters(const Counters& counters, RenderStatistics& statistics) {
   statistics.traversalSteps = counters.traversalSteps;
 }
 
+void describeStructure(const reference::Tracing& tracing, const RenderSettings& settings,
+                       RenderStatistics& statistics) {
+  statistics.structure = "none";
+  if (tracing.hasHierarchy()) {
+    statistics.structure = "bvh";
+    statistics.bvhSplit = settings.bvhSplit == BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
+  }
+  if (tracing.hasGrid()) {
+    statistics.structure = "grid";
+    statistics.structureQuality["cells"] = static_cast<double>(tracing.grid().starts.size() - 1);
+    statistics.structureQuality["references"] = static_cast<double>(tracing.grid().items.size());
+  }
+}
+
 std::uint64_t badSampleCount(const Film& film) {
   std::uint64_t count = 0;
   for (const FilmPixel& pixel : film.pixels()) count += pixel.badCount;
@@ -156,10 +171,7 @@ class ReferenceRenderer final : public Renderer {
     const PathTracer tracer(scene, settings);
     statistics.seconds["build"] = watch.lap();
     statistics.seconds["structure"] = statistics.seconds["build"];  // there is little else to make ready
-    statistics.structure = tracer.tracing().hasHierarchy() ? "bvh" : "none";
-    if (tracer.tracing().hasHierarchy()) {
-      statistics.structureQuality["nodes"] = static_cast<double>(tracer.tracing().hierarchy().nodes.size());
-    }
+    describeStructure(tracer.tracing(), settings, statistics);
 
     watch.lap();
     Job job(tracer, settings, control, result);

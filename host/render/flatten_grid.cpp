@@ -54,7 +54,8 @@ void appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide,
   setConstants(grid.shape, flat.constants);
   flat.structure = gpu::kStructureGrid;
   flat.constants.sections.x = rowCount(flat.rows);
-  flat.rows.reserve(flat.rows.size() + grid.starts.size() / gpu::kCellsPerRow + grid.items.size() / gpu::kItemsPerRow + 2);
+  flat.rows.reserve(flat.rows.size() + grid.starts.size() / gpu::kCellsPerRow + grid.items.size() / gpu::kItemsPerRow +
+                    2);
   appendCells(grid, flat.rows);
   flat.constants.gridSides.w = rowCount(flat.rows);
   appendItems(grid, flat.rows);

@@ -7,8 +7,8 @@
 
 namespace candela {
 
-/// Builds the grid over the finite primitives, whose slots are in their order, and appends its cells and items to `flat`.
-/// Without finite primitives there is none.
+/// Builds the grid over the finite primitives, whose slots are in their order, and appends its cells and items to
+/// `flat`. Without finite primitives there is none.
 void appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide, FlatScene& flat);
 
 }  // namespace candela

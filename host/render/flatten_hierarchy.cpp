@@ -12,8 +12,8 @@ namespace {
 
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
-// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf, unless
-// another tree was asked for.
+// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf,
+// unless another tree was asked for.
 constexpr std::uint32_t kSingleLeaf = gpu::kMaxUniformSlots;
 constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCost = 1e6f};
 // Two primitives a leaf are part of the report's rule.

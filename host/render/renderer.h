@@ -33,7 +33,7 @@ struct RenderStatistics {
   std::uint64_t bounceRays = 0;
   std::uint64_t shadowRays = 0;
   std::uint64_t vertices = 0;        ///< surface hits of camera and bounce rays
-  std::uint64_t traversalSteps = 0;  ///< nodes visited plus primitives tested
+  std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
   std::uint64_t truncated = 0;       ///< loops that ended before their work was done; anything but 0 is an error
   std::uint64_t badSamples = 0;      ///< samples that were not finite or beyond the film's range
 

@@ -1,5 +1,5 @@
-// How fast structures are built over a million primitives: medians of several builds, in processor time and by the clock.
-// Not a test: machines differ. Each structure is validated before its time counts.
+// How fast structures are built over a million primitives: medians of several builds, in processor time and by the
+// clock. Not a test: machines differ. Each structure is validated before its time counts.
 //   ninja bench_build && tests/bench/bench_build [threads]
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -25,7 +25,9 @@ constexpr int kRuns = 7;
 double processorSeconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -51,7 +53,8 @@ std::vector<Aabb> triangleMesh() {
   constexpr std::size_t kSide = 707;
   std::vector<glm::vec3> points;
   for (std::size_t i = 0; i < (kSide + 1) * (kSide + 1); ++i) {
-    points.emplace_back(i % (kSide + 1), i / (kSide + 1), 20 * std::sin(0.01 * static_cast<double>(i % (kSide + 1))) + random.real());
+    points.emplace_back(i % (kSide + 1), i / (kSide + 1),
+                        20 * std::sin(0.01 * static_cast<double>(i % (kSide + 1))) + random.real());
   }
   std::vector<Aabb> boxes;
   for (std::size_t y = 0; y < kSide; ++y) {
@@ -103,12 +106,14 @@ int main(int argumentCount, char** arguments) {
   const GridOptions grid{.threads = threads};
   for (const auto& [name, boxes] : inputs) {
     const auto bvh = [&, &boxes = boxes, name = name.c_str()](const char* structure, const BvhOptions& options) {
-      measure(structure, name, boxes.size(), [&] { return !validate(buildBvh(boxes, options), boxes, options); },
-              [&] { buildBvh(boxes, options); });
+      measure(
+          structure, name, boxes.size(), [&] { return !validate(buildBvh(boxes, options), boxes, options); },
+          [&] { buildBvh(boxes, options); });
     };
     bvh("sah", sah);
     bvh("midpoint", midpoint);
-    measure("grid", name.c_str(), boxes.size(), [&, &boxes = boxes] { return !validate(buildGrid(boxes, grid), boxes); },
-            [&, &boxes = boxes] { buildGrid(boxes, grid); });
+    measure(
+        "grid", name.c_str(), boxes.size(), [&, &boxes = boxes] { return !validate(buildGrid(boxes, grid), boxes); },
+        [&, &boxes = boxes] { buildGrid(boxes, grid); });
   }
 }
