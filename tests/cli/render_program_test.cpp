@@ -51,7 +51,7 @@ TEST_CASE("an EXR file says how it was made") {
   CHECK(metadata.at("candela.version") == CANDELA_VERSION);
   CHECK(metadata.at("candela.settings") ==
         "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --nee on --sampler sobol "
-        "--filter box --lens disc --one-sided");
+        "--filter box --lens disc --pixel-origin centre --light-size 0 --one-sided");
 }
 
 TEST_CASE("the report has every promised figure") {

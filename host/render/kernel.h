@@ -1,0 +1,24 @@
+// What tells one kernel from another: the code, what it keeps of each pixel between dispatches, and what a segment costs.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "host/render/flat_scene.h"
+#include "host/render/renderer.h"
+
+namespace candela {
+
+struct Kernel {
+  const char* name;  ///< as in RenderStatistics::kernel
+  std::span<const std::uint32_t> spirv;
+  std::uint32_t stateBytes;      ///< of a pixel
+  std::uint32_t raysPerSegment;  ///< the most that one segment traces
+  /// Adds the counts in one pixel's state, which is `stateBytes` long.
+  void (*addCounts)(std::span<const std::byte> state, RenderStatistics& statistics);
+};
+
+/// The kernel of the integrator that `settings` ask for.
+Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings);
+
+}  // namespace candela
