@@ -24,6 +24,7 @@ struct Arguments {
   std::optional<std::uint32_t> sampleCount;
   std::optional<Extent> size;
   std::optional<AccelKind> accel;
+  std::optional<std::uint32_t> maxDepth;  ///< absent: the integrator's default
   RenderSettings settings;
 
   bool lenient = false;

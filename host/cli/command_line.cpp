@@ -130,6 +130,13 @@ void requireOutput(const Arguments& arguments) {
   fail(Command::render, "no output given: -o FILE writes the image, --stats or --json FILE measure alone");
 }
 
+void requireTreeDepth(const Arguments& arguments) {
+  const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > kMaxTreeDepth;
+  if (arguments.settings.integrator != Integrator::whitted || !tooDeep) return;
+  fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
+                                      *arguments.maxDepth, kMaxTreeDepth));
+}
+
 void requireOneReaderOfStdout(const Arguments& arguments) {
   if (arguments.printStatistics && arguments.json == "-") {
     fail(arguments.command, "--stats and --json - both write to stdout");
@@ -149,6 +156,7 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   refuseImageOptionsForScene(arguments);
   requireOutput(arguments);
   requireOneReaderOfStdout(arguments);
+  requireTreeDepth(arguments);
   return arguments;
 }
 

@@ -1,6 +1,8 @@
 // The option table: a row per option.
 #include "host/cli/option_table.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "host/cli/notation.h"
@@ -98,6 +100,10 @@ const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::n
                                                              {"agx", ToneMap::agx},
                                                              {"neutral", ToneMap::neutral}};
 
+std::string defaultDepths() {
+  return fmt::format("{}; whitted {}", defaultMaxDepth(Integrator::path), defaultMaxDepth(Integrator::whitted));
+}
+
 // NOLINTBEGIN: one row each, however long.
 // clang-format off
 std::vector<Option> imageOptions() {
@@ -111,11 +117,11 @@ std::vector<Option> imageOptions() {
     valued({"--size", kTracing, kGroup, "of the image, in pixels"},
            orAbsent(extent("WxH", kLargestSide), "the file's"), [](auto& a) -> auto& { return a.size; }),
     valued({"--max-depth", kTracing, kGroup, "longest path, in rays; the camera ray is the first"},
-           wholeNumber(1, kMostSegments), [](auto& a) -> auto& { return a.settings.maxDepth; }),
+           orAbsent(wholeNumber(1, kMostSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
     valued({"--rr-start", kTracing, kGroup, "path vertices that never face Russian roulette"},
            wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
     valued({"--integrator", kTracing, kGroup, "what is computed"},
-           choice<Integrator>({{"path", Integrator::path}}), [](auto& a) -> auto& { return a.settings.integrator; }),
+           choice<Integrator>({{"path", Integrator::path}, {"whitted", Integrator::whitted}}), [](auto& a) -> auto& { return a.settings.integrator; }),
     valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
     valued({"--sampler", kTracing, kGroup, "random numbers"},
@@ -124,6 +130,10 @@ std::vector<Option> imageOptions() {
            choice<FilterKind>({{"box", FilterKind::box}, {"tent", FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
     valued({"--lens", kTracing, kGroup, "shape of the lens, where the file has an aperture"},
            choice<LensKind>({{"disc", LensKind::disc}, {"square", LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
+    valued({"--pixel-origin", kTracing, kGroup, "where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less each way"},
+           choice<PixelOrigin>({{"centre", PixelOrigin::centre}, {"corner", PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.pixelOrigin; }),
+    valued({"--light-size", kTracing, kGroup, "of `whitted`: point lights become squares of this side, with soft shadows"},
+           realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.lightSize; }),
     flag({"--one-sided", kTracing, kGroup, "rays pass through the back of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.oneSided; }),
   };

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/render/make_renderer.h"
@@ -36,6 +38,24 @@ AccelKind requestedAccel(const Scene& scene) {
   return AccelKind::bvh;
 }
 
+// Options that one integrator alone reads.
+struct IntegratorOption {
+  const char* option;
+  Integrator reader;
+  const char* readerName;
+};
+constexpr std::array kIntegratorOptions{IntegratorOption{"--nee", Integrator::path, "path"},
+                                        IntegratorOption{"--rr-start", Integrator::path, "path"},
+                                        IntegratorOption{"--light-size", Integrator::whitted, "whitted"}};
+
+// Said rather than refused, so that one command line serves all integrators.
+void noteIdleOptions(const Arguments& arguments, const Log& log) {
+  for (const auto& [option, reader, readerName] : kIntegratorOptions) {
+    if (arguments.settings.integrator == reader || !arguments.given.contains(option)) continue;
+    log.note(fmt::format("{} changes nothing here: it is for --integrator {}", option, readerName));
+  }
+}
+
 }  // namespace
 
 void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
@@ -44,13 +64,16 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
   }
   if (!arguments.sampleCount) arguments.sampleCount = scene.requestedSamples.value_or(RenderSettings{}.sampleCount);
   if (!arguments.accel) arguments.accel = requestedAccel(scene);
+  if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.integrator);
   if (!arguments.size) arguments.size = Extent{scene.camera->width, scene.camera->height};
   arguments.settings.sampleCount = *arguments.sampleCount;
+  arguments.settings.maxDepth = *arguments.maxDepth;
   arguments.settings.accel = *arguments.accel;
   arguments.settings.size = *arguments.size;
 }
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
+  noteIdleOptions(arguments, log);
   const double start = monotonicSeconds();
   LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
   for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));

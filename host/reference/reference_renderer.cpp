@@ -1,6 +1,7 @@
 // Renders with the reference tracer: threads over tiles, one writer per pixel.
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <new>
 #include <thread>
 #include <vector>
@@ -8,13 +9,14 @@
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/reference/path.h"
+#include "host/reference/whitted.h"
 #include "host/render/make_renderer.h"
 
 namespace candela {
 namespace {
 
 using reference::Counters;
-using reference::PathTracer;
+using reference::PixelTracer;
 
 constexpr Extent kDefaultTile{16, 16};
 
@@ -22,10 +24,15 @@ std::uint32_t threadCount(const RenderSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
+std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings& settings) {
+  if (settings.integrator == Integrator::whitted) return std::make_unique<reference::WhittedTracer>(scene, settings);
+  return std::make_unique<reference::PathTracer>(scene, settings);
+}
+
 // One render in progress: hands out tiles, and keeps what its threads add to.
 class Job {
  public:
-  Job(const PathTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
+  Job(const PixelTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
       : tracer_(tracer),
         settings_(settings),
         control_(control),
@@ -102,7 +109,7 @@ class Job {
     control_.progress(static_cast<double>(done) / total, done);
   }
 
-  const PathTracer& tracer_;
+  const PixelTracer& tracer_;
   const RenderSettings& settings_;
   const RenderControl& control_;
   RenderResult& result_;
@@ -114,13 +121,17 @@ class Job {
   std::atomic<bool> interrupted_{false};
 };
 
-void addCounters(const Counters& counters, RenderStatistics& statistics) {
+void addCounters(const Counters& counters, Integrator integrator, RenderStatistics& statistics) {
   statistics.samples = counters.samples;
   statistics.cameraRays = counters.cameraRays;
   statistics.bounceRays = counters.bounceRays;
   statistics.shadowRays = counters.shadowRays;
   statistics.vertices = counters.vertices;
   statistics.traversalSteps = counters.traversalSteps;
+  if (integrator != Integrator::whitted) return;
+  statistics.treeRays = {.cameraHits = counters.cameraHits,
+                         .reflected = counters.reflectedRays,
+                         .refracted = counters.refractedRays};
 }
 
 void describeStructure(const reference::Tracing& tracing, const RenderSettings& settings,
@@ -168,14 +179,14 @@ class ReferenceRenderer final : public Renderer {
     statistics.threads = threadCount(settings);
 
     Stopwatch watch;
-    const PathTracer tracer(scene, settings);
+    const std::unique_ptr<PixelTracer> tracer = makeTracer(scene, settings);
     statistics.seconds["build"] = watch.lap();
     statistics.seconds["structure"] = statistics.seconds["build"];  // there is little else to make ready
-    describeStructure(tracer.tracing(), settings, statistics);
+    describeStructure(tracer->tracing(), settings, statistics);
 
     watch.lap();
-    Job job(tracer, settings, control, result);
-    addCounters(job.run(statistics.threads), statistics);
+    Job job(*tracer, settings, control, result);
+    addCounters(job.run(statistics.threads), settings.integrator, statistics);
     statistics.seconds["trace"] = watch.lap();
     statistics.tile = job.tile();
     result.interrupted = job.wasInterrupted();

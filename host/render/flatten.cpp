@@ -14,6 +14,7 @@
 #include "host/render/flatten_features.h"
 #include "host/render/flatten_grid.h"
 #include "host/render/flatten_hierarchy.h"
+#include "host/render/flatten_point_lights.h"
 #include "host/render/flatten_primitives.h"
 #include "host/render/flatten_sky.h"
 #include "host/render/light_table.h"
@@ -35,13 +36,13 @@ void checkLimits(const Scene& scene) {
   }
 }
 
-void appendMaterials(const Scene& scene, FlatScene& flat) {
+void appendMaterials(const Scene& scene, Integrator integrator, FlatScene& flat) {
   flat.constants.sections.z = rowCount(flat.rows);
   for (const Material& material : scene.materials) {
-    const Lobes lobes = lobesOf(material);
+    const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
     flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
-    flat.rows.push_back(row(glm::dvec3(material.emission), lobes.dielectric));
+    flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
   }
 }
@@ -86,6 +87,19 @@ void appendLights(const Scene& scene, std::span<const LightEntry> table, std::sp
   }
 }
 
+void appendPointLights(const Scene& scene, double lightSize, FlatScene& flat) {
+  const Rows lights = pointLightRows(scene, lightSize);
+  flat.constants.sections.w = rowCount(flat.rows);
+  flat.constants.limits.z = static_cast<std::uint32_t>(scene.pointLights.size());
+  flat.features.pointLights = !scene.pointLights.empty();
+  flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
+}
+
+// Only glass makes rays wait.
+std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
+  return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
+}
+
 void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, std::span<const LightEntry> table,
                       FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
@@ -116,7 +130,7 @@ std::uint32_t strataPerSide(const RenderSettings& settings) {
 }
 
 void setConstants(const Scene& scene, const RenderSettings& settings, gpu::RenderConstants& constants) {
-  setCamera(constants, *scene.camera, settings.size);
+  setCamera(constants, *scene.camera, settings);
   constants.background = gpu::vec4(scene.background, 0);
   constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
   constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
@@ -140,7 +154,8 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint3
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
-  flat.features = featuresOf(scene);
+  flat.features = featuresOf(scene, settings.integrator);
+  const bool whitted = settings.integrator == Integrator::whitted;
   const SceneBounds bounds = boundPrimitives(scene);
   std::vector<std::uint32_t> order = appendStructure(bounds, settings, maxGridSide, flat);
   flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
@@ -148,11 +163,17 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint3
   flat.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.moreSections.w = flat.slotCount;
 
-  const std::vector<LightEntry> table = buildLightTable(scene, settings.nextEventEstimation);
+  const std::vector<LightEntry> table =
+      whitted ? std::vector<LightEntry>{} : buildLightTable(scene, settings.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
   copyToConstants(flat.constants.moreSections.z, flat);
-  appendMaterials(scene, flat);
-  appendLights(scene, table, slotsOf(order), flat);
+  appendMaterials(scene, settings.integrator, flat);
+  if (whitted) {
+    appendPointLights(scene, settings.lightSize, flat);
+    flat.constants.limits.w = treeRows(flat.features, settings.maxDepth);
+  } else {
+    appendLights(scene, table, slotsOf(order), flat);
+  }
   flat.constants.moreSections.y = rowCount(flat.rows);
   if (scene.sky) {
     const Rows sky = skyRows(*scene.sky);

@@ -7,28 +7,38 @@
 
 namespace candela {
 
-enum class Integrator { path };
+enum class Integrator { path, whitted };
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
+/// Where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less.
+enum class PixelOrigin { centre, corner };
 enum class AccelKind { none, grid, bvh };
 /// How a BVH's nodes are split: by the surface area heuristic, or in the middle, as the path-tracing report does.
 enum class BvhSplit { sah, midpoint };
 /// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
 enum class SceneLoads { automatic, texel, storage };
 
+/// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
+inline constexpr std::uint32_t kMaxTreeDepth = 20;
+
+/// Of a command line that does not say.
+constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
+
 struct RenderSettings {
   // --- These decide the image.
   Extent size;                      ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;   ///< per pixel, >= 1
   std::uint32_t seed = 0;
-  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1
+  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
   std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
   Integrator integrator = Integrator::path;
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
+  PixelOrigin pixelOrigin = PixelOrigin::centre;
+  float lightSize = 0;    ///< side of the squares that point lights become, >= 0; Whitted only
   bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
 
   // --- These never change a bit of it.
@@ -43,6 +53,9 @@ struct RenderSettings {
 
   /// Records what each path decided (one sample per pixel only): see PathRecord.
   bool recordPaths = false;
+
+  /// Whether camera rays are spread by the pixel filter; if not, they go through the pixels' origins.
+  bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }
 };
 
 }  // namespace candela

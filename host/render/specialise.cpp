@@ -10,6 +10,11 @@ std::uint32_t lensOf(const FlatScene& flat, const RenderSettings& settings) {
   return settings.lens == LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
+std::uint32_t filterOf(const RenderSettings& settings) {
+  if (!settings.jittersPixels()) return gpu::kFilterNone;
+  return settings.filter == FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
+}
+
 std::uint32_t samplerOf(SamplerKind kind) {
   switch (kind) {
     case SamplerKind::independent: return gpu::kSamplerIndependent;
@@ -42,7 +47,7 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecSky, has.sky},
           {gpu::kSpecOneSided, settings.oneSided},
           {gpu::kSpecLens, lensOf(flat, settings)},
-          {gpu::kSpecTent, settings.filter == FilterKind::tent},
+          {gpu::kSpecFilter, filterOf(settings)},
           {gpu::kSpecSampler, samplerOf(settings.sampler)},
           {gpu::kSpecStructure, flat.structure},
           {gpu::kSpecTexels, texels},
@@ -50,7 +55,8 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecStackSize, flat.stackSize},
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
-          {gpu::kSpecUniformSlots, flat.uniformSlots}};
+          {gpu::kSpecUniformSlots, flat.uniformSlots},
+          {gpu::kSpecAreaLights, settings.lightSize > 0}};
 }
 
 }  // namespace candela

@@ -23,7 +23,7 @@ CANDELA_CONST uint kSpecPointLights = 15u;
 CANDELA_CONST uint kSpecSky = 16u;
 CANDELA_CONST uint kSpecOneSided = 17u;
 CANDELA_CONST uint kSpecLens = 18u;         // kLens...
-CANDELA_CONST uint kSpecTent = 19u;
+CANDELA_CONST uint kSpecFilter = 19u;       // kFilter...
 CANDELA_CONST uint kSpecSampler = 20u;      // kSampler...
 CANDELA_CONST uint kSpecStructure = 21u;    // kStructure...
 CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
@@ -32,6 +32,8 @@ CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
 CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
+// From 40 on, of Whitted's tracer alone.
+CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
 
 CANDELA_CONST uint kStructureNone = 0u;     // brute force
 CANDELA_CONST uint kStructureGrid = 1u;
@@ -39,6 +41,9 @@ CANDELA_CONST uint kStructureBvh = 2u;
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;
 CANDELA_CONST uint kLensSquare = 2u;
+CANDELA_CONST uint kFilterBox = 0u;
+CANDELA_CONST uint kFilterTent = 1u;
+CANDELA_CONST uint kFilterNone = 2u;        // rays go through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;

@@ -39,6 +39,7 @@ TEST_CASE("defaults are those of the settings") {
   CHECK_FALSE(arguments.sampleCount);
   CHECK_FALSE(arguments.size);
   CHECK_FALSE(arguments.accel);
+  CHECK_FALSE(arguments.maxDepth);
   CHECK(arguments.device.empty());
   CHECK(arguments.settings.seed == 0);
   CHECK(arguments.settings.maxDepth == 64);
@@ -99,6 +100,13 @@ TEST_CASE("generate has a --size and an -o of its own") {
   CHECK(messageFor({"generate"}) == "no kind given\nsee candela generate --help");
   CHECK(messageFor({"generate", "balls", "--spp", "4"}) ==
         "--spp is not an option of candela generate\nsee candela generate --help");
+}
+
+TEST_CASE("a tree of rays has fewer levels than a path may have") {
+  CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).maxDepth == 5000);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).maxDepth == 20);
+  CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
+        "--max-depth 21: the tree of --integrator whitted has at most 20 levels\nsee candela render --help");
 }
 
 TEST_CASE("options of one comparison are refused for the other") {

@@ -91,6 +91,15 @@ TEST_CASE("compare SCENE finds both tracers in agreement") {
   CHECK(result.exitCode == 0);
 }
 
+TEST_CASE("compare SCENE finds both Whitted tracers in agreement") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("l 2 -3 9\n"));
+  const ProgramResult result = runOnDevice({"compare", scene, "--integrator", "whitted", "--spp", "4"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.out, "they agree"));
+}
+
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -51,7 +51,7 @@ TEST_CASE("an EXR file says how it was made") {
   CHECK(metadata.at("candela.version") == CANDELA_VERSION);
   CHECK(metadata.at("candela.settings") ==
         "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --nee on --sampler sobol "
-        "--filter box --lens disc --one-sided");
+        "--filter box --lens disc --pixel-origin centre --light-size 0 --one-sided");
 }
 
 TEST_CASE("the report has every promised figure") {
@@ -100,6 +100,19 @@ TEST_CASE("the report has every promised figure") {
   CHECK(report["kernel"] == "reference");
   CHECK(report["truncated"] == 0);
   CHECK(report["badSamples"] == 0);
+}
+
+TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
+  const ProgramResult result = runCandela({scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK(result.err.find("--nee changes nothing here: it is for --integrator path") != std::string::npos);
+  const json report = json::parse(result.out);
+  CHECK(report["settings"]["maxDepth"] == 4);
+  CHECK(report["rays"]["cameraHits"] > 0);
+  CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
 }
 
 TEST_CASE("the same film, whatever the threads; another one for another seed") {

@@ -83,6 +83,7 @@ TEST_CASE("samplers, filters, lenses and sides each change the film") {
   add([](RenderSettings& s) { s.nextEventEstimation = false; });
   add([](RenderSettings& s) { s.rouletteStart = 1; });
   add([](RenderSettings& s) { s.maxDepth = 3; });
+  add([](RenderSettings& s) { s.pixelOrigin = PixelOrigin::corner; });
   std::sort(hashes.begin(), hashes.end());
   CHECK(std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end());
 }

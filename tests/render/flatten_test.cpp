@@ -98,3 +98,33 @@ TEST_CASE("a scene without primitives has no hierarchy and no slots") {
   CHECK(flat.slotCount == 0);
   CHECK(!flat.hierarchy);
 }
+
+TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
+  Scene scene = loadFixture("point_light.p3f");
+  scene.pointLights.push_back({scene.camera->at, glm::vec3(1)});  // faces z
+  RenderSettings settings = smallSettings();
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = 4;
+  settings.lightSize = 0.5f;
+  const FlatScene flat = flatten(scene, settings);
+  REQUIRE(flat.constants.limits.z == scene.pointLights.size());
+  for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
+    const std::size_t row = flat.constants.sections.w + i * gpu::kPointLightRows;
+    const glm::dvec3 edgeU = xyz(flat.rows[row + 2]);
+    const glm::dvec3 edgeV = xyz(flat.rows[row + 3]);
+    const glm::dvec3 towards = glm::dvec3(scene.camera->at) - glm::dvec3(scene.pointLights[i].position);
+    const glm::dvec3 facing = glm::length(towards) > 0 ? glm::normalize(towards) : glm::dvec3(0, 0, 1);
+    CHECK(xyz(flat.rows[row]) == glm::dvec3(scene.pointLights[i].colour));
+    CHECK(xyz(flat.rows[row + 1]) == glm::dvec3(scene.pointLights[i].position));
+    CHECK(glm::length(glm::cross(edgeU, edgeV) - 0.25 * facing) < 1e-7);
+    CHECK(glm::length(edgeU) == Approx(0.5));
+  }
+}
+
+TEST_CASE("room for rays that wait is made where there is glass, one for each depth but the first") {
+  RenderSettings settings = smallSettings();
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = 5;
+  CHECK(flatten(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
+  CHECK(flatten(loadFixture("primitives.p3f"), settings).constants.limits.w == gpu::kTreeRows + 4 * gpu::kWaitingRows);
+}

@@ -22,6 +22,15 @@ std::vector<std::filesystem::path> sceneFiles() {
 
 Scene loadTestScene(const std::string& fileName) { return loadScene(kScenes / fileName).scene; }
 
+Scene primitivesUnderLights() {
+  Scene scene = loadTestScene("primitives.p3f");
+  for (int i = 0; i < 11; ++i) {
+    const auto step = static_cast<float>(i);
+    scene.pointLights.push_back({{step - 5, -6 + 0.7f * step, 3 + 0.3f * step}, glm::vec3(0.05f + 0.02f * step)});
+  }
+  return scene;
+}
+
 Scene sceneFromText(const std::string& text) { return parseScene(text, "test.p3f", kScenes).scene; }
 
 RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples) {
