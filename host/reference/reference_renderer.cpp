@@ -1,6 +1,7 @@
 // Renders with the reference tracer: threads over tiles, one writer per pixel.
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <new>
 #include <thread>
 #include <vector>
@@ -8,13 +9,14 @@
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/reference/path.h"
+#include "host/reference/views.h"
 #include "host/render/make_renderer.h"
 
 namespace candela {
 namespace {
 
 using reference::Counters;
-using reference::PathTracer;
+using reference::PixelTracer;
 
 constexpr Extent kDefaultTile{16, 16};
 
@@ -22,10 +24,15 @@ std::uint32_t threadCount(const RenderSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
+std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings& settings) {
+  if (isView(settings.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
+  return std::make_unique<reference::PathTracer>(scene, settings);
+}
+
 // One render in progress: hands out tiles, and keeps what its threads add to.
 class Job {
  public:
-  Job(const PathTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
+  Job(const PixelTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
       : tracer_(tracer),
         settings_(settings),
         control_(control),
@@ -102,7 +109,7 @@ class Job {
     control_.progress(static_cast<double>(done) / total, done);
   }
 
-  const PathTracer& tracer_;
+  const PixelTracer& tracer_;
   const RenderSettings& settings_;
   const RenderControl& control_;
   RenderResult& result_;
@@ -153,15 +160,16 @@ class ReferenceRenderer final : public Renderer {
     statistics.threads = threadCount(settings);
 
     Stopwatch watch;
-    const PathTracer tracer(scene, settings);
+    const std::unique_ptr<PixelTracer> tracer = makeTracer(scene, settings);
+    const reference::Tracing& tracing = tracer->tracing();
     statistics.seconds["build"] = watch.lap();
-    statistics.structure = tracer.tracing().hasHierarchy() ? "bvh" : "none";
-    if (tracer.tracing().hasHierarchy()) {
-      statistics.structureQuality["nodes"] = static_cast<double>(tracer.tracing().hierarchy().nodes.size());
+    statistics.structure = tracing.hasHierarchy() ? "bvh" : "none";
+    if (tracing.hasHierarchy()) {
+      statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
     }
 
     watch.lap();
-    Job job(tracer, settings, control, result);
+    Job job(*tracer, settings, control, result);
     addCounters(job.run(statistics.threads), statistics);
     statistics.seconds["trace"] = watch.lap();
     statistics.tile = job.tile();

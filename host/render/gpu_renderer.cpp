@@ -14,6 +14,7 @@
 #include "host/vulkan/device.h"
 #include "host/vulkan/loop_limit.h"
 #include "spirv/path.h"
+#include "spirv/views.h"
 
 namespace candela {
 namespace {
@@ -75,7 +76,7 @@ const vulkan::ComputePipeline& GpuRenderer::pipelineFor(const FlatScene& flat, c
                                                         bool texels) {
   const vulkan::PipelineOptions options = pipelineOptions(flat, settings, texels);
   if (!pipeline_ || options.specialisations != pipelineKey_) {
-    pipeline_.emplace(device_, spirv::path, options);
+    pipeline_.emplace(device_, isView(settings.integrator) ? spirv::views : spirv::path, options);
     pipelineKey_ = options.specialisations;
   }
   return *pipeline_;

@@ -7,7 +7,10 @@
 
 namespace candela {
 
-enum class Integrator { path };
+enum class Integrator { path, ao, normal, albedo, depth, id, cost };
+/// Whether an integrator shows something of what camera rays meet: docs/light-transport.md section 10.
+constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
+
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
@@ -23,13 +26,14 @@ struct RenderSettings {
   std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1
   std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
   Integrator integrator = Integrator::path;
+  std::optional<float> aoDistance;  ///< reach of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
 
-  // --- These never change a bit of it.
+  // --- These never change a bit of it, but for Integrator::cost, which shows what `accel` makes of the scene.
   AccelKind accel = AccelKind::bvh;
   SceneLoads sceneLoads = SceneLoads::automatic;
   Extent workgroup{8, 8};

@@ -19,6 +19,19 @@ std::uint32_t samplerOf(SamplerKind kind) {
   return gpu::kSamplerSobol;
 }
 
+std::uint32_t viewOf(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::path: break;
+    case Integrator::ao: return gpu::kViewAo;
+    case Integrator::normal: return gpu::kViewNormal;
+    case Integrator::albedo: return gpu::kViewAlbedo;
+    case Integrator::depth: return gpu::kViewDepth;
+    case Integrator::id: return gpu::kViewId;
+    case Integrator::cost: return gpu::kViewCost;
+  }
+  return gpu::kViewNone;
+}
+
 }  // namespace
 
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
@@ -50,7 +63,8 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecStackSize, flat.stackSize},
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
-          {gpu::kSpecUniformSlots, flat.uniformSlots}};
+          {gpu::kSpecUniformSlots, flat.uniformSlots},
+          {gpu::kSpecView, viewOf(settings.integrator)}};
 }
 
 }  // namespace candela

@@ -32,6 +32,8 @@ CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
 CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
+// From 50 on, of the views alone.
+CANDELA_CONST uint kSpecView = 50u;         // kView...
 
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;
@@ -39,6 +41,13 @@ CANDELA_CONST uint kLensSquare = 2u;
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
+CANDELA_CONST uint kViewNone = 0u;          // an image of light
+CANDELA_CONST uint kViewAo = 1u;
+CANDELA_CONST uint kViewNormal = 2u;
+CANDELA_CONST uint kViewAlbedo = 3u;
+CANDELA_CONST uint kViewDepth = 4u;
+CANDELA_CONST uint kViewId = 5u;
+CANDELA_CONST uint kViewCost = 6u;
 
 CANDELA_END
 #endif
