@@ -31,6 +31,7 @@ layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
 layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
+layout(constant_id = kSpecView) const uint kView = kViewNone;
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
 const uint kManyKinds = 7u;

@@ -30,6 +30,8 @@ constexpr std::uint32_t kMostRepeats = 1000;
 constexpr float kLeastGridDensity = 0.0625f;
 constexpr float kMostGridDensity = 64;
 constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
+constexpr float kShortestReach = 1e-30f;
+constexpr float kLongestReach = 1e30f;
 
 const Arguments kDefaults;
 
@@ -94,6 +96,14 @@ Option paths(const Row& row, const char* metavar, Get get) {
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
     {"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}, {"sobol", SamplerKind::sobol}};
+const std::vector<std::pair<std::string, Integrator>> kIntegrators{{"path", Integrator::path},
+                                                                   {"whitted", Integrator::whitted},
+                                                                   {"ao", Integrator::ao},
+                                                                   {"normal", Integrator::normal},
+                                                                   {"albedo", Integrator::albedo},
+                                                                   {"depth", Integrator::depth},
+                                                                   {"id", Integrator::id},
+                                                                   {"cost", Integrator::cost}};
 const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::none},
                                                              {"srgb", ToneMap::srgb},
                                                              {"aces", ToneMap::aces},
@@ -120,8 +130,10 @@ std::vector<Option> imageOptions() {
            orAbsent(wholeNumber(1, kMostSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
     valued({"--rr-start", kTracing, kGroup, "path vertices that never face Russian roulette"},
            wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
-    valued({"--integrator", kTracing, kGroup, "what is computed"},
-           choice<Integrator>({{"path", Integrator::path}, {"whitted", Integrator::whitted}}), [](auto& a) -> auto& { return a.settings.integrator; }),
+    valued({"--integrator", kTracing, kGroup, "light (`path`, or by `whitted`'s rules), or a view of what the camera rays meet"},
+           choice(kIntegrators), [](auto& a) -> auto& { return a.settings.integrator; }),
+    valued({"--ao-distance", kTracing, kGroup, "reach of the rays of `ao`; `auto`: a quarter of the way from eye to target"},
+           orAbsent(realNumber<float>("D", kShortestReach, kLongestReach), "auto"), [](auto& a) -> auto& { return a.settings.aoDistance; }),
     valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
     valued({"--sampler", kTracing, kGroup, "random numbers"},
@@ -176,7 +188,7 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped; absent, `depth` and `cost` have false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
     valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),

@@ -9,6 +9,7 @@
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/reference/path.h"
+#include "host/reference/views.h"
 #include "host/reference/whitted.h"
 #include "host/render/make_renderer.h"
 
@@ -26,6 +27,7 @@ std::uint32_t threadCount(const RenderSettings& settings) {
 
 std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings& settings) {
   if (settings.integrator == Integrator::whitted) return std::make_unique<reference::WhittedTracer>(scene, settings);
+  if (isView(settings.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
   return std::make_unique<reference::PathTracer>(scene, settings);
 }
 

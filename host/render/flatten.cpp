@@ -129,9 +129,15 @@ std::uint32_t strataPerSide(const RenderSettings& settings) {
   return std::min(side, 256u);
 }
 
+// Of `ao`, as far as its rays look.
+float aoDistance(const Camera& camera, const RenderSettings& settings) {
+  if (settings.aoDistance) return *settings.aoDistance;
+  return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
+}
+
 void setConstants(const Scene& scene, const RenderSettings& settings, gpu::RenderConstants& constants) {
   setCamera(constants, *scene.camera, settings);
-  constants.background = gpu::vec4(scene.background, 0);
+  constants.background = gpu::vec4(scene.background, aoDistance(*scene.camera, settings));
   constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
   constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
 }

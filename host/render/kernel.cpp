@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "spirv/path.h"
+#include "spirv/views.h"
 #include "spirv/whitted.h"
 
 namespace candela {
@@ -54,6 +55,7 @@ Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
     const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
     return {"whitted", spirv::whitted, stateBytes, addTreeCounts};
   }
+  if (isView(settings.integrator)) return {"views", spirv::views, sizeof(gpu::PathState), addPathCounts};
   return {"megakernel", spirv::path, sizeof(gpu::PathState), addPathCounts};
 }
 

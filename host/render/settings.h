@@ -7,7 +7,10 @@
 
 namespace candela {
 
-enum class Integrator { path, whitted };
+enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
+/// Whether an integrator shows something of what camera rays meet: docs/light-transport.md section 10.
+constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
+
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
@@ -33,6 +36,7 @@ struct RenderSettings {
   std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
   std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
   Integrator integrator = Integrator::path;
+  std::optional<float> aoDistance;  ///< reach of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
@@ -41,7 +45,7 @@ struct RenderSettings {
   float lightSize = 0;    ///< side of the squares that point lights become, >= 0; Whitted only
   bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
 
-  // --- These never change a bit of it.
+  // --- These never change a bit of it, but for Integrator::cost, which shows what `accel` makes of the scene.
   AccelKind accel = AccelKind::bvh;
   BvhSplit bvhSplit = BvhSplit::sah;
   float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64

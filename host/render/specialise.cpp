@@ -24,6 +24,20 @@ std::uint32_t samplerOf(SamplerKind kind) {
   return gpu::kSamplerSobol;
 }
 
+std::uint32_t viewOf(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::path:
+    case Integrator::whitted: break;
+    case Integrator::ao: return gpu::kViewAo;
+    case Integrator::normal: return gpu::kViewNormal;
+    case Integrator::albedo: return gpu::kViewAlbedo;
+    case Integrator::depth: return gpu::kViewDepth;
+    case Integrator::id: return gpu::kViewId;
+    case Integrator::cost: return gpu::kViewCost;
+  }
+  return gpu::kViewNone;
+}
+
 }  // namespace
 
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
@@ -56,7 +70,8 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
           {gpu::kSpecUniformSlots, flat.uniformSlots},
-          {gpu::kSpecAreaLights, settings.lightSize > 0}};
+          {gpu::kSpecAreaLights, settings.lightSize > 0},
+          {gpu::kSpecView, viewOf(settings.integrator)}};
 }
 
 }  // namespace candela

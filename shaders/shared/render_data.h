@@ -16,7 +16,7 @@ struct RenderConstants {
   vec4 cameraUp;          // xyz: h v; w: 1 / pixels down the view
   vec4 lensRight;         // xyz: a u; w = 1 / focal
   vec4 lensUp;            // xyz: a v
-  vec4 background;        // rgb
+  vec4 background;        // rgb; w: reach of ambient occlusion
   uvec4 imageSeed;        // width, height, seed, strata per side n (0: none)
   uvec4 limits;           // max depth, roulette start, light count, rows of a pixel's state (Whitted only)
   uvec4 sections;         // first row of nodes or of a grid's cells, of primitives, materials, lights

@@ -34,6 +34,8 @@ CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
 // From 40 on, of Whitted's tracer alone.
 CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
+// From 50 on, of the views alone.
+CANDELA_CONST uint kSpecView = 50u;         // kView...
 
 CANDELA_CONST uint kStructureNone = 0u;     // brute force
 CANDELA_CONST uint kStructureGrid = 1u;
@@ -47,6 +49,13 @@ CANDELA_CONST uint kFilterNone = 2u;        // rays go through the pixels' origi
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
+CANDELA_CONST uint kViewNone = 0u;          // an image of light
+CANDELA_CONST uint kViewAo = 1u;
+CANDELA_CONST uint kViewNormal = 2u;
+CANDELA_CONST uint kViewAlbedo = 3u;
+CANDELA_CONST uint kViewDepth = 4u;
+CANDELA_CONST uint kViewId = 5u;
+CANDELA_CONST uint kViewCost = 6u;
 
 CANDELA_END
 #endif
