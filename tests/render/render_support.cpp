@@ -8,6 +8,7 @@ namespace candela {
 namespace {
 
 const std::filesystem::path kScenes = std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes";
+const std::filesystem::path kSpd = std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd";
 
 }  // namespace
 
@@ -21,6 +22,8 @@ std::vector<std::filesystem::path> sceneFiles() {
 }
 
 Scene loadTestScene(const std::string& fileName) { return loadScene(kScenes / fileName).scene; }
+
+Scene loadSpdScene(const std::string& fileName) { return loadScene(kSpd / fileName).scene; }
 
 Scene sceneFromText(const std::string& text) { return parseScene(text, "test.p3f", kScenes).scene; }
 

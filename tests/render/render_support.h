@@ -13,6 +13,8 @@ namespace candela {
 /// The files of scenes/, sorted.
 std::vector<std::filesystem::path> sceneFiles();
 Scene loadTestScene(const std::string& fileName);
+/// A sample of Haines' databases, of tests/scene/spd/.
+Scene loadSpdScene(const std::string& fileName);
 /// A scene from text, without warnings printed.
 Scene sceneFromText(const std::string& text);
 
