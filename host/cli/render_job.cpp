@@ -102,7 +102,7 @@ void requireComplete(const RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   throw InternalError(
       fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
-                  "A smaller --segments-per-dispatch may help",
+                  "A smaller --segments-per-dispatch or another --accel may help",
                   statistics.truncated));
 }
 

@@ -50,7 +50,7 @@ class RayMaker {
 
   Ray<float> fromAfar() {
     const double size = glm::length(halfExtent_) + 1e-3;
-    const glm::vec3 origin(centre_ + size * std::exp2(random_.real(0.5, 20)) * random_.direction());
+    const glm::vec3 origin(centre_ + size * std::exp2(random_.real(0.5, 14)) * random_.direction());
     const glm::dvec3 path = glm::dvec3(inBox(1.0)) - glm::dvec3(origin);
     return {origin, glm::vec3(glm::normalize(path))};
   }

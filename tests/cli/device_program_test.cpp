@@ -66,10 +66,16 @@ TEST_CASE("what was asked for is in use, and changes no bit of the film") {
   CHECK(grouped["workgroup"] == "16x4");
   const json brute = reportOf(scene, {"--accel", "none"});
   CHECK(brute["structure"] == "none");
+  const json grid = reportOf(scene, {"--accel", "grid", "--grid-density", "3"});
+  CHECK(grid["structure"] == "grid");
+  CHECK(grid["structureQuality"]["density"] == 3);
+  const json midpoint = reportOf(scene, {"--bvh-split", "midpoint"});
+  CHECK(midpoint["structure"] == "bvh");
+  CHECK(midpoint["bvhSplit"] == "midpoint");
   const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
   CHECK(chopped["segmentsPerDispatch"] == 1);
   CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
-  for (const json& other : {grouped, brute, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
+  for (const json& other : {grouped, brute, grid, midpoint, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 

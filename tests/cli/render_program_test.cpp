@@ -68,6 +68,7 @@ TEST_CASE("the report has every promised figure") {
                           "traversalSteps",
                           "workgroup",
                           "structure",
+                          "bvhSplit",
                           "kernel",
                           "device",
                           "driver",
@@ -115,7 +116,7 @@ TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not fo
   CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
 }
 
-TEST_CASE("the same film, whatever the threads; another one for another seed") {
+TEST_CASE("the same film, whatever the threads and the structure; another one for another seed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto filmHash = [&](const std::vector<std::string>& options) {
@@ -129,6 +130,8 @@ TEST_CASE("the same film, whatever the threads; another one for another seed") {
   const std::string hash = filmHash({"-t", "1"});
   CHECK(filmHash({"-t", "2"}) == hash);
   CHECK(filmHash({"--accel", "none"}) == hash);
+  CHECK(filmHash({"--accel", "grid", "--grid-density", "3"}) == hash);
+  CHECK(filmHash({"--bvh-split", "midpoint"}) == hash);
   CHECK(filmHash({"--seed", "1"}) != hash);
 }
 

@@ -8,6 +8,7 @@ namespace candela {
 namespace {
 
 const std::filesystem::path kScenes = std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes";
+const std::filesystem::path kSpd = std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd";
 
 }  // namespace
 
@@ -30,6 +31,8 @@ Scene primitivesUnderLights() {
   }
   return scene;
 }
+
+Scene loadSpdScene(const std::string& fileName) { return loadScene(kSpd / fileName).scene; }
 
 Scene sceneFromText(const std::string& text) { return parseScene(text, "test.p3f", kScenes).scene; }
 
