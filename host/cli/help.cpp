@@ -24,7 +24,8 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::output, "Output"},
     GroupTitle{OptionGroup::image, "What decides the image"},
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
-    GroupTitle{OptionGroup::execution, "How it is computed (no setting but the device changes a bit of the image; --accel changes `cost`)"},
+    GroupTitle{OptionGroup::execution,
+               "How it is computed (no setting but the device changes a bit of the image; --accel changes `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::general, "General"},
 };
