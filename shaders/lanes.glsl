@@ -1,5 +1,6 @@
-// What entry points share whose samples are paths: one lane a pixel. A lane whose path ends takes its pixel's next sample
-// at once; after its share of segments or loop turns it keeps its path in a buffer and goes on in the next dispatch.
+// What entry points share whose samples are paths: one lane a pixel. A lane whose path ends takes its pixel's next
+// sample at once; after its share of segments or loop turns it keeps its path in a buffer and goes on in the next
+// dispatch.
 #ifndef CANDELA_LANES_GLSL
 #define CANDELA_LANES_GLSL
 #include "film.glsl"

@@ -9,8 +9,8 @@ bool isFalseColour(ToneMap toneMap);
 /// The sRGB signal, in [0, 1], of a value that was divided by the scale; value >= 0, `toneMap` a false colour.
 glm::dvec3 falseColour(double value, ToneMap toneMap);
 
-/// The scale that suits an image. `heat`: the largest value. `depth`: the median of the positive ones (of an even number
-/// the upper), since a plane that reaches the horizon has no largest. 1 if no value is positive and finite.
+/// The scale that suits an image. `heat`: the largest value. `depth`: the median of the positive ones (the upper, if
+/// their number is even), since a plane that reaches the horizon has no largest. 1 if no value is positive and finite.
 float falseColourScale(const Image& image, ToneMap toneMap);
 
 }  // namespace candela

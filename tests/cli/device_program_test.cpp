@@ -106,6 +106,15 @@ TEST_CASE("compare SCENE finds both Whitted tracers in agreement") {
   CHECK(contains(result.out, "they agree"));
 }
 
+TEST_CASE("compare SCENE finds both tracers' normals in agreement") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48", "--integrator", "normal"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.out, "3072 pixels equal"));
+}
+
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

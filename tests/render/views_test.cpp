@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <vector>
 
 #include "host/render/agreement.h"
 #include "tests/render/render_support.h"
@@ -149,7 +150,8 @@ TEST_CASE("depth is the distance along the ray") {
 
 TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
   constexpr Integrator kId = Integrator::id;
-  const std::vector<vec3> objects{{0, -50, 0}, kMixedBall, kMirrorBall, kBlackBall, kLamp, kGlassBall, kLeaningTriangle};
+  const vec3 kFloor(0, -50, 0);
+  const std::vector<vec3> objects{kFloor, kMixedBall, kMirrorBall, kBlackBall, kLamp, kGlassBall, kLeaningTriangle};
   std::set<std::array<double, 3>> colours;
   const auto note = [&](const vec3& at, const vec3& from) {
     const dvec3 colour = seen(renderOnDevice, kId, at, from);
