@@ -74,6 +74,8 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--tolerance", "T", ""},
                                       {"--diff", "FILE", ""},
                                       {"--flip", "FILE", ""},
+                                      {"--repeat", "N", "3"},
+                                      {"--markdown", "FILE", ""},
                                       {"-o,--output", "FILE", "-", Command::generate},
                                       {"--size", "N", "the kind's", Command::generate},
                                       {"--stats", "", ""},
