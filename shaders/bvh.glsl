@@ -16,12 +16,9 @@ struct BoxRay {
   vec3 inverse;
 };
 
-// Zero components would make 0 * infinity = NaN at a box face; 2^-100 decides nothing.
 BoxRay boxRay(Ray ray) {
   float pad = largest(abs(ray.origin)) * (1.0 / 524288.0);
-  vec3 magnitude = max(abs(ray.direction), vec3(7.9e-31));
-  vec3 inverse = 1.0 / mix(magnitude, -magnitude, lessThan(ray.direction, vec3(0.0)));
-  return BoxRay(ray.origin + pad, ray.origin - pad, inverse);
+  return BoxRay(ray.origin + pad, ray.origin - pad, inverseDirection(ray.direction));
 }
 
 // Where the ray meets a child's box, or kNoHit. The far side is widened by 1 + 2 gamma(3) (Ize, JCGT 2013).

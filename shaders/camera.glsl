@@ -10,10 +10,16 @@ vec2 sampleLens(vec2 u) {
   return 2.0 * u - 1.0;
 }
 
+vec2 sampleFilter(vec2 u) {
+  if (kFilter == kFilterNone) return vec2(0.0);
+  if (kFilter == kFilterTent) return vec2(sampleTent(u.x), sampleTent(u.y));
+  return u - 0.5;
+}
+
 // The ray of one sample of a pixel; numbers are those of filter x, y and lens u, v.
 void cameraRay(uvec2 pixel, vec4 numbers, out vec3 origin, out vec3 direction) {
-  vec2 offset = kTentFilter ? vec2(sampleTent(numbers.x), sampleTent(numbers.y)) : numbers.xy - 0.5;
-  vec2 raster = (vec2(pixel) + 0.5 + offset) * vec2(constants.cameraRight.w, constants.cameraUp.w);
+  vec2 pixelOrigin = vec2(constants.cameraOrigin.w, constants.cameraForward.w);
+  vec2 raster = (vec2(pixel) + pixelOrigin + sampleFilter(numbers.xy)) * vec2(constants.cameraRight.w, constants.cameraUp.w);
   precise vec3 toPlane = constants.cameraForward.xyz + (raster.x - 0.5) * constants.cameraRight.xyz +
                          (0.5 - raster.y) * constants.cameraUp.xyz;
   origin = constants.cameraOrigin.xyz;

@@ -32,14 +32,25 @@ float logOneMinus(float q) {
   return 2.0 * f * series + float(exponent) * 0.693147180559945;
 }
 
-// exp(y) - 1 for y <= 0. y = k log 2 + r with |r| <= log(2)/2, Taylor series for r; log 2 in two parts.
-float expMinusOne(float y) {
+// exp(y) = x (1 + z) for y <= 0: y = k log 2 + r with |r| <= log(2)/2, Taylor series for r; log 2 in two parts.
+vec2 exponentialParts(float y) {
   float bounded = max(y, -80.0);
   float k = floor(bounded * 1.44269504 + 0.5);
   float r = (bounded - k * 0.693359375) + k * 2.12194440e-4;
   float series = r * (1.0 + r * (0.5 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r / 5040.0))))));
-  float scale = uintBitsToFloat(uint(int(k) + 127) << 23);
-  return scale * series + (scale - 1.0);
+  return vec2(uintBitsToFloat(uint(int(k) + 127) << 23), series);
+}
+
+// For y <= 0; what is below exp(-80) is exp(-80).
+float exponential(float y) {
+  vec2 parts = exponentialParts(y);
+  return parts.x + parts.x * parts.y;
+}
+
+// exp(y) - 1 for y <= 0.
+float expMinusOne(float y) {
+  vec2 parts = exponentialParts(y);
+  return parts.x * parts.y + (parts.x - 1.0);
 }
 
 // The device's own normalize() may use an approximate root.

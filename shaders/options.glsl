@@ -22,14 +22,16 @@ layout(constant_id = kSpecInsideOnly) const bool kHasInsideOnly = true;
 layout(constant_id = kSpecSky) const bool kHasSky = true;
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
-layout(constant_id = kSpecTent) const bool kTentFilter = false;
+layout(constant_id = kSpecFilter) const uint kFilter = kFilterBox;
 layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;
-layout(constant_id = kSpecHierarchy) const bool kHierarchy = true;
+layout(constant_id = kSpecStructure) const uint kStructure = kStructureBvh;
 layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
 layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
+layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
+layout(constant_id = kSpecView) const uint kView = kViewNone;
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
 const uint kManyKinds = 7u;

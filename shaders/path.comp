@@ -1,80 +1,10 @@
-// Entry point of the path tracer: one lane a pixel. A lane whose path ends takes its pixel's next sample at once; after
-// its share of segments or loop turns it keeps its path in a buffer and goes on in the next dispatch.
+// Entry point of the path tracer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "film.glsl"
-#include "path.glsl"
+#include "lanes.glsl"
 
-layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
-layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
-layout(set = 0, binding = kBindingPathStates, std430) buffer PathStates { PathState pathStates[]; };
-layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
-layout(set = 0, binding = kBindingResults, std430) buffer Results {
-  Counters counters;
-  uvec2 records[];
-};
-
-Path unpackPath(PathState state) {
-  Path path;
-  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
-                     state.directionLeaving.w);
-  path.pdf = uintBitsToFloat(state.originPdf.w);
-  path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
-  path.depth = state.throughputDepth.w;
-  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
-  return path;
+bool extendSample(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  return extendPath(path, key, work, counts, decisions);
 }
 
-PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
-  return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
-                   uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
-                   uvec4(floatBitsToUint(path.throughput), path.depth),
-                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
-}
-
-void record(uint pixelIndex, uint depth, Decisions decisions) {
-  if (depth > kRecordedVertices) return;
-  uint flags = kRecordValid | (decisions.survived ? 1u << 16 : 0u) | (decisions.shadow << 8) | decisions.lobe;
-  records[pixelIndex * kRecordedVertices + depth - 1u] = uvec2(decisions.index, flags);
-}
-
-void main() {
-  uvec2 inRegion = gl_GlobalInvocationID.xy;
-  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
-  uvec2 pixel = dispatch.region.xy + inRegion;
-  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
-  PathState state = pathStates[pixelIndex];
-  uint firstSample = state.radianceSample.w;
-  uint sampleIndex = firstSample;
-  uint sampleEnd = dispatch.work.z;
-  if (sampleIndex >= sampleEnd) return;
-
-  Path path = unpackPath(state);
-  FilmRows sums = film[pixelIndex];
-  RayCounts counts = RayCounts(state.counts.x, state.counts.y, state.counts.z);
-  Work work = Work(0u, 0u);
-  uint segments = 0u;
-  bool working = true;
-  while (working) {
-    SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
-    if (path.depth == 0u) startPath(path, key, pixel);
-    uint depth = path.depth;
-    Decisions decisions;
-    bool goesOn = extendPath(path, key, work, counts, decisions);
-    if (kRecordPaths) record(pixelIndex, depth, decisions);
-    if (!goesOn) {
-      addSample(sums, path.radiance, sampleIndex);
-      path.depth = 0u;
-      sampleIndex += 1u;
-    }
-    segments += 1u;
-    working = sampleIndex < sampleEnd && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
-  }
-  uint truncated = work.truncated + (working ? 1u : 0u);
-  film[pixelIndex] = sums;
-  pathStates[pixelIndex] = packPath(path, sampleIndex,
-                                    uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w + work.steps));
-  if (truncated > 0u) atomicAdd(counters.truncated, truncated);
-  if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
-  if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);
-}
+void main() { advancePixel(gl_GlobalInvocationID.xy); }

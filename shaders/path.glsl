@@ -6,6 +6,7 @@
 #include "bsdf.glsl"
 #include "camera.glsl"
 #include "lights.glsl"
+#include "normals.glsl"
 #include "traversal.glsl"
 
 struct Path {
@@ -40,7 +41,7 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   path.depth = 1u;
 }
 
-// The normals that a vertex shades with: `outward` for dielectrics, otherwise turned to wo.
+// A vertex in the local frame of its shading normal.
 struct Shading {
   mat3 frame;
   vec3 facing;  // geometric normal on wo's side
@@ -49,17 +50,9 @@ struct Shading {
 };
 
 Shading shadingAt(Surface surface, vec3 wo) {
-  Shading shading;
-  shading.outside = dot(surface.outward, wo) > 0.0;
-  shading.facing = shading.outside ? surface.outward : -surface.outward;
-  vec3 normal = shading.facing;
-  if (kHasSmooth) {
-    vec3 turned = shading.outside ? surface.shading : -surface.shading;
-    normal = dot(turned, wo) > 0.0 ? turned : normal;
-  }
-  shading.frame = frameAround(normal);
-  shading.wo = wo * shading.frame;
-  return shading;
+  Normals normals = normalsTowards(surface, wo);
+  mat3 frame = frameAround(normals.shading);
+  return Shading(frame, normals.geometric, wo * frame, normals.outside);
 }
 
 // Emission found by the path itself, weighed against the chance that a light sample had found it.

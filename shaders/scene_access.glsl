@@ -88,6 +88,24 @@ Light loadLight(uint light) {
   return Light(uintBitsToFloat(head.y), head.z, head.w, emission.xyz, emission.w, place.xyz, place.w);
 }
 
+struct PointLight {
+  vec3 colour;
+  vec3 position;  // middle of the square that the light fills
+  vec3 edgeU;
+  vec3 edgeV;
+};
+
+// Of the rows that Whitted's tracer has.
+PointLight loadPointLight(uint light) {
+  uint row = constants.sections.w + light * kPointLightRows;
+  PointLight result = PointLight(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, vec3(0.0), vec3(0.0));
+  if (kHasAreaLights) {
+    result.edgeU = sceneRowFloat(row + 2u).xyz;
+    result.edgeV = sceneRowFloat(row + 3u).xyz;
+  }
+  return result;
+}
+
 // The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;

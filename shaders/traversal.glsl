@@ -1,4 +1,4 @@
-// The closest hit and the any-hit query, by BVH or by brute force: the result never depends on which.
+// The closest hit and the any-hit query, by BVH, grid or brute force: the result never depends on which.
 #ifndef CANDELA_TRAVERSAL_GLSL
 #define CANDELA_TRAVERSAL_GLSL
 #extension GL_EXT_control_flow_attributes : require
@@ -69,12 +69,20 @@ bool anyOfUniform(Ray ray, uint ignored, float limit, inout Work work) {
   return blocked;
 }
 
+// Zero components would make 0 * infinity = NaN at the face of a box; 2^-100 decides nothing.
+vec3 inverseDirection(vec3 direction) {
+  vec3 magnitude = max(abs(direction), vec3(7.9e-31));
+  return 1.0 / mix(magnitude, -magnitude, lessThan(direction, vec3(0.0)));
+}
+
 #include "bvh.glsl"
+#include "grid.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
   Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
   if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
-  else if (kHierarchy) closestInHierarchy(hit, ray, work);
+  else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
+  else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
   else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
   if (kHasPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
   return hit;
@@ -84,7 +92,8 @@ Hit traceClosest(Ray ray, inout Work work) {
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
   if (kHasPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) return true;
   if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
-  if (kHierarchy) return anyInHierarchy(ray, ignored, limit, work);
+  if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
+  if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);
   return anyInRange(ray, 0u, constants.moreSections.z, ignored, limit, work);
 }
 

@@ -1,6 +1,7 @@
 // Axis-aligned boxes in single precision.
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <limits>
 
@@ -35,5 +36,9 @@ struct Aabb {
 
   bool operator==(const Aabb&) const = default;
 };
+
+/// What builders take: finite, not empty, within +-2^100. Throws InternalError that calls the box number `index` of
+/// `structure`.
+void requireProper(const Aabb& box, std::size_t index, const char* structure);
 
 }  // namespace candela

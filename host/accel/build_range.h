@@ -72,9 +72,9 @@ struct RangeSplit {
 /// Fewest steps down from a node of `itemCount` items to leaves of `maxLeafSize`, by halving.
 std::uint32_t levelsNeeded(std::size_t itemCount, std::uint32_t maxLeafSize);
 
-/// Reorders `items` and cuts them where binned SAH finds it cheapest, or nowhere if they are better off in one leaf.
-/// At most `levels` steps may lie below this node; where the cheapest cut leaves a side that does not fit below, the
-/// median cuts, and it fits: levelsNeeded(items.size()) <= levels. The result is a function of the items' order alone.
+/// Reorders `items` and cuts them as options.rule says, or nowhere if they become one leaf. At most `levels` steps may
+/// lie below this node; where the rule's cut leaves a side that does not fit below, the median cuts, and it fits:
+/// levelsNeeded(items.size()) <= levels. The result is a function of the items' order alone.
 std::optional<RangeSplit> splitRange(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                      const BvhOptions& options);
 

@@ -15,7 +15,6 @@
 namespace candela {
 namespace {
 
-constexpr float kMaxMagnitude = 0x1p100f;
 constexpr std::size_t kMaxPrimitives = std::size_t{1} << 31;
 // Ranges below this many items are one task. A constant of the tree, not of the machine.
 constexpr std::size_t kTaskItems = std::size_t{1} << 14;
@@ -36,22 +35,11 @@ void requireOptions(const BvhOptions& options, std::size_t itemCount) {
   }
 }
 
-// Written so that a NaN fails it.
-bool isProper(const Aabb& b) {
-  const bool ordered = b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
-  const bool above = b.min.x >= -kMaxMagnitude && b.min.y >= -kMaxMagnitude && b.min.z >= -kMaxMagnitude;
-  const bool below = b.max.x <= kMaxMagnitude && b.max.y <= kMaxMagnitude && b.max.z <= kMaxMagnitude;
-  return ordered && above && below;
-}
-
 std::vector<BuildItem> makeItems(std::span<const Aabb> bounds) {
   std::vector<BuildItem> items;
   items.reserve(bounds.size());
   for (const Aabb& b : bounds) {
-    if (!isProper(b)) {
-      throw InternalError(fmt::format("BVH box {} is ({} {} {}) to ({} {} {})", items.size(), b.min.x, b.min.y, b.min.z,
-                                      b.max.x, b.max.y, b.max.z));
-    }
+    requireProper(b, items.size(), "BVH");
     items.emplace_back(b, static_cast<std::uint32_t>(items.size()));
   }
   return items;

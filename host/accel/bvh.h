@@ -1,5 +1,4 @@
-// Binary bounding volume hierarchies over boxes, built by the binned surface area heuristic (Wald 2007).
-// Knows nothing of primitives or of any device's layout.
+// Binary bounding volume hierarchies over boxes. Knows nothing of primitives or of any device's layout.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +10,13 @@
 
 namespace candela {
 
+enum class SplitRule {
+  binnedSah,  ///< where the surface area heuristic (Wald 2007) finds it cheapest
+  midpoint,   ///< the path-tracing report's: the centre of the longest axis, see splitAtMidpoint()
+};
+
 struct BvhOptions {
+  SplitRule rule = SplitRule::binnedSah;
   std::uint32_t maxLeafSize = 4;  ///< primitives in a leaf, >= 1; never exceeded
   std::uint32_t maxDepth = 60;    ///< steps from the root to the deepest leaf; never exceeded
   float traversalCost = 1;        ///< of one step at an inner node, > 0

@@ -13,18 +13,19 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, verify = 16 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64 };
 
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
   Command command = Command::render;
   bool commandNamed = false;       ///< `render` may be left out
-  std::vector<std::string> files;  ///< what is not an option: scenes or images
+  std::vector<std::string> files;  ///< what is not an option: scenes, images or a kind of scene
 
   /// Absent: what the scene file asks for. `settings` has the rest; resolveSettings() joins both.
   std::optional<std::uint32_t> sampleCount;
   std::optional<Extent> size;
   std::optional<AccelKind> accel;
+  std::optional<std::uint32_t> maxDepth;  ///< absent: the integrator's default
   RenderSettings settings;
 
   bool lenient = false;
@@ -40,6 +41,12 @@ struct Arguments {
 
   verify::LightTestOptions verification;
   std::string junit;  ///< as `json`
+
+  std::optional<std::uint32_t> generatedSize;  ///< absent: the kind's default
+  std::string generatedFile = "-";             ///< "-": stdout
+
+  std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
+  std::string markdown;       ///< as `json`
 
   std::string json;  ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;

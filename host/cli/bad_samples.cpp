@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/cli/option_table.h"
 
 namespace candela::cli {
@@ -11,10 +13,11 @@ namespace {
 constexpr std::size_t kPixelsShown = 5;
 
 // A sample depends on those before it in nothing but the film, so the replay ends with it. Strata depend on the number
-// of samples: there all are replayed.
+// of samples: there all are replayed. A single sample may be one that is not jittered.
 std::string replayCommand(const RenderJob& job, std::uint32_t sample) {
   Arguments replay = job.arguments;
-  if (job.settings.sampler != SamplerKind::stratified) replay.sampleCount = sample + 1;
+  const std::uint32_t fewest = job.settings.integrator != Integrator::path && job.settings.jittersPixels() ? 2 : 1;
+  if (job.settings.sampler != SamplerKind::stratified) replay.sampleCount = std::max(sample + 1, fewest);
   std::string command = "candela render " + shellQuoted(job.arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {
     const std::string options = commandLineOf(replay, group, true);

@@ -8,9 +8,9 @@
 #include <array>
 
 #include "host/cli/commands.h"
+#include "host/cli/did_you_mean.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
-#include "host/scene/suggestion.h"
 
 namespace candela::cli {
 namespace {
@@ -19,25 +19,14 @@ namespace {
   throw UsageError(fmt::format("{}\nsee candela {} --help", message, commandInfo(command).name));
 }
 
-std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  std::vector<Spelling> spellings;
-  for (const std::string& candidate : candidates) spellings.push_back({candidate, candidate});
-  return suggest(word, spellings);
-}
-
-std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
-  const auto meant = nearest(word, candidates);
-  return meant ? fmt::format("; did you mean {}?", *meant) : "";
-}
-
 // "rendr" is a mistyped command rather than a scene: no such file, and nothing of a path about it.
 void refuseMistypedCommand(const std::string& word) {
   std::error_code ignored;
   if (word.find_first_of("./-") != std::string::npos || std::filesystem::exists(word, ignored)) return;
   std::vector<std::string> names;
   for (const CommandInfo& info : commandTable()) names.push_back(info.name);
-  if (!nearest(word, names)) return;
-  throw UsageError(fmt::format("unknown command {}{}\nsee candela --help", word, didYouMean(word, names)));
+  const std::string meant = didYouMean(word, names);
+  if (!meant.empty()) throw UsageError(fmt::format("unknown command {}{}\nsee candela --help", word, meant));
 }
 
 // Takes the command's name off `words`; "render" may be left out.
@@ -110,7 +99,7 @@ void requireFileCount(const Arguments& arguments) {
   const std::size_t count = arguments.files.size();
   if (count < info.fewestFiles) fail(info.command, fmt::format("no {} given", info.fileNoun));
   if (count > info.mostFiles)
-    fail(info.command, fmt::format("too many files: {} is unexpected", arguments.files.back()));
+    fail(info.command, fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
 }
 
 // Options for tracing say nothing about two images; to ignore them would hide a misunderstanding.
@@ -141,6 +130,13 @@ void requireOutput(const Arguments& arguments) {
   fail(Command::render, "no output given: -o FILE writes the image, --stats or --json FILE measure alone");
 }
 
+void requireTreeDepth(const Arguments& arguments) {
+  const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > kMaxTreeDepth;
+  if (arguments.settings.integrator != Integrator::whitted || !tooDeep) return;
+  fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
+                                      *arguments.maxDepth, kMaxTreeDepth));
+}
+
 void requireOneReaderOfStdout(const Arguments& arguments) {
   if (arguments.printStatistics && arguments.json == "-") {
     fail(arguments.command, "--stats and --json - both write to stdout");
@@ -160,6 +156,7 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   refuseImageOptionsForScene(arguments);
   requireOutput(arguments);
   requireOneReaderOfStdout(arguments);
+  requireTreeDepth(arguments);
   return arguments;
 }
 

@@ -12,6 +12,10 @@ namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
+  if (arguments.settings.integrator == Integrator::cost) {
+    throw UsageError("--integrator cost: each tracer has its own search structure and so its own counts, of which "
+                     "neither can be wrong; `candela render` shows those of one");
+  }
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
   const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);

@@ -9,6 +9,7 @@
 
 #include "host/cli/commands.h"
 #include "host/cli/option_table.h"
+#include "host/generate/kinds.h"
 
 namespace candela::cli {
 namespace {
@@ -24,9 +25,12 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::output, "Output"},
     GroupTitle{OptionGroup::image, "What decides the image"},
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
-    GroupTitle{OptionGroup::execution, "How it is computed (no setting but the device changes a bit of the image)"},
+    GroupTitle{OptionGroup::execution,
+               "How it is computed (no setting but the device changes a bit of the image; --accel changes `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
+    GroupTitle{OptionGroup::benchmark, "Benchmarks"},
+    GroupTitle{OptionGroup::generation, "Generating scenes"},
     GroupTitle{OptionGroup::general, "General"},
 };
 
@@ -42,7 +46,7 @@ constexpr std::array kExitCodeTexts{
     ExitCodeText{ExitCode::noDevice, "no usable device"},
     ExitCodeText{ExitCode::deviceLost, "the device was lost"},
     ExitCodeText{ExitCode::outOfMemory, "out of memory"},
-    ExitCodeText{ExitCode::interrupted, "interrupted; what was done is written"},
+    ExitCodeText{ExitCode::interrupted, "interrupted; what was done of an image is written"},
     ExitCodeText{ExitCode::internal, "an error of Candela's own"},
 };
 
@@ -100,11 +104,22 @@ std::string groupText(const GroupTitle& title, std::optional<Command> command) {
   return rows.empty() ? "" : fmt::format("\n{}:\n{}", title.title, rows);
 }
 
+std::string kindsText() {
+  std::string out = "\nKinds, with their sizes and the default:\n";
+  for (const generate::Kind& kind : generate::kindTable()) {
+    const std::string head =
+        fmt::format("{:<10}{} to {} ({})", kind.name, kind.smallestSize, kind.largestSize(), kind.defaultSize);
+    out += twoColumns(head, std::string(kind.summary));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string helpText(std::optional<Command> command) {
   std::string out = "Candela: a path tracer in Vulkan compute shaders, and a second tracer that checks it.\n\n";
   out += usageText(command);
+  if (command == Command::generate) out += kindsText();
   for (const GroupTitle& title : kGroupTitles) out += groupText(title, command);
   out += "\nExit codes:\n";
   for (const auto& [code, text] : kExitCodeTexts) out += fmt::format("  {:>2}  {}\n", static_cast<int>(code), text);

@@ -1,6 +1,8 @@
 // The option table: a row per option.
 #include "host/cli/option_table.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "host/cli/notation.h"
@@ -12,16 +14,25 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
 constexpr unsigned kCheck = static_cast<unsigned>(Command::check);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
+constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
+constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
 constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
-constexpr unsigned kTracing = kRender | kCompare | kVerify;
+constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify;
 constexpr unsigned kReadingScenes = kTracing | kCheck;
-constexpr unsigned kAll = kRender | kDevices | kCheck | kCompare | kVerify;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify;
+constexpr unsigned kAll = kReporting | kGenerate;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
 constexpr std::uint32_t kMostSegments = 1u << 20;
 constexpr std::uint32_t kLargestSide = 65535;
 constexpr std::uint32_t kLargestWorkgroupSide = 1024;
 constexpr std::uint32_t kMostThreads = 1024;
+constexpr std::uint32_t kMostRepeats = 1000;
+constexpr float kLeastGridDensity = 0.0625f;
+constexpr float kMostGridDensity = 64;
+constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
+constexpr float kShortestReach = 1e-30f;
+constexpr float kLongestReach = 1e30f;
 
 const Arguments kDefaults;
 
@@ -86,11 +97,23 @@ Option paths(const Row& row, const char* metavar, Get get) {
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
     {"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}, {"sobol", SamplerKind::sobol}};
+const std::vector<std::pair<std::string, Integrator>> kIntegrators{{"path", Integrator::path},
+                                                                   {"whitted", Integrator::whitted},
+                                                                   {"ao", Integrator::ao},
+                                                                   {"normal", Integrator::normal},
+                                                                   {"albedo", Integrator::albedo},
+                                                                   {"depth", Integrator::depth},
+                                                                   {"id", Integrator::id},
+                                                                   {"cost", Integrator::cost}};
 const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::none},
                                                              {"srgb", ToneMap::srgb},
                                                              {"aces", ToneMap::aces},
                                                              {"agx", ToneMap::agx},
                                                              {"neutral", ToneMap::neutral}};
+
+std::string defaultDepths() {
+  return fmt::format("{}; whitted {}", defaultMaxDepth(Integrator::path), defaultMaxDepth(Integrator::whitted));
+}
 
 // NOLINTBEGIN: one row each, however long.
 // clang-format off
@@ -98,18 +121,20 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
   return {
-    valued({"--spp", kRender | kCompare, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
+    valued({"--spp", kRender | kCompare | kBench, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
     valued({"--size", kTracing, kGroup, "of the image, in pixels"},
            orAbsent(extent("WxH", kLargestSide), "the file's"), [](auto& a) -> auto& { return a.size; }),
     valued({"--max-depth", kTracing, kGroup, "longest path, in rays; the camera ray is the first"},
-           wholeNumber(1, kMostSegments), [](auto& a) -> auto& { return a.settings.maxDepth; }),
+           orAbsent(wholeNumber(1, kMostSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
     valued({"--rr-start", kTracing, kGroup, "path vertices that never face Russian roulette"},
            wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
-    valued({"--integrator", kTracing, kGroup, "what is computed"},
-           choice<Integrator>({{"path", Integrator::path}}), [](auto& a) -> auto& { return a.settings.integrator; }),
+    valued({"--integrator", kTracing, kGroup, "light (`path`, or by `whitted`'s rules), or a view of what the camera rays meet"},
+           choice(kIntegrators), [](auto& a) -> auto& { return a.settings.integrator; }),
+    valued({"--ao-distance", kTracing, kGroup, "reach of the rays of `ao`; `auto`: a quarter of the way from eye to target"},
+           orAbsent(realNumber<float>("D", kShortestReach, kLongestReach), "auto"), [](auto& a) -> auto& { return a.settings.aoDistance; }),
     valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
     valued({"--sampler", kTracing, kGroup, "random numbers"},
@@ -118,6 +143,10 @@ std::vector<Option> imageOptions() {
            choice<FilterKind>({{"box", FilterKind::box}, {"tent", FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
     valued({"--lens", kTracing, kGroup, "shape of the lens, where the file has an aperture"},
            choice<LensKind>({{"disc", LensKind::disc}, {"square", LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
+    valued({"--pixel-origin", kTracing, kGroup, "where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less each way"},
+           choice<PixelOrigin>({{"centre", PixelOrigin::centre}, {"corner", PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.pixelOrigin; }),
+    valued({"--light-size", kTracing, kGroup, "of `whitted`: point lights become squares of this side, with soft shadows"},
+           realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.lightSize; }),
     flag({"--one-sided", kTracing, kGroup, "rays pass through the back of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.oneSided; }),
   };
@@ -138,8 +167,12 @@ std::vector<Option> executionOptions() {
   return {
     valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
-    valued({"--accel", kTracing, kGroup, "search structure; absent, the file's `accel` goes before the default"},
-           orAbsent(choice<AccelKind>({{"bvh", AccelKind::bvh}, {"none", AccelKind::none}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--accel", kRender | kCompare, kGroup, "search structure; absent, the file's `accel` goes before the default"},
+           orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--bvh-split", kRender | kCompare, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+           choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
+    valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
+           realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
     valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup"},
            extent("XxY", kLargestWorkgroupSide), [](auto& a) -> auto& { return a.settings.workgroup; }),
     valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},
@@ -156,7 +189,7 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped; absent, `depth` and `cost` have false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
     valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
@@ -187,11 +220,31 @@ std::vector<Option> verificationOptions() {
   };
 }
 
+std::vector<Option> benchmarkOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::benchmark;
+  return {
+    valued({"--repeat", kBench, kGroup, "runs of each variant, in turn; the median counts"},
+           wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
+    valued({"--markdown", kBench, kGroup, "write the table as Markdown; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
+  };
+}
+
+std::vector<Option> generationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::generation;
+  return {
+    valued({"-o,--output", kGenerate, kGroup, "the scene file; `-`: stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
+    valued({"--size", kGenerate, kGroup, "how large the scene is; each kind has its range"},
+           orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
+  };
+}
+
 std::vector<Option> generalOptions() {
   constexpr OptionGroup kGroup = OptionGroup::general;
   return {
     flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
-    valued({"--json", kAll, kGroup, "write the report as JSON; `-`: to stdout"},
+    valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
     flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
     flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
@@ -208,7 +261,8 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), verificationOptions(), generalOptions()}) {
+                             comparisonOptions(), verificationOptions(), benchmarkOptions(),
+                             generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

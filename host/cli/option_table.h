@@ -1,5 +1,5 @@
-// The one place where options are declared. Parsing, help, README's block, the settings in reports and the commands
-// that replay a sample are all made from this table.
+// The one place where options are declared. A name may have several rows, each for other commands. Parsing, help,
+// README's block, the settings in reports and the commands that replay a sample are all made from this table.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace candela::cli {
 
-enum class OptionGroup { image, sceneFile, execution, output, comparison, verification, general };
+enum class OptionGroup { image, sceneFile, execution, output, comparison, verification, benchmark, generation, general };
 
 struct Option {
   std::string names;  ///< e.g. "-t,--threads"

@@ -8,7 +8,6 @@
 #include "host/image/image.h"
 
 namespace candela::cli {
-namespace {
 
 void requireWritableFile(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -23,8 +22,6 @@ void requireWritableFile(const std::filesystem::path& file) {
     throw FileError(fmt::format("{}: no permission to write there", file.string()));
   }
 }
-
-}  // namespace
 
 void requireWritableImage(const std::filesystem::path& file) {
   checkImageFormat(file);

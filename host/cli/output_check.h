@@ -5,7 +5,9 @@
 
 namespace candela::cli {
 
-/// The extension is a known format (else UsageError) and the folder is there and writable (else FileError).
+/// The folder is there and writable (else FileError).
+void requireWritableFile(const std::filesystem::path& file);
+/// The extension is a known format (else UsageError), and the same.
 void requireWritableImage(const std::filesystem::path& file);
 /// The same for a JSON report; "-" and "" pass.
 void requireWritableReport(const std::string& target);

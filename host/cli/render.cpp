@@ -6,6 +6,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
+#include "host/cli/display_choice.h"
 #include "host/cli/json_output.h"
 #include "host/cli/option_table.h"
 #include "host/cli/output_check.h"
@@ -13,6 +14,7 @@
 #include "host/cli/statistics_report.h"
 #include "host/core/progress.h"
 #include "host/core/version.h"
+#include "host/image/false_colour.h"
 
 namespace candela::cli {
 namespace {
@@ -35,11 +37,16 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const Ren
           {"candela.interrupted", result.interrupted ? "yes" : "no"}};
 }
 
-void writeImages(const RenderJob& job, const RenderResult& result) {
+void writeImages(const RenderJob& job, const RenderResult& result, const Log& log) {
   if (job.arguments.outputs.empty()) return;
   Image image = toImage(result.film);
   image.metadata.merge(imageMetadata(job, result));
-  for (const auto& file : job.arguments.outputs) writeImage(file, image, job.arguments.display);
+  const DisplayTransform display = chooseDisplay(job.arguments, image);
+  if (isFalseColour(display.toneMap)) {
+    image.metadata["candela.falseColour"] = falseColourText(display);
+    log.note(falseColourKey(display));
+  }
+  for (const auto& file : job.arguments.outputs) writeImage(file, image, display);
 }
 
 void summarise(const RenderReport& report, const Log& log) {
@@ -69,7 +76,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   requireComplete(result.statistics);
 
   const double writeStart = monotonicSeconds();
-  writeImages(job, result);
+  writeImages(job, result, log);
   const double end = monotonicSeconds();
   const RenderReport report{job, result, end - writeStart, end - start};
   for (const std::string& line : badSampleReport(result.film, job)) log.problem(line);

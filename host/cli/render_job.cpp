@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/render/make_renderer.h"
@@ -28,12 +30,30 @@ void requireMemoryForFilm(const Extent& size) {
                                      size.width, size.height, needed / kGiB, present / kGiB));
 }
 
-AccelKind requestedAccel(const Scene& scene, const Log& log) {
+AccelKind requestedAccel(const Scene& scene) {
   constexpr std::uint32_t kNone = 0;
   constexpr std::uint32_t kGrid = 1;
   if (scene.requestedAccel == kNone) return AccelKind::none;
-  if (scene.requestedAccel == kGrid) log.note("the file asks for a uniform grid; a BVH takes its place");
+  if (scene.requestedAccel == kGrid) return AccelKind::grid;
   return AccelKind::bvh;
+}
+
+// Options that one integrator alone reads.
+struct IntegratorOption {
+  const char* option;
+  Integrator reader;
+  const char* readerName;
+};
+constexpr std::array kIntegratorOptions{IntegratorOption{"--nee", Integrator::path, "path"},
+                                        IntegratorOption{"--rr-start", Integrator::path, "path"},
+                                        IntegratorOption{"--light-size", Integrator::whitted, "whitted"}};
+
+// Said rather than refused, so that one command line serves all integrators.
+void noteIdleOptions(const Arguments& arguments, const Log& log) {
+  for (const auto& [option, reader, readerName] : kIntegratorOptions) {
+    if (arguments.settings.integrator == reader || !arguments.given.contains(option)) continue;
+    log.note(fmt::format("{} changes nothing here: it is for --integrator {}", option, readerName));
+  }
 }
 
 }  // namespace
@@ -43,14 +63,17 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
     log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
   }
   if (!arguments.sampleCount) arguments.sampleCount = scene.requestedSamples.value_or(RenderSettings{}.sampleCount);
-  if (!arguments.accel) arguments.accel = requestedAccel(scene, log);
+  if (!arguments.accel) arguments.accel = requestedAccel(scene);
+  if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.integrator);
   if (!arguments.size) arguments.size = Extent{scene.camera->width, scene.camera->height};
   arguments.settings.sampleCount = *arguments.sampleCount;
+  arguments.settings.maxDepth = *arguments.maxDepth;
   arguments.settings.accel = *arguments.accel;
   arguments.settings.size = *arguments.size;
 }
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
+  noteIdleOptions(arguments, log);
   const double start = monotonicSeconds();
   LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
   for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
@@ -79,7 +102,7 @@ void requireComplete(const RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   throw InternalError(
       fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
-                  "A smaller --segments-per-dispatch may help",
+                  "A smaller --segments-per-dispatch or another --accel may help",
                   statistics.truncated));
 }
 

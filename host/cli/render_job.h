@@ -22,7 +22,7 @@ struct RenderJob {
 /// OutOfMemoryError (a film larger than the machine's memory).
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
-/// The file's requests take the place of options that are absent. A request for a uniform grid becomes a BVH.
+/// The file's requests, and what the integrator defaults to, take the place of options that are absent.
 void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
 
 /// "cpu": the reference; everything else: a Vulkan device. Throws NoDeviceError.

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array kPhases{"parse", "build", "upload", "pipeline", "trace", "readBack", "write", "total"};
+constexpr std::array kPhases{"parse", "build", "structure", "upload", "pipeline", "trace", "readBack", "write", "total"};
 
 double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 
@@ -73,6 +73,19 @@ ordered_json dispatchJson(std::vector<double> seconds) {
           {"max", percentile(seconds, 1)}};
 }
 
+ordered_json raysJson(const RenderStatistics& statistics) {
+  ordered_json rays{{"camera", statistics.cameraRays}};
+  if (statistics.treeRays) {
+    rays["cameraHits"] = statistics.treeRays->cameraHits;
+    rays["reflected"] = statistics.treeRays->reflected;
+    rays["refracted"] = statistics.treeRays->refracted;
+  }
+  rays["bounce"] = statistics.bounceRays;
+  rays["shadow"] = statistics.shadowRays;
+  rays["total"] = statistics.rays();
+  return rays;
+}
+
 std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
 
 // Leaves of nested objects as "seconds.trace".
@@ -95,7 +108,6 @@ std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); 
 
 ordered_json toJson(const RenderReport& report) {
   const RenderStatistics& statistics = report.result.statistics;
-  const std::uint64_t rays = statistics.cameraRays + statistics.bounceRays + statistics.shadowRays;
   const ordered_json seconds = secondsJson(report);
   const double traceSeconds = seconds["trace"];
   ordered_json json;
@@ -109,6 +121,7 @@ ordered_json toJson(const RenderReport& report) {
   json["driver"] = statistics.driver;
   json["kernel"] = statistics.kernel;
   json["structure"] = statistics.structure;
+  json["bvhSplit"] = statistics.bvhSplit;
   json["structureQuality"] = statistics.structureQuality;
   json["sceneLoads"] = statistics.sceneLoads;
   json["workgroup"] = extentText(statistics.workgroup);
@@ -117,14 +130,11 @@ ordered_json toJson(const RenderReport& report) {
   json["threads"] = statistics.threads;
   json["deviceBytes"] = statistics.deviceBytes;
   json["samples"] = statistics.samples;
-  json["rays"] = {{"camera", statistics.cameraRays},
-                  {"bounce", statistics.bounceRays},
-                  {"shadow", statistics.shadowRays},
-                  {"total", rays}};
+  json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;
   json["verticesPerSample"] = ratio(static_cast<double>(statistics.vertices), static_cast<double>(statistics.samples));
   json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
-  json["mraysPerSecond"] = ratio(static_cast<double>(rays) / 1e6, traceSeconds);
+  json["mraysPerSecond"] = ratio(json["rays"]["total"].get<double>() / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
   json["badSamples"] = statistics.badSamples;
   json["dispatch"] = dispatchJson(statistics.dispatchSeconds);

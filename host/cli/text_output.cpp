@@ -3,7 +3,7 @@
 #include <iostream>
 #include <span>
 
-#include "host/image/atomic_write.h"
+#include "host/core/atomic_file.h"
 
 namespace candela::cli {
 

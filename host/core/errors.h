@@ -14,7 +14,7 @@ enum class ExitCode : int {
   noDevice = 4,    ///< no usable Vulkan device
   deviceLost = 5,  ///< device lost beyond recovery
   outOfMemory = 6,
-  interrupted = 7,  ///< what was done is written
+  interrupted = 7,  ///< what was done of an image is written
   internal = 70,
 };
 
@@ -42,6 +42,10 @@ struct DeviceLostError : Error {
 };
 struct OutOfMemoryError : Error {
   explicit OutOfMemoryError(const std::string& message) : Error(ExitCode::outOfMemory, message) {}
+};
+/// For work whose half is worth nothing.
+struct InterruptedError : Error {
+  explicit InterruptedError(const std::string& message) : Error(ExitCode::interrupted, message) {}
 };
 struct InternalError : Error {
   explicit InternalError(const std::string& message) : Error(ExitCode::internal, message) {}

@@ -8,8 +8,8 @@
 #include <cctype>
 #include <fstream>
 
+#include "host/core/atomic_file.h"
 #include "host/core/errors.h"
-#include "host/image/atomic_write.h"
 #include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"
 

@@ -30,15 +30,18 @@ struct Image {
 /// "candela.badSamples" says how many.
 Image toImage(const Film& film);
 
-enum class ToneMap { none, srgb, aces, agx, neutral };
+enum class ToneMap { none, srgb, aces, agx, neutral, depth, heat };
 
 /// How linear RGB becomes 8-bit pixels: radiance * 2^exposure, then the curve, then (all but `none`) the sRGB transfer
 /// function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and negative
 /// values show as black. The curves: `aces` Narkowicz' fit (2016), `agx` Wrensch's polynomial (2023), `neutral` Khronos
-/// PBR Neutral (2024), `srgb` none at all.
+/// PBR Neutral (2024), `srgb` none at all. `depth` and `heat` are false colours, signals as they stand: of
+/// v = red channel * 2^exposure / scale, `depth` shows the grey 1 / (1 + v^2), but black where v is 0, which means that
+/// nothing was hit; `heat` shows magma(v) (host/image/colour_map.h).
 struct DisplayTransform {
   ToneMap toneMap = ToneMap::srgb;
   float exposure = 0;  ///< stops
+  float scale = 1;     ///< of false colours, > 0
 };
 glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform);
 

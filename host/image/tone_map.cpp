@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/image/colour_transfer.h"
+#include "host/image/false_colour.h"
 #include "host/image/image.h"
 
 namespace candela {
@@ -54,6 +55,8 @@ dvec3 applyCurve(const dvec3& linear, ToneMap toneMap) {
   switch (toneMap) {
     case ToneMap::none:
     case ToneMap::srgb:
+    case ToneMap::depth:
+    case ToneMap::heat:
       return linear;
     case ToneMap::aces:
       return aces(linear);
@@ -71,6 +74,13 @@ double sanitized(double value) {
   return std::isnan(value) ? 0 : std::clamp(value, 0.0, kLimit);
 }
 
+/// Encoded for the display, of a linear value >= 0.
+dvec3 toneMapped(const dvec3& linear, ToneMap toneMap) {
+  const dvec3 shown = glm::clamp(applyCurve(linear, toneMap), 0.0, 1.0);
+  if (toneMap == ToneMap::none) return shown;
+  return {srgbEncode(shown.x), srgbEncode(shown.y), srgbEncode(shown.z)};
+}
+
 std::uint8_t quantized(double signal) { return static_cast<std::uint8_t>(std::lround(255 * signal)); }
 
 }  // namespace
@@ -79,10 +89,9 @@ glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform
   const double gain = std::exp2(double{transform.exposure});
   const dvec3 gained = dvec3(linear) * gain;
   const dvec3 exposed(sanitized(gained.x), sanitized(gained.y), sanitized(gained.z));
-  dvec3 signal = glm::clamp(applyCurve(exposed, transform.toneMap), 0.0, 1.0);
-  if (transform.toneMap != ToneMap::none) {
-    signal = dvec3(srgbEncode(signal.x), srgbEncode(signal.y), srgbEncode(signal.z));
-  }
+  const dvec3 signal = isFalseColour(transform.toneMap)
+                           ? falseColour(exposed.x / transform.scale, transform.toneMap)
+                           : toneMapped(exposed, transform.toneMap);
   return {quantized(signal.x), quantized(signal.y), quantized(signal.z)};
 }
 

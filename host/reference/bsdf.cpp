@@ -37,6 +37,11 @@ Bsdf::Bsdf(const Material& material)
   if (ior_ <= 0) dielectric_ = 0;
 }
 
+dvec3 Bsdf::albedo() const {
+  if (mirror_) return diffuseColour_;
+  return diffuse_ * diffuseColour_ + glossy_ * specularColour_ + dielectric_ * diffuseColour_;
+}
+
 Lobe Bsdf::chooseLobe(double u) const {
   if (u < diffuse_ / weightSum()) return Lobe::diffuse;
   if (u < (diffuse_ + glossy_) / weightSum()) return Lobe::glossy;

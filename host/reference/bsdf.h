@@ -30,6 +30,8 @@ class Bsdf {
 
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !mirror_ && weightSum() == 0; }
+  /// The lobes' weights times their colours.
+  dvec3 albedo() const;
   /// Whether light samples can find it.
   bool hasSmoothLobe() const { return diffuse_ > 0 || glossy_ > 0; }
 

@@ -9,28 +9,38 @@
 namespace candela::reference {
 
 CameraRays::CameraRays(const Camera& camera, const RenderSettings& settings)
-    : filter_(settings.filter),
+    : jitters_(settings.jittersPixels()),
+      filter_(settings.filter),
       lens_(settings.lens),
       eye_(camera.from),
       forward_(dvec3(camera.at) - eye_),
-      imageSize_(settings.size.width, settings.size.height),
+      viewPixels_(settings.size.width, settings.size.height),
+      pixelOrigin_(0.5),
       focal_(camera.focal) {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (settings.pixelOrigin == PixelOrigin::centre || viewPixels_[axis] == 1) continue;
+    viewPixels_[axis] -= 1;
+    pixelOrigin_[axis] = 0;
+  }
   const dvec3 backward = normalize(-forward_);
   right_ = normalize(cross(dvec3(camera.up), backward));
   upward_ = cross(backward, right_);
   const double height = 2 * length(forward_) * std::tan(camera.angle * kPi / 360);
-  planeSize_ = {height * imageSize_.x / imageSize_.y, height};
+  planeSize_ = {height * viewPixels_.x / viewPixels_.y, height};
   lensRadius_ = camera.aperture * height / camera.height;
 }
 
+double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const {
+  if (!jitters_) return 0;
+  const double u = numbers.unit(dimension);
+  return filter_ == FilterKind::box ? u - 0.5 : sampleTent(u);
+}
+
 Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
-  const auto offset = [&](std::uint32_t dimension) {
-    const double u = numbers.unit(dimension);
-    return filter_ == FilterKind::box ? u - 0.5 : sampleTent(u);
-  };
-  const dvec2 raster(x + 0.5 + offset(kDimensionFilterX), y + 0.5 + offset(kDimensionFilterY));
-  const dvec3 towards = forward_ + planeSize_.x * (raster.x / imageSize_.x - 0.5) * right_ +
-                        planeSize_.y * (0.5 - raster.y / imageSize_.y) * upward_;
+  const dvec2 offset(filterOffset(numbers, kDimensionFilterX), filterOffset(numbers, kDimensionFilterY));
+  const dvec2 raster = dvec2(x, y) + pixelOrigin_ + offset;
+  const dvec3 towards = forward_ + planeSize_.x * (raster.x / viewPixels_.x - 0.5) * right_ +
+                        planeSize_.y * (0.5 - raster.y / viewPixels_.y) * upward_;
   if (lensRadius_ == 0) return {eye_, normalize(towards)};
 
   const dvec2 u(numbers.unit(kDimensionLensU), numbers.unit(kDimensionLensV));

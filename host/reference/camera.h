@@ -9,19 +9,23 @@ namespace candela::reference {
 
 class CameraRays {
  public:
-  /// Of `settings`, size, filter and lens count.
+  /// Of `settings`, size, pixel origin, filter, lens and whether pixels are jittered count.
   CameraRays(const Camera& camera, const RenderSettings& settings);
   Ray generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const;
 
  private:
+  double filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const;
+
+  bool jitters_;
   FilterKind filter_;
   LensKind lens_;
   dvec3 eye_;
   dvec3 right_;           ///< unit, u of the page
   dvec3 upward_;          ///< unit, v of the page
   dvec3 forward_;         ///< from the eye to the centre of the view plane
-  glm::dvec2 imageSize_;  ///< pixels
-  glm::dvec2 planeSize_;  ///< of the view plane
+  glm::dvec2 viewPixels_;   ///< that fill the view plane
+  glm::dvec2 pixelOrigin_;  ///< within a pixel
+  glm::dvec2 planeSize_;    ///< of the view plane
   double lensRadius_;
   double focal_;
 };

@@ -36,40 +36,69 @@ Bounds widened(const Bounds& bounds) {
 
 class Builder {
  public:
-  explicit Builder(std::span<const Bounds> boxes) : boxes_(boxes) {
+  Builder(std::span<const Bounds> boxes, BvhSplit split) : boxes_(boxes), split_(split) {
     for (const Bounds& box : boxes) twiceCentres_.push_back(box.min + box.max);
     result_.order.resize(boxes.size());
     std::iota(result_.order.begin(), result_.order.end(), 0u);
   }
 
   Hierarchy build() {
-    if (!boxes_.empty()) buildNode(0, static_cast<std::uint32_t>(boxes_.size()));
+    if (!boxes_.empty()) buildNode(0, static_cast<std::uint32_t>(boxes_.size()), 0);
     return std::move(result_);
   }
 
  private:
-  void buildNode(std::uint32_t begin, std::uint32_t end) {
+  void buildNode(std::uint32_t begin, std::uint32_t end, std::uint32_t depth) {
     const auto index = static_cast<std::uint32_t>(result_.nodes.size());
+    const bool byReport = split_ == BvhSplit::midpoint;
     result_.nodes.push_back(summarize(begin, end));
-    if (end - begin <= Hierarchy::kLeafSize) {
+    if (end - begin <= (byReport ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize)) {
       result_.nodes[index].first = begin;
       result_.nodes[index].count = static_cast<std::uint16_t>(end - begin);
       return;
     }
-    const int axis = result_.nodes[index].axis;
+    const Node node = result_.nodes[index];
+    const std::uint32_t middle =
+        byReport && depth < Hierarchy::kReportDepth ? splitByReport(node, begin, end) : halve(node, begin, end);
+    buildNode(begin, middle, depth + 1);
+    result_.nodes[index].first = static_cast<std::uint32_t>(result_.nodes.size());
+    buildNode(middle, end, depth + 1);
+  }
+
+  auto at(std::uint32_t place) { return result_.order.begin() + place; }
+
+  // Where the right half begins.
+  std::uint32_t halve(const Node& node, std::uint32_t begin, std::uint32_t end) {
+    const int axis = node.axis;
     const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::uint32_t place) { return result_.order.begin() + place; };
     std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
       const double centreA = twiceCentres_[a][axis];
       const double centreB = twiceCentres_[b][axis];
       return centreA != centreB ? centreA < centreB : a < b;
     });
-    buildNode(begin, middle);
-    result_.nodes[index].first = static_cast<std::uint32_t>(result_.nodes.size());
-    buildNode(middle, end);
+    return middle;
   }
 
-  // The box of a range, and the axis along which its centres lie farthest apart.
+  std::uint32_t splitByReport(const Node& node, std::uint32_t begin, std::uint32_t end) {
+    const int axis = node.axis;
+    const auto splitBelow = [&](double twicePlane) {
+      const auto isLeft = [&](std::uint32_t item) { return twiceCentres_[item][axis] < twicePlane; };
+      return static_cast<std::uint32_t>(std::stable_partition(at(begin), at(end), isLeft) - at(0));
+    };
+    const auto isOneSided = [&](std::uint32_t middle) { return middle == begin || middle == end; };
+    std::uint32_t middle = splitBelow(node.bounds.min[axis] + node.bounds.max[axis]);
+    if (isOneSided(middle)) middle = splitBelow(meanTwiceCentre(axis, begin, end));
+    return isOneSided(middle) ? begin + 2 : middle;
+  }
+
+  double meanTwiceCentre(int axis, std::uint32_t begin, std::uint32_t end) const {
+    double sum = 0;
+    for (std::uint32_t place = begin; place < end; ++place) sum += twiceCentres_[result_.order[place]][axis];
+    return sum / (end - begin);
+  }
+
+  // The box of a range, and the axis to split it across: that along which its centres lie farthest apart or, for the
+  // report, the longest of the box.
   Node summarize(std::uint32_t begin, std::uint32_t end) const {
     Node node;
     Bounds centres;
@@ -78,13 +107,15 @@ class Builder {
       node.bounds.extend(boxes_[item]);
       centres.extend({twiceCentres_[item], twiceCentres_[item]});
     }
-    const dvec3 extent = centres.max - centres.min;
+    const Bounds& measured = split_ == BvhSplit::midpoint ? node.bounds : centres;
+    const dvec3 extent = measured.max - measured.min;
     const bool xyLess = extent.x < extent.y;
     node.axis = std::max(extent.x, extent.y) < extent.z ? 2 : (xyLess ? 1 : 0);
     return node;
   }
 
   std::span<const Bounds> boxes_;
+  BvhSplit split_;
   std::vector<dvec3> twiceCentres_;
   Hierarchy result_;
 };
@@ -113,6 +144,6 @@ std::optional<Bounds> boundsOf(const Scene& scene, const Primitive& primitive) {
   return std::nullopt;
 }
 
-Hierarchy buildHierarchy(std::span<const Bounds> boxes) { return Builder(boxes).build(); }
+Hierarchy buildHierarchy(std::span<const Bounds> boxes, BvhSplit split) { return Builder(boxes, split).build(); }
 
 }  // namespace candela::reference

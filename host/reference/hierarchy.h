@@ -1,4 +1,5 @@
-// A bounding volume hierarchy over boxes in double precision: median split, depth-first, nothing clever.
+// A bounding volume hierarchy over boxes in double precision, depth-first: halved at the median, or split by the rule
+// of the path-tracing report.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -7,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "host/render/settings.h"
 #include "host/scene/scene.h"
 
 namespace candela::reference {
@@ -37,14 +39,18 @@ struct Node {
 
 struct Hierarchy {
   static constexpr std::uint32_t kLeafSize = 4;
-  /// Halving 2^32 items down to leaves takes 30 steps.
-  static constexpr std::uint32_t kMaxDepth = 32;
+  static constexpr std::uint32_t kReportLeafSize = 2;
+  /// Of the report's rule; below it nodes are halved. Halving 2^32 items down to leaves takes 31 steps.
+  static constexpr std::uint32_t kReportDepth = 32;
+  static constexpr std::uint32_t kMaxDepth = kReportDepth + 31;
 
   std::vector<Node> nodes;  ///< the root first; empty where there are no items
   std::vector<std::uint32_t> order;
 };
 
-/// `order` becomes a permutation of the boxes' indices.
-Hierarchy buildHierarchy(std::span<const Bounds> boxes);
+/// `order` becomes a permutation of the boxes' indices. BvhSplit::midpoint is the report's rule: at most two items a
+/// leaf, nodes split across the longest axis of their box at its centre; if all items' centres are on one side, at the
+/// mean of the centres; and if they still are, two items go to the left and the rest to the right.
+Hierarchy buildHierarchy(std::span<const Bounds> boxes, BvhSplit split = BvhSplit::sah);
 
 }  // namespace candela::reference

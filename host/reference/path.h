@@ -7,26 +7,22 @@
 #include "host/reference/bsdf.h"
 #include "host/reference/camera.h"
 #include "host/reference/lights.h"
+#include "host/reference/pixel_tracer.h"
 #include "host/reference/sampler.h"
 #include "host/reference/surface.h"
-#include "host/reference/tracing.h"
-#include "host/render/path_record.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
 namespace candela::reference {
 
-/// A scene made ready to be rendered.
-class PathTracer {
+class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const Scene& scene, const RenderSettings& settings);
 
-  /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path decided.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-               PathRecord* record) const;
-
-  const Tracing& tracing() const { return tracing_; }
+               PathRecord* record) const override;
+  const Tracing& tracing() const override { return tracing_; }
 
  private:
   /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.

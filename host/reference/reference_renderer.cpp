@@ -1,6 +1,7 @@
 // Renders with the reference tracer: threads over tiles, one writer per pixel.
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <new>
 #include <thread>
 #include <vector>
@@ -8,13 +9,15 @@
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/reference/path.h"
+#include "host/reference/views.h"
+#include "host/reference/whitted.h"
 #include "host/render/make_renderer.h"
 
 namespace candela {
 namespace {
 
 using reference::Counters;
-using reference::PathTracer;
+using reference::PixelTracer;
 
 constexpr Extent kDefaultTile{16, 16};
 
@@ -22,10 +25,16 @@ std::uint32_t threadCount(const RenderSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
+std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings& settings) {
+  if (settings.integrator == Integrator::whitted) return std::make_unique<reference::WhittedTracer>(scene, settings);
+  if (isView(settings.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
+  return std::make_unique<reference::PathTracer>(scene, settings);
+}
+
 // One render in progress: hands out tiles, and keeps what its threads add to.
 class Job {
  public:
-  Job(const PathTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
+  Job(const PixelTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
       : tracer_(tracer),
         settings_(settings),
         control_(control),
@@ -102,7 +111,7 @@ class Job {
     control_.progress(static_cast<double>(done) / total, done);
   }
 
-  const PathTracer& tracer_;
+  const PixelTracer& tracer_;
   const RenderSettings& settings_;
   const RenderControl& control_;
   RenderResult& result_;
@@ -114,13 +123,32 @@ class Job {
   std::atomic<bool> interrupted_{false};
 };
 
-void addCounters(const Counters& counters, RenderStatistics& statistics) {
+void addCounters(const Counters& counters, Integrator integrator, RenderStatistics& statistics) {
   statistics.samples = counters.samples;
   statistics.cameraRays = counters.cameraRays;
   statistics.bounceRays = counters.bounceRays;
   statistics.shadowRays = counters.shadowRays;
   statistics.vertices = counters.vertices;
   statistics.traversalSteps = counters.traversalSteps;
+  if (integrator != Integrator::whitted) return;
+  statistics.treeRays = {.cameraHits = counters.cameraHits,
+                         .reflected = counters.reflectedRays,
+                         .refracted = counters.refractedRays};
+}
+
+void describeStructure(const reference::Tracing& tracing, const RenderSettings& settings,
+                       RenderStatistics& statistics) {
+  statistics.structure = "none";
+  if (tracing.hasHierarchy()) {
+    statistics.structure = "bvh";
+    statistics.bvhSplit = settings.bvhSplit == BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
+  }
+  if (tracing.hasGrid()) {
+    statistics.structure = "grid";
+    statistics.structureQuality["cells"] = static_cast<double>(tracing.grid().starts.size() - 1);
+    statistics.structureQuality["references"] = static_cast<double>(tracing.grid().items.size());
+  }
 }
 
 std::uint64_t badSampleCount(const Film& film) {
@@ -153,16 +181,14 @@ class ReferenceRenderer final : public Renderer {
     statistics.threads = threadCount(settings);
 
     Stopwatch watch;
-    const PathTracer tracer(scene, settings);
+    const std::unique_ptr<PixelTracer> tracer = makeTracer(scene, settings);
     statistics.seconds["build"] = watch.lap();
-    statistics.structure = tracer.tracing().hasHierarchy() ? "bvh" : "none";
-    if (tracer.tracing().hasHierarchy()) {
-      statistics.structureQuality["nodes"] = static_cast<double>(tracer.tracing().hierarchy().nodes.size());
-    }
+    statistics.seconds["structure"] = statistics.seconds["build"];  // there is little else to make ready
+    describeStructure(tracer->tracing(), settings, statistics);
 
     watch.lap();
-    Job job(tracer, settings, control, result);
-    addCounters(job.run(statistics.threads), statistics);
+    Job job(*tracer, settings, control, result);
+    addCounters(job.run(statistics.threads), settings.integrator, statistics);
     statistics.seconds["trace"] = watch.lap();
     statistics.tile = job.tile();
     result.interrupted = job.wasInterrupted();

@@ -1,4 +1,4 @@
-// Traversal, brute force and through the hierarchy.
+// Traversal: brute force, through the hierarchy, and through the grid.
 #include "host/reference/tracing.h"
 
 #include <array>
@@ -42,6 +42,9 @@ Counters& Counters::operator+=(const Counters& other) {
   samples += other.samples;
   cameraRays += other.cameraRays;
   bounceRays += other.bounceRays;
+  cameraHits += other.cameraHits;
+  reflectedRays += other.reflectedRays;
+  refractedRays += other.refractedRays;
   shadowRays += other.shadowRays;
   vertices += other.vertices;
   traversalSteps += other.traversalSteps;
@@ -64,13 +67,15 @@ Tracing::Tracing(const Scene& scene, const RenderSettings& settings) {
   };
 
   items_.reserve(scene.primitives.size());
-  if (settings.accel == AccelKind::bvh && bounded.size() > kBruteForceLimit) {
-    hierarchy_ = buildHierarchy(boxes);
+  const bool wantsHierarchy = settings.bvhSplit == BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
+  if (settings.accel == AccelKind::bvh && wantsHierarchy) {
+    hierarchy_ = buildHierarchy(boxes, settings.bvhSplit);
     for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
-    firstOutside_ = items_.size();
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
+  if (settings.accel == AccelKind::grid) grid_ = buildGrid(boxes, double{settings.gridDensity});
+  if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
 }
 
@@ -122,7 +127,9 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
 template <class Visit>
 void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
   if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
-  for (std::size_t i = firstOutside_; i < items_.size(); ++i) {
+  const bool throughGrid = hasGrid() && grid_.serves(ray.origin);
+  if (throughGrid && visitGrid(ray, limit, counters, visit)) return;
+  for (std::size_t i = hasGrid() && !throughGrid ? 0 : firstOutside_; i < items_.size(); ++i) {
     ++counters.traversalSteps;
     if (visit(items_[i], distance(items_[i], ray))) return;
   }
@@ -147,6 +154,20 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
     const bool forward = ray.direction[node.axis] >= 0;
     stack[stackSize++] = forward ? node.first : index + 1;
     stack[stackSize++] = forward ? index + 1 : node.first;
+  }
+  return false;
+}
+
+// What is hit within a cell stands in it; so nothing nearer is left once the nearest hit lies before the cell's exit.
+template <class Visit>
+bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
+  for (GridWalk walk(grid_, ray); walk.isInside(); walk.advance()) {
+    ++counters.traversalSteps;
+    for (const std::uint32_t item : grid_.itemsOf(walk.cell())) {
+      ++counters.traversalSteps;
+      if (visit(items_[item], distance(items_[item], ray))) return true;
+    }
+    if (limit < walk.exit()) return false;
   }
   return false;
 }

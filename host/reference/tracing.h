@@ -1,9 +1,10 @@
-// What a ray meets in a scene: all primitives one after the other, or through a hierarchy where they are many.
+// What a ray meets in a scene: all primitives one after the other, or through a hierarchy or a grid.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include "host/reference/geometry.h"
+#include "host/reference/grid.h"
 #include "host/reference/hierarchy.h"
 #include "host/reference/ray.h"
 #include "host/render/settings.h"
@@ -16,19 +17,22 @@ struct Counters {
   std::uint64_t samples = 0;
   std::uint64_t cameraRays = 0;
   std::uint64_t bounceRays = 0;
+  std::uint64_t cameraHits = 0;     ///< this and the next two: Whitted only
+  std::uint64_t reflectedRays = 0;
+  std::uint64_t refractedRays = 0;
   std::uint64_t shadowRays = 0;
   std::uint64_t vertices = 0;
-  std::uint64_t traversalSteps = 0;  ///< nodes visited plus primitives tested
+  std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
 
   Counters& operator+=(const Counters& other);
 };
 
 class Tracing {
  public:
-  /// Primitives beyond this number are put into a hierarchy, unless the settings ask for none.
+  /// So few primitives need no hierarchy of the default kind; other structures are built for any number.
   static constexpr std::size_t kBruteForceLimit = 32;
 
-  /// Of `settings`, `accel` and `oneSided` count. The scene must outlive the object.
+  /// Of `settings`, `accel`, what belongs to it, and `oneSided` count. The scene must outlive the object.
   Tracing(const Scene& scene, const RenderSettings& settings);
 
   /// The nearest hit; of equal distances that of the lower primitive index.
@@ -38,6 +42,8 @@ class Tracing {
 
   bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
   const Hierarchy& hierarchy() const { return hierarchy_; }
+  bool hasGrid() const { return !grid_.starts.empty(); }
+  const Grid& grid() const { return grid_; }
 
  private:
   /// A primitive to be tested: `shape` is an index into the shapes of its kind.
@@ -54,8 +60,10 @@ class Tracing {
   void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
   template <class Visit>
   bool visitHierarchy(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
+  template <class Visit>
+  bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
-  std::vector<Item> items_;       ///< in the hierarchy's order, then those outside of it
+  std::vector<Item> items_;       ///< in the structure's order, then those outside of it
   std::size_t firstOutside_ = 0;  ///< the first of the latter
   std::vector<SphereShape> spheres_;
   std::vector<TriangleShape> triangles_;
@@ -63,6 +71,7 @@ class Tracing {
   std::vector<ConeShape> cones_;
   std::vector<PlaneShape> planes_;
   Hierarchy hierarchy_;
+  Grid grid_;
 };
 
 }  // namespace candela::reference

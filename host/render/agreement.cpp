@@ -42,7 +42,7 @@ Cause causeOf(const PathRecord& device, const PathRecord& reference) {
     const VertexRecord& b = reference.vertices[i];
     if (i >= device.vertexCount || i >= reference.vertexCount) return Cause::roulette;
     if (a.primitive != b.primitive) return Cause::primitive;
-    if (a.shadow != b.shadow) return Cause::shadow;
+    if (a.shadow != b.shadow || a.visibleLights != b.visibleLights) return Cause::shadow;
     if (a.lobe != b.lobe) return Cause::lobe;
     if (a.survivedRoulette != b.survivedRoulette) return Cause::roulette;
   }

@@ -13,11 +13,11 @@ namespace candela {
 namespace {
 
 constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
-constexpr std::uint64_t kReadChunk = 65536;                         // path states read back at a time
+constexpr std::uint64_t kReadBytes = std::uint64_t{4} << 20;       // of path states read back at a time
 constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30;  // what every device allocates in one piece
 
-std::uint64_t largestBytesPerPixel(const RenderSettings& settings) {
-  const std::uint64_t path = std::max(sizeof(gpu::PathState), sizeof(gpu::FilmRows));
+std::uint64_t largestBytesPerPixel(const Kernel& kernel, const RenderSettings& settings) {
+  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
   return settings.recordPaths ? std::max(path, kRecordBytes) : path;
 }
 
@@ -41,26 +41,18 @@ TileCursor cursorOver(Extent band, const RenderSettings& settings) {
   return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroup);
 }
 
-void addCounts(const gpu::PathState& state, RenderStatistics& statistics) {
-  const bool underWay = state.throughputDepth.w > 0;
-  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
-  statistics.bounceRays += state.counts.x;
-  statistics.shadowRays += state.counts.y;
-  statistics.vertices += state.counts.z;
-  statistics.traversalSteps += state.counts.w;
-}
-
 VertexRecord unpackRecord(const gpu::uvec2& packed) {
   return {.primitive = packed.x,
           .lobe = static_cast<Lobe>(packed.y & 255u),
           .shadow = static_cast<ShadowOutcome>(packed.y >> 8 & 255u),
-          .survivedRoulette = (packed.y >> 16 & 1u) != 0};
+          .survivedRoulette = (packed.y >> 16 & 1u) != 0,
+          .visibleLights = static_cast<std::uint16_t>((packed.y & ~gpu::kRecordValid) >> gpu::kRecordLightShift)};
 }
 
 }  // namespace
 
-std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings) {
-  const std::uint64_t rowBytes = largestBytesPerPixel(settings) * settings.size.width;
+std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const RenderSettings& settings) {
+  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.size.width;
   // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
   const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
   const std::uint64_t rows = mostBytes <= sizeof(gpu::Counters) ? 0 : (mostBytes - sizeof(gpu::Counters)) / rowBytes;
@@ -71,13 +63,14 @@ std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings)
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
 }
 
-Band::Band(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
-           const RenderSettings& settings, std::uint32_t maxHeight)
+Band::Band(vulkan::Device& device, const Kernel& kernel, const vulkan::ComputePipeline& pipeline,
+           const DeviceScene& scene, const RenderSettings& settings, std::uint32_t maxHeight)
     : device_(device),
+      kernel_(kernel),
       pipeline_(pipeline),
       settings_(settings),
       width_(settings.size.width),
-      states_(device, sizeof(gpu::PathState) * width_ * maxHeight, vulkan::Usage::storage),
+      states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(settings, std::uint64_t{width_} * maxHeight), vulkan::Usage::storage),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
@@ -150,11 +143,13 @@ bool Band::finish(const LoopBudget& budget, const RenderControl& control, Render
 }
 
 void Band::readCounts(RenderStatistics& statistics) {
-  std::vector<gpu::PathState> states(std::min<std::uint64_t>(pixels(), kReadChunk));
-  for (std::uint64_t first = 0; first < pixels(); first += states.size()) {
-    const std::span chunk(states.data(), std::min<std::uint64_t>(states.size(), pixels() - first));
-    states_.download(std::as_writable_bytes(chunk), first * sizeof(gpu::PathState));
-    for (const gpu::PathState& state : chunk) addCounts(state, statistics);
+  const std::uint64_t size = kernel_.stateBytes;
+  const std::uint64_t most = std::min(pixels(), kReadBytes / size);
+  std::vector<std::byte> states(most * size);
+  for (std::uint64_t first = 0; first < pixels(); first += most) {
+    const std::span chunk(states.data(), std::min(most, pixels() - first) * size);
+    states_.download(chunk, first * size);
+    for (std::uint64_t at = 0; at < chunk.size(); at += size) kernel_.addCounts(chunk.subspan(at, size), statistics);
   }
 }
 

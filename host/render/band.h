@@ -6,6 +6,8 @@
 #include "host/image/film.h"
 #include "host/render/device_scene.h"
 #include "host/render/governor.h"
+#include "host/render/kernel.h"
+#include "host/render/loop_budget.h"
 #include "host/render/renderer.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/compute_pipeline.h"
@@ -19,18 +21,12 @@ struct BandRows {
 };
 
 /// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too much.
-std::uint32_t bandHeight(const DeviceInfo& info, const RenderSettings& settings);
-
-/// What the device may do in one dispatch without running into its loop limit.
-struct LoopBudget {
-  std::uint32_t maxSegments = 0;  ///< segments of one lane
-  std::uint32_t laneTurns = 0;    ///< loop turns after which a lane begins no further segment
-};
+std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const RenderSettings& settings);
 
 /// Buffers for one band, made once and used for each band in turn.
 class Band {
  public:
-  Band(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
+  Band(vulkan::Device& device, const Kernel& kernel, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
        const RenderSettings& settings, std::uint32_t maxHeight);
 
   /// Sets all paths and sums of the band to their beginning.
@@ -53,6 +49,7 @@ class Band {
   void readRecords(PathRecords& paths);
 
   vulkan::Device& device_;
+  Kernel kernel_;
   const vulkan::ComputePipeline& pipeline_;
   const RenderSettings& settings_;
   std::uint32_t width_;

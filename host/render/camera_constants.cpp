@@ -4,8 +4,24 @@
 #include <numbers>
 
 namespace candela {
+namespace {
 
-void setCamera(gpu::RenderConstants& constants, const Camera& camera, const Extent& size) {
+// One direction of the image: pixels that fill the view, and where in them rays go that are not jittered.
+struct Axis {
+  std::uint32_t pixels;
+  float origin;
+};
+
+Axis axisOf(std::uint32_t extent, PixelOrigin origin) {
+  if (origin == PixelOrigin::corner && extent > 1) return {extent - 1, 0};
+  return {extent, 0.5f};
+}
+
+}  // namespace
+
+void setCamera(gpu::RenderConstants& constants, const Camera& camera, const RenderSettings& settings) {
+  const Axis across = axisOf(settings.size.width, settings.pixelOrigin);
+  const Axis down = axisOf(settings.size.height, settings.pixelOrigin);
   const glm::dvec3 from(camera.from);
   const glm::dvec3 backward = from - glm::dvec3(camera.at);
   const double distance = glm::length(backward);
@@ -13,12 +29,12 @@ void setCamera(gpu::RenderConstants& constants, const Camera& camera, const Exte
   const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(camera.up), n));
   const glm::dvec3 v = glm::cross(n, u);
   const double height = 2 * distance * std::tan(camera.angle * std::numbers::pi / 360);
-  const double width = height * size.width / size.height;
+  const double width = height * across.pixels / down.pixels;
   const double lensRadius = camera.aperture * height / camera.height;
-  constants.cameraOrigin = gpu::vec4(glm::vec3(from), 0);
-  constants.cameraForward = gpu::vec4(glm::vec3(-backward), 0);
-  constants.cameraRight = gpu::vec4(glm::vec3(width * u), 1.0f / static_cast<float>(size.width));
-  constants.cameraUp = gpu::vec4(glm::vec3(height * v), 1.0f / static_cast<float>(size.height));
+  constants.cameraOrigin = gpu::vec4(glm::vec3(from), across.origin);
+  constants.cameraForward = gpu::vec4(glm::vec3(-backward), down.origin);
+  constants.cameraRight = gpu::vec4(glm::vec3(width * u), 1.0f / static_cast<float>(across.pixels));
+  constants.cameraUp = gpu::vec4(glm::vec3(height * v), 1.0f / static_cast<float>(down.pixels));
   constants.lensRight = gpu::vec4(glm::vec3(lensRadius * u), static_cast<float>(1.0 / camera.focal));
   constants.lensUp = gpu::vec4(glm::vec3(lensRadius * v), 0);
 }

@@ -6,7 +6,8 @@
 
 namespace candela {
 
-/// Fills the camera's rows of `constants`, computed in double and rounded once.
-void setCamera(gpu::RenderConstants& constants, const Camera& camera, const Extent& size);
+/// Fills the camera's rows of `constants`, computed in double and rounded once. Of `settings`, size and pixel origin
+/// count.
+void setCamera(gpu::RenderConstants& constants, const Camera& camera, const RenderSettings& settings);
 
 }  // namespace candela

@@ -22,9 +22,10 @@ bool choosesTexels(const vulkan::Device& device, const FlatScene& flat, SceneLoa
                                 flat.rows.size(), device.info().name, device.info().maxTexelBufferElements));
   }
   if (loads != SceneLoads::texel && !fits && flat.rows.size() * kRowBytes > device.info().maxStorageBufferRange) {
-    throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: make it smaller",
+    throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: make it smaller{}",
                                 flat.rows.size() * kRowBytes >> 20, device.info().name,
-                                device.info().maxStorageBufferRange >> 20));
+                                device.info().maxStorageBufferRange >> 20,
+                                flat.structure == gpu::kStructureGrid ? ", or lower --grid-density" : ""));
   }
   return loads != SceneLoads::storage && fits;
 }

@@ -9,6 +9,7 @@
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 #include "shaders/shared/render_data.h"
+#include "shaders/shared/specialization.h"
 
 namespace candela {
 
@@ -23,19 +24,22 @@ struct SceneFeatures {
   bool sky = false;
 };
 
+inline constexpr std::uint32_t kAnyGridSide = 0xffffffffu;
+
 struct FlatScene {
   std::vector<gpu::uvec4> rows;
   gpu::RenderConstants constants{};
   SceneFeatures features;
-  bool hierarchy = false;           ///< a BVH of more than one leaf is among the rows; else all primitives are tested
-  std::uint32_t stackSize = 1;      ///< entries that a traversal needs
+  std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
+  std::uint32_t stackSize = 1;      ///< entries that the traversal of a BVH needs
   std::uint32_t uniformSlots = 0;   ///< finite primitives whose rows are in the constants too; 0: none
   std::uint32_t slotCount = 0;      ///< primitives, planes included
+  double structureSeconds = 0;      ///< that building the search structure took
   std::map<std::string, double> structureQuality;
 };
 
-/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera.
-/// Throws FileError if the scene exceeds a limit of the layout.
-FlatScene flatten(const Scene& scene, const RenderSettings& settings);
+/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera. A grid
+/// gets at most `maxGridSide` cells along an axis. Throws FileError if the scene exceeds a limit of the layout.
+FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint32_t maxGridSide = kAnyGridSide);
 
 }  // namespace candela

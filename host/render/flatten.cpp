@@ -7,11 +7,14 @@
 
 #include "host/accel/primitive_bounds.h"
 #include "host/core/errors.h"
+#include "host/core/stopwatch.h"
 #include "host/render/camera_constants.h"
 #include "host/render/flat_rows.h"
 #include "host/render/flat_scene.h"
 #include "host/render/flatten_features.h"
+#include "host/render/flatten_grid.h"
 #include "host/render/flatten_hierarchy.h"
+#include "host/render/flatten_point_lights.h"
 #include "host/render/flatten_primitives.h"
 #include "host/render/flatten_sky.h"
 #include "host/render/light_table.h"
@@ -33,13 +36,13 @@ void checkLimits(const Scene& scene) {
   }
 }
 
-void appendMaterials(const Scene& scene, FlatScene& flat) {
+void appendMaterials(const Scene& scene, Integrator integrator, FlatScene& flat) {
   flat.constants.sections.z = rowCount(flat.rows);
   for (const Material& material : scene.materials) {
-    const Lobes lobes = lobesOf(material);
+    const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
     flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
-    flat.rows.push_back(row(glm::dvec3(material.emission), lobes.dielectric));
+    flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
   }
 }
@@ -84,6 +87,19 @@ void appendLights(const Scene& scene, std::span<const LightEntry> table, std::sp
   }
 }
 
+void appendPointLights(const Scene& scene, double lightSize, FlatScene& flat) {
+  const Rows lights = pointLightRows(scene, lightSize);
+  flat.constants.sections.w = rowCount(flat.rows);
+  flat.constants.limits.z = static_cast<std::uint32_t>(scene.pointLights.size());
+  flat.features.pointLights = !scene.pointLights.empty();
+  flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
+}
+
+// Only glass makes rays wait.
+std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
+  return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
+}
+
 void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, std::span<const LightEntry> table,
                       FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
@@ -100,7 +116,7 @@ void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, 
 }
 
 void copyToConstants(std::uint32_t finiteCount, FlatScene& flat) {
-  if (flat.hierarchy || finiteCount > gpu::kMaxUniformSlots) return;
+  if (flat.structure != gpu::kStructureNone || finiteCount > gpu::kMaxUniformSlots) return;
   flat.uniformSlots = finiteCount;
   const auto first = flat.rows.begin() + flat.constants.sections.y;
   std::copy_n(first, finiteCount * gpu::kPrimitiveRows, flat.constants.slotRows);
@@ -113,33 +129,57 @@ std::uint32_t strataPerSide(const RenderSettings& settings) {
   return std::min(side, 256u);
 }
 
+// Of `ao`, as far as its rays look.
+float aoDistance(const Camera& camera, const RenderSettings& settings) {
+  if (settings.aoDistance) return *settings.aoDistance;
+  return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
+}
+
 void setConstants(const Scene& scene, const RenderSettings& settings, gpu::RenderConstants& constants) {
-  setCamera(constants, *scene.camera, settings.size);
-  constants.background = gpu::vec4(scene.background, 0);
+  setCamera(constants, *scene.camera, settings);
+  constants.background = gpu::vec4(scene.background, aoDistance(*scene.camera, settings));
   constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
   constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
 }
 
+// Builds what the settings ask for as the first rows, and gives the finite primitives' order.
+std::vector<std::uint32_t> appendStructure(const SceneBounds& bounds, const RenderSettings& settings,
+                                           std::uint32_t maxGridSide, FlatScene& flat) {
+  Stopwatch watch;
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (settings.accel == AccelKind::bvh) order = appendHierarchy(bounds, settings.bvhSplit, flat);
+  if (settings.accel == AccelKind::grid) appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
+  flat.structureSeconds = watch.lap();
+  flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
+  return order;
+}
+
 }  // namespace
 
-FlatScene flatten(const Scene& scene, const RenderSettings& settings) {
+FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint32_t maxGridSide) {
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
-  flat.features = featuresOf(scene);
+  flat.features = featuresOf(scene, settings.integrator);
+  const bool whitted = settings.integrator == Integrator::whitted;
   const SceneBounds bounds = boundPrimitives(scene);
-  std::vector<std::uint32_t> order =
-      settings.accel == AccelKind::bvh ? appendHierarchy(bounds, flat) : bounds.finite;
+  std::vector<std::uint32_t> order = appendStructure(bounds, settings, maxGridSide, flat);
   flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   flat.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.moreSections.w = flat.slotCount;
 
-  const std::vector<LightEntry> table = buildLightTable(scene, settings.nextEventEstimation);
+  const std::vector<LightEntry> table =
+      whitted ? std::vector<LightEntry>{} : buildLightTable(scene, settings.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
   copyToConstants(flat.constants.moreSections.z, flat);
-  appendMaterials(scene, flat);
-  appendLights(scene, table, slotsOf(order), flat);
+  appendMaterials(scene, settings.integrator, flat);
+  if (whitted) {
+    appendPointLights(scene, settings.lightSize, flat);
+    flat.constants.limits.w = treeRows(flat.features, settings.maxDepth);
+  } else {
+    appendLights(scene, table, slotsOf(order), flat);
+  }
   flat.constants.moreSections.y = rowCount(flat.rows);
   if (scene.sky) {
     const Rows sky = skyRows(*scene.sky);

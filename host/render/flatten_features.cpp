@@ -23,19 +23,19 @@ void noteKind(const Scene& scene, const Primitive& primitive, SceneFeatures& fea
   }
 }
 
-void noteMaterial(const Material& material, SceneFeatures& features) {
-  const Lobes lobes = lobesOf(material);
+void noteMaterial(const Material& material, Integrator integrator, SceneFeatures& features) {
+  const Lobes lobes = lobesFor(integrator, material);
   features.diffuse |= lobes.diffuse > 0;
   features.glossy |= lobes.glossy > 0;
   features.dielectric |= lobes.dielectric > 0;
   features.mirror |= lobes.mirror;
   features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
-  features.emission |= isEmissive(material);
+  features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
 }
 
 }  // namespace
 
-SceneFeatures featuresOf(const Scene& scene) {
+SceneFeatures featuresOf(const Scene& scene, Integrator integrator) {
   SceneFeatures features;
   std::vector<bool> used(scene.materials.size());
   for (const Primitive& primitive : scene.primitives) {
@@ -43,7 +43,7 @@ SceneFeatures featuresOf(const Scene& scene) {
     used[primitive.material] = true;
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) noteMaterial(scene.materials[i], features);
+    if (used[i]) noteMaterial(scene.materials[i], integrator, features);
   }
   features.sky = scene.sky.has_value();
   return features;

@@ -5,6 +5,6 @@
 namespace candela {
 
 /// All but the kinds of lights, which the light table tells.
-SceneFeatures featuresOf(const Scene& scene);
+SceneFeatures featuresOf(const Scene& scene, Integrator integrator);
 
 }  // namespace candela

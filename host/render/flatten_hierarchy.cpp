@@ -12,9 +12,17 @@ namespace {
 
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
-// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf.
+// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf,
+// unless another tree was asked for.
 constexpr std::uint32_t kSingleLeaf = gpu::kMaxUniformSlots;
 constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCost = 1e6f};
+// Two primitives a leaf are part of the report's rule.
+constexpr BvhOptions kMidpointOptions{.rule = SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
+
+const BvhOptions& optionsFor(BvhSplit split, std::size_t primitiveCount) {
+  if (split == BvhSplit::midpoint) return kMidpointOptions;
+  return primitiveCount <= kSingleLeaf ? kSingleLeafOptions : kBvhOptions;
+}
 
 // A child as its parent stores it: its box, and where it leads.
 void appendChild(const BvhNode& child, std::span<const std::uint32_t> innerIndex, std::size_t index, Rows& rows) {
@@ -48,12 +56,11 @@ void noteQuality(const BvhQuality& measured, FlatScene& flat) {
 
 }  // namespace
 
-std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, FlatScene& flat) {
-  const BvhOptions& options = bounds.bounds.size() <= kSingleLeaf ? kSingleLeafOptions : kBvhOptions;
-  const Bvh bvh = buildBvh(bounds.bounds, options);
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, BvhSplit split, FlatScene& flat) {
+  const Bvh bvh = buildBvh(bounds.bounds, optionsFor(split, bounds.bounds.size()));
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
-  flat.hierarchy = bvh.nodes.size() > 1;
+  if (bvh.nodes.size() > 1) flat.structure = gpu::kStructureBvh;
   flat.stackSize = std::max(1u, measured.depth);
   flat.constants.sections.x = rowCount(flat.rows);
   const Rows nodes = nodeRows(bvh);

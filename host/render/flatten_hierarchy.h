@@ -8,8 +8,8 @@
 
 namespace candela {
 
-/// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices in
-/// the order of its leaves.
-std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, FlatScene& flat);
+/// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
+/// in the order of its leaves.
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, BvhSplit split, FlatScene& flat);
 
 }  // namespace candela

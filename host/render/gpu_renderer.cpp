@@ -9,11 +9,12 @@
 #include "host/core/stopwatch.h"
 #include "host/render/band.h"
 #include "host/render/flat_scene.h"
+#include "host/render/kernel.h"
+#include "host/render/loop_budget.h"
 #include "host/render/make_renderer.h"
 #include "host/render/specialise.h"
 #include "host/vulkan/device.h"
 #include "host/vulkan/loop_limit.h"
-#include "spirv/path.h"
 
 namespace candela {
 namespace {
@@ -35,18 +36,13 @@ void checkWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
                                info.maxWorkgroupSize[1]));
 }
 
-// Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
-// device's limit is left for the turns that a lane does not count and for its last segment.
-LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat) {
-  if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
-  if (flat.hierarchy) return {limit / 4, limit / (2 * std::max(1u, info.subgroupSize))};
-  constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations
-  const std::uint32_t half = limit / 2;
-  const std::uint32_t segments = half / (2 * flat.slotCount + kOtherTurns);
-  if (segments > 0) return {segments, 0xffffffffu};
-  throw FileError(fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
-                              "use --accel bvh",
-                              flat.slotCount, info.name, limit, half > kOtherTurns ? (half - kOtherTurns) / 2 : 0));
+const char* structureName(AccelKind accel) {
+  switch (accel) {
+    case AccelKind::none: return "none";
+    case AccelKind::grid: return "grid";
+    case AccelKind::bvh: break;
+  }
+  return "bvh";
 }
 
 class GpuRenderer : public Renderer {
@@ -58,35 +54,40 @@ class GpuRenderer : public Renderer {
   RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override;
 
  private:
-  void describe(const FlatScene& flat, const RenderSettings& settings, bool texels, RenderStatistics& statistics) const;
+  void describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
+                RenderStatistics& statistics) const;
   void renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
                    const RenderControl& control, RenderResult& result);
 
-  const vulkan::ComputePipeline& pipelineFor(const FlatScene& flat, const RenderSettings& settings, bool texels);
+  const vulkan::ComputePipeline& pipelineFor(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings,
+                                             bool texels);
 
   vulkan::Device device_;
   std::uint32_t loopLimit_;
   // The pipeline of the last render: drivers take long to compile one, and the next render often needs the same.
+  const std::uint32_t* pipelineCode_ = nullptr;
   std::vector<vulkan::Specialisation> pipelineKey_;
   std::optional<vulkan::ComputePipeline> pipeline_;
 };
 
-const vulkan::ComputePipeline& GpuRenderer::pipelineFor(const FlatScene& flat, const RenderSettings& settings,
-                                                        bool texels) {
+const vulkan::ComputePipeline& GpuRenderer::pipelineFor(const Kernel& kernel, const FlatScene& flat,
+                                                        const RenderSettings& settings, bool texels) {
   const vulkan::PipelineOptions options = pipelineOptions(flat, settings, texels);
-  if (!pipeline_ || options.specialisations != pipelineKey_) {
-    pipeline_.emplace(device_, spirv::path, options);
+  if (!pipeline_ || kernel.spirv.data() != pipelineCode_ || options.specialisations != pipelineKey_) {
+    pipeline_.emplace(device_, kernel.spirv, options);
+    pipelineCode_ = kernel.spirv.data();
     pipelineKey_ = options.specialisations;
   }
   return *pipeline_;
 }
 
-void GpuRenderer::describe(const FlatScene& flat, const RenderSettings& settings, bool texels,
+void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
-  statistics.structure = settings.accel == AccelKind::bvh ? "bvh" : "none";
-  statistics.kernel = "megakernel";
+  statistics.structure = structureName(settings.accel);
+  if (settings.accel == AccelKind::bvh) statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
+  statistics.kernel = kernel.name;
   statistics.workgroup = settings.workgroup;
   statistics.sceneLoads = texels ? "texel" : "storage";
   statistics.structureQuality = flat.structureQuality;
@@ -97,18 +98,21 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   RenderResult result;
   RenderStatistics& statistics = result.statistics;
   Stopwatch watch;
-  const FlatScene flat = flatten(scene, settings);
-  const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat);
+  const std::uint32_t rays = mostRaysPerSegment(scene, settings);
+  const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
+  const Kernel kernel = kernelFor(flat, settings);
+  const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
   statistics.seconds["build"] = watch.lap();
+  statistics.seconds["structure"] = flat.structureSeconds;
 
   const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
   statistics.seconds["upload"] = watch.lap();
-  describe(flat, settings, deviceScene.readsTexels(), statistics);
+  describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
-  const vulkan::ComputePipeline& pipeline = pipelineFor(flat, settings, deviceScene.readsTexels());
-  const std::uint32_t height = bandHeight(device_.info(), settings);
+  const vulkan::ComputePipeline& pipeline = pipelineFor(kernel, flat, settings, deviceScene.readsTexels());
+  const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
   result.film = Film(settings.size.width, settings.size.height);
-  Band band(device_, pipeline, deviceScene, settings, height);
+  Band band(device_, kernel, pipeline, deviceScene, settings, height);
   statistics.seconds["pipeline"] = watch.lap();
   renderBands(band, height, budget, settings, control, result);
   statistics.deviceBytes = device_.memoryUse().peakBytes;

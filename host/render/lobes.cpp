@@ -12,4 +12,20 @@ Lobes lobesOf(const Material& material) {
   return {.diffuse = material.kd * scale, .glossy = material.ks * scale, .dielectric = material.t * scale * transmitted};
 }
 
+Lobes whittedLobesOf(const Material& material) {
+  const bool glass = material.t > 0 && material.ior > 0;
+  return {.diffuse = material.kd, .glossy = material.ks, .dielectric = glass ? 1.0 : 0.0,
+          .mirror = material.t == 0 && material.ks > 0};
+}
+
+Lobes lobesFor(Integrator integrator, const Material& material) {
+  return integrator == Integrator::whitted ? whittedLobesOf(material) : lobesOf(material);
+}
+
+glm::dvec3 ownRadiance(Integrator integrator, const Material& material) {
+  const glm::dvec3 emission(material.emission);
+  if (integrator != Integrator::whitted) return emission;
+  return emission + double{material.ka} * glm::dvec3(material.diffuse);
+}
+
 }  // namespace candela

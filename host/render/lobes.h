@@ -1,5 +1,6 @@
-// The rules that turn an `f` line into weighted lobes: docs/light-transport.md section 5.
+// The rules that turn an `f` line into what an integrator makes of it: docs/light-transport.md sections 5 and 9.
 #pragma once
+#include "host/render/settings.h"
 #include "host/scene/scene.h"
 
 namespace candela {
@@ -13,5 +14,13 @@ struct Lobes {
 };
 
 Lobes lobesOf(const Material& material);
+
+/// As Whitted's tracer reads the line: Kd, Ks, 1 if it is glass, and whether it is a mirror, which takes Ks as its factor.
+Lobes whittedLobesOf(const Material& material);
+
+/// Of the integrator that is used.
+Lobes lobesFor(Integrator integrator, const Material& material);
+/// What a surface shows without any light: its emission, and with Whitted's tracer its ambient share.
+glm::dvec3 ownRadiance(Integrator integrator, const Material& material);
 
 }  // namespace candela

@@ -15,12 +15,20 @@
 
 namespace candela {
 
+/// Rays of Whitted's tracer by kind.
+struct TreeRays {
+  std::uint64_t cameraHits = 0;  ///< camera rays that hit a primitive
+  std::uint64_t reflected = 0;   ///< by mirrors and by glass
+  std::uint64_t refracted = 0;
+};
+
 /// Counts and times of one render. Times in seconds.
 struct RenderStatistics {
   std::string device;        ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
   std::string driver;        ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
-  std::string structure;     ///< "bvh" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
-  std::string kernel;        ///< "megakernel" or "reference"
+  std::string structure;     ///< "bvh", "grid" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
+  std::string bvhSplit;      ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
+  std::string kernel;        ///< "megakernel", "whitted", "views" or "reference"
   Extent workgroup{};        ///< in use; 0x0 for the reference
   Extent tile{};             ///< largest region of one dispatch
   std::uint32_t maxSegmentsPerDispatch = 0;
@@ -29,14 +37,17 @@ struct RenderStatistics {
 
   std::uint64_t samples = 0;         ///< pixel samples finished
   std::uint64_t cameraRays = 0;
-  std::uint64_t bounceRays = 0;
+  std::uint64_t bounceRays = 0;      ///< all but camera and shadow rays
   std::uint64_t shadowRays = 0;
+  std::optional<TreeRays> treeRays;  ///< of Whitted's tracer
   std::uint64_t vertices = 0;        ///< surface hits of camera and bounce rays
-  std::uint64_t traversalSteps = 0;  ///< nodes visited plus primitives tested
+  std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
   std::uint64_t truncated = 0;       ///< loops that ended before their work was done; anything but 0 is an error
   std::uint64_t badSamples = 0;      ///< samples that were not finite or beyond the film's range
 
-  std::map<std::string, double> seconds;  ///< by phase: parse, build, upload, pipeline, trace, readBack, ...
+  std::uint64_t rays() const { return cameraRays + bounceRays + shadowRays; }
+
+  std::map<std::string, double> seconds;  ///< by phase: parse, build (structure, a part of it), upload, pipeline, trace, readBack, ...
   std::vector<double> dispatchSeconds;    ///< each dispatch but the warm-up
   std::map<std::string, double> structureQuality;  ///< e.g. sahCost, depth, nodes, leaves
   std::uint64_t deviceBytes = 0;          ///< device memory in use at the peak

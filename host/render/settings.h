@@ -7,30 +7,48 @@
 
 namespace candela {
 
-enum class Integrator { path };
+enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
+/// Whether an integrator shows something of what camera rays meet: docs/light-transport.md section 10.
+constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
+
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
-enum class AccelKind { none, bvh };
+/// Where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less.
+enum class PixelOrigin { centre, corner };
+enum class AccelKind { none, grid, bvh };
+/// How a BVH's nodes are split: by the surface area heuristic, or in the middle, as the path-tracing report does.
+enum class BvhSplit { sah, midpoint };
 /// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
 enum class SceneLoads { automatic, texel, storage };
+
+/// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
+inline constexpr std::uint32_t kMaxTreeDepth = 20;
+
+/// Of a command line that does not say.
+constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 
 struct RenderSettings {
   // --- These decide the image.
   Extent size;                      ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;   ///< per pixel, >= 1
   std::uint32_t seed = 0;
-  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1
+  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
   std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
   Integrator integrator = Integrator::path;
+  std::optional<float> aoDistance;  ///< reach of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
+  PixelOrigin pixelOrigin = PixelOrigin::centre;
+  float lightSize = 0;    ///< side of the squares that point lights become, >= 0; Whitted only
   bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
 
-  // --- These never change a bit of it.
+  // --- These never change a bit of it, but for Integrator::cost, which shows what `accel` makes of the scene.
   AccelKind accel = AccelKind::bvh;
+  BvhSplit bvhSplit = BvhSplit::sah;
+  float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;
   Extent workgroup{8, 8};
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
@@ -39,6 +57,9 @@ struct RenderSettings {
 
   /// Records what each path decided (one sample per pixel only): see PathRecord.
   bool recordPaths = false;
+
+  /// Whether camera rays are spread by the pixel filter; if not, they go through the pixels' origins.
+  bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }
 };
 
 }  // namespace candela

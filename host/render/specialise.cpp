@@ -10,6 +10,11 @@ std::uint32_t lensOf(const FlatScene& flat, const RenderSettings& settings) {
   return settings.lens == LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
+std::uint32_t filterOf(const RenderSettings& settings) {
+  if (!settings.jittersPixels()) return gpu::kFilterNone;
+  return settings.filter == FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
+}
+
 std::uint32_t samplerOf(SamplerKind kind) {
   switch (kind) {
     case SamplerKind::independent: return gpu::kSamplerIndependent;
@@ -17,6 +22,20 @@ std::uint32_t samplerOf(SamplerKind kind) {
     case SamplerKind::sobol: break;
   }
   return gpu::kSamplerSobol;
+}
+
+std::uint32_t viewOf(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::path:
+    case Integrator::whitted: break;
+    case Integrator::ao: return gpu::kViewAo;
+    case Integrator::normal: return gpu::kViewNormal;
+    case Integrator::albedo: return gpu::kViewAlbedo;
+    case Integrator::depth: return gpu::kViewDepth;
+    case Integrator::id: return gpu::kViewId;
+    case Integrator::cost: return gpu::kViewCost;
+  }
+  return gpu::kViewNone;
 }
 
 }  // namespace
@@ -42,15 +61,17 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecSky, has.sky},
           {gpu::kSpecOneSided, settings.oneSided},
           {gpu::kSpecLens, lensOf(flat, settings)},
-          {gpu::kSpecTent, settings.filter == FilterKind::tent},
+          {gpu::kSpecFilter, filterOf(settings)},
           {gpu::kSpecSampler, samplerOf(settings.sampler)},
-          {gpu::kSpecHierarchy, flat.hierarchy},
+          {gpu::kSpecStructure, flat.structure},
           {gpu::kSpecTexels, texels},
           {gpu::kSpecRecord, settings.recordPaths},
           {gpu::kSpecStackSize, flat.stackSize},
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
-          {gpu::kSpecUniformSlots, flat.uniformSlots}};
+          {gpu::kSpecUniformSlots, flat.uniformSlots},
+          {gpu::kSpecAreaLights, settings.lightSize > 0},
+          {gpu::kSpecView, viewOf(settings.integrator)}};
 }
 
 }  // namespace candela

@@ -10,17 +10,23 @@ CANDELA_CONST uint kUniformRows = 48u;
 
 // One per render, uniform buffer, std140.
 struct RenderConstants {
-  vec4 cameraOrigin;      // xyz
-  vec4 cameraForward;     // xyz: -d n, from the eye to the view plane's centre
-  vec4 cameraRight;       // xyz: w u, the width of the view plane; w: 1 / pixels across
-  vec4 cameraUp;          // xyz: h v; w: 1 / pixels down
+  vec4 cameraOrigin;      // xyz; w: where in its pixel a ray goes that is not jittered, across
+  vec4 cameraForward;     // xyz: -d n, from the eye to the view plane's centre; w: the same, down
+  vec4 cameraRight;       // xyz: w u, the width of the view plane; w: 1 / pixels across the view
+  vec4 cameraUp;          // xyz: h v; w: 1 / pixels down the view
   vec4 lensRight;         // xyz: a u; w = 1 / focal
   vec4 lensUp;            // xyz: a v
-  vec4 background;        // rgb
+  vec4 background;        // rgb; w: reach of ambient occlusion
   uvec4 imageSeed;        // width, height, seed, strata per side n (0: none)
-  uvec4 limits;           // max depth, roulette start, light count, 0
-  uvec4 sections;         // first row of nodes, primitives, materials, lights
+  uvec4 limits;           // max depth, roulette start, light count, rows of a pixel's state (Whitted only)
+  uvec4 sections;         // first row of nodes or of a grid's cells, of primitives, materials, lights
   uvec4 moreSections;     // first row of normals, first row of sky, first plane slot, end of slots
+  vec4 gridLow;           // xyz: the grid's lower corner; w: its largest coordinate in magnitude
+  vec4 gridHigh;          // xyz
+  vec4 gridScale;         // xyz: cells per unit of length, 0 on axes of one cell
+  vec4 gridWidth;         // xyz: of a cell
+  uvec4 gridSides;        // xyz: cells along each axis; w: first row of items
+  uvec4 gridStrides;      // xyz: cell (x, y, z) is number dot(strides, (x, y, z))
   uvec4 slotRows[kUniformRows];
 };
 
@@ -38,6 +44,25 @@ struct PathState {
   uvec4 radianceSample;    // rgb, sample index
   uvec4 counts;            // bounce rays, shadow rays, vertices, traversal steps; each wraps at 2^32
 };
+
+// A tree of Whitted's between two dispatches, floats as their bits; one per pixel of the band, with the rays behind it
+// that wait. All zero: no sample started.
+struct TreeState {
+  uvec4 originLeaving;    // of the ray at hand: origin, leaving
+  uvec4 directionWeight;  // its direction, weight in the pixel
+  uvec4 place;            // its node (0: the sample has not begun), depths that have a waiting ray, next light, nodes done
+  uvec4 radianceSample;   // rgb, sample index
+  uvec4 rays;             // that hit from the camera, reflected, refracted, shadow; each wraps at 2^32
+  uvec4 work;             // vertices, traversal steps, 0, 0
+};
+
+CANDELA_CONST uint kTreeRows = 6u;
+
+// Refracted rays that wait, at most one for each depth from 2 on: in that order behind the TreeState, as its first two rows.
+CANDELA_CONST uint kWaitingRows = 2u;
+
+// So many lights Whitted's tracer asks at a time: a segment is as short on a device whose loops are limited.
+CANDELA_CONST uint kLightsPerSegment = 8u;
 
 // Film, four rows a pixel: see FilmPixel in host/image/film.h.
 struct FilmRows {
@@ -60,7 +85,11 @@ CANDELA_CONST uint kLeavingInward = 0x80000000u;
 // Path records: kRecordedVertices pairs (primitive index, decisions) a pixel behind the counters.
 CANDELA_CONST uint kRecordedVertices = 32u;
 CANDELA_CONST uint kRecordMiss = 0xffffffffu;
-CANDELA_CONST uint kRecordValid = 0x80000000u;  // decisions: valid | roulette survived << 16 | shadow << 8 | lobe
+// Decisions: valid | visible lights (Whitted: bit i mod 14 flips for light i) << 17 | roulette survived << 16 | shadow << 8 |
+// lobe.
+CANDELA_CONST uint kRecordValid = 0x80000000u;
+CANDELA_CONST uint kRecordedLights = 14u;
+CANDELA_CONST uint kRecordLightShift = 17u;
 CANDELA_CONST uint kLobeNone = 0u;
 CANDELA_CONST uint kLobeDiffuse = 1u;
 CANDELA_CONST uint kLobeGlossy = 2u;

@@ -9,8 +9,13 @@ CANDELA_BEGIN
 // the right. A count of 0 makes the reference a node, otherwise the first of `count` primitive slots.
 CANDELA_CONST uint kNodeRows = 4u;
 
-// Primitives ("slots", in the order of the BVH's leaves; infinite planes behind all others), three rows each. Common to
-// all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
+// A grid's cells, three to a row: where the items of each begin, and where those of the last end. Its items, the slots of
+// primitives, are in rows of their own, four to a row. Both are numbered from 0.
+CANDELA_CONST uint kCellsPerRow = 3u;
+CANDELA_CONST uint kItemsPerRow = 4u;
+
+// Primitives ("slots", in the order of the BVH's leaves, else the scene's; infinite planes behind all others), three rows
+// each. Common to all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
 //   triangle  (p0, light + 1, or first row among the normals if smooth) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
@@ -32,16 +37,21 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 // Vertex normals of smooth triangles, three rows: (n0, light + 1) (n1, 0) (n2, 0).
 CANDELA_CONST uint kNormalRows = 3u;
 
-// Materials, four rows: (diffuse, weight of the diffuse lobe) (specular, weight of the glossy lobe)
+// Materials of the path tracer, four rows: (diffuse, weight of the diffuse lobe) (specular, weight of the glossy lobe)
 // (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0).
+// Of Whitted's tracer: Kd, Ks, emission and ambient light together, and 1 if glass take the places of the weights.
 CANDELA_CONST uint kMaterialRows = 4u;
 
-// Lights, three rows: (threshold, probability, kind, slot) (emission or colour, area) (centre or position, radius).
+// Lights of the path tracer, three rows: (threshold, probability, kind, slot) (emission or colour, area) (centre or position, radius).
 CANDELA_CONST uint kLightRows = 3u;
 CANDELA_CONST uint kLightSphere = 0u;
 CANDELA_CONST uint kLightTriangle = 1u;
 CANDELA_CONST uint kLightPoint = 2u;
 CANDELA_CONST uint kNoSlot = 0x7fffffffu;
+
+// Lights of Whitted's tracer, all point lights in file order, four rows: (colour, 0) (position, 0) and the edges of the
+// square around it that the light fills (edge, 0) (edge, 0).
+CANDELA_CONST uint kPointLightRows = 4u;
 
 // Sky: six rows (width, height, first texel, 0), then 64 rows that hold the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four to a row, each r | g << 8 | b << 16.

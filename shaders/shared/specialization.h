@@ -23,22 +23,39 @@ CANDELA_CONST uint kSpecPointLights = 15u;
 CANDELA_CONST uint kSpecSky = 16u;
 CANDELA_CONST uint kSpecOneSided = 17u;
 CANDELA_CONST uint kSpecLens = 18u;         // kLens...
-CANDELA_CONST uint kSpecTent = 19u;
+CANDELA_CONST uint kSpecFilter = 19u;       // kFilter...
 CANDELA_CONST uint kSpecSampler = 20u;      // kSampler...
-CANDELA_CONST uint kSpecHierarchy = 21u;    // 0: brute force
+CANDELA_CONST uint kSpecStructure = 21u;    // kStructure...
 CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
 CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
+// From 40 on, of Whitted's tracer alone.
+CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
+// From 50 on, of the views alone.
+CANDELA_CONST uint kSpecView = 50u;         // kView...
 
+CANDELA_CONST uint kStructureNone = 0u;     // brute force
+CANDELA_CONST uint kStructureGrid = 1u;
+CANDELA_CONST uint kStructureBvh = 2u;
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;
 CANDELA_CONST uint kLensSquare = 2u;
+CANDELA_CONST uint kFilterBox = 0u;
+CANDELA_CONST uint kFilterTent = 1u;
+CANDELA_CONST uint kFilterNone = 2u;        // rays go through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
+CANDELA_CONST uint kViewNone = 0u;          // an image of light
+CANDELA_CONST uint kViewAo = 1u;
+CANDELA_CONST uint kViewNormal = 2u;
+CANDELA_CONST uint kViewAlbedo = 3u;
+CANDELA_CONST uint kViewDepth = 4u;
+CANDELA_CONST uint kViewId = 5u;
+CANDELA_CONST uint kViewCost = 6u;
 
 CANDELA_END
 #endif

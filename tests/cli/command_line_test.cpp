@@ -39,6 +39,7 @@ TEST_CASE("defaults are those of the settings") {
   CHECK_FALSE(arguments.sampleCount);
   CHECK_FALSE(arguments.size);
   CHECK_FALSE(arguments.accel);
+  CHECK_FALSE(arguments.maxDepth);
   CHECK(arguments.device.empty());
   CHECK(arguments.settings.seed == 0);
   CHECK(arguments.settings.maxDepth == 64);
@@ -75,13 +76,37 @@ TEST_CASE("a wrong command line says what was expected and where help is") {
   CHECK(messageFor({"rendr", "a.p3f"}) == "unknown command rendr; did you mean render?\nsee candela --help");
   CHECK(messageFor({"check"}) == "no scene given\nsee candela check --help");
   CHECK(messageFor({"a.p3f", "b.p3f", "-o", "a.png"}) ==
-        "too many files: b.p3f is unexpected\nsee candela render --help");
+        "too many arguments: b.p3f is unexpected\nsee candela render --help");
   CHECK(messageFor({"devices", "--spp", "4"}) ==
         "--spp is not an option of candela devices\nsee candela devices --help");
   CHECK(messageFor({"a.p3f"}) ==
         "no output given: -o FILE writes the image, --stats or --json FILE measure alone\nsee candela render --help");
   CHECK(messageFor({"a.p3f", "--stats", "--json", "-"}) ==
         "--stats and --json - both write to stdout\nsee candela render --help");
+}
+
+TEST_CASE("generate has a --size and an -o of its own") {
+  const Arguments arguments = parse({"generate", "balls", "--size", "3", "-o", "balls.nff"});
+  CHECK(arguments.command == Command::generate);
+  CHECK(arguments.files == std::vector<std::string>{"balls"});
+  CHECK(arguments.generatedSize == 3u);
+  CHECK(arguments.generatedFile == "balls.nff");
+  CHECK_FALSE(arguments.size);
+  CHECK(arguments.outputs.empty());
+  CHECK(messageFor({"generate", "balls", "--size", "3x3"}) ==
+        "--size: expected a whole number from 0 to 4294967295, got \"3x3\"\nsee candela generate --help");
+  CHECK(messageFor({"a.p3f", "-o", "a.png", "--size", "3"}) ==
+        "--size: expected WxH with both from 1 to 65535, got \"3\"\nsee candela render --help");
+  CHECK(messageFor({"generate"}) == "no kind given\nsee candela generate --help");
+  CHECK(messageFor({"generate", "balls", "--spp", "4"}) ==
+        "--spp is not an option of candela generate\nsee candela generate --help");
+}
+
+TEST_CASE("a tree of rays has fewer levels than a path may have") {
+  CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).maxDepth == 5000);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).maxDepth == 20);
+  CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
+        "--max-depth 21: the tree of --integrator whitted has at most 20 levels\nsee candela render --help");
 }
 
 TEST_CASE("options of one comparison are refused for the other") {

@@ -66,10 +66,16 @@ TEST_CASE("what was asked for is in use, and changes no bit of the film") {
   CHECK(grouped["workgroup"] == "16x4");
   const json brute = reportOf(scene, {"--accel", "none"});
   CHECK(brute["structure"] == "none");
+  const json grid = reportOf(scene, {"--accel", "grid", "--grid-density", "3"});
+  CHECK(grid["structure"] == "grid");
+  CHECK(grid["structureQuality"]["density"] == 3);
+  const json midpoint = reportOf(scene, {"--bvh-split", "midpoint"});
+  CHECK(midpoint["structure"] == "bvh");
+  CHECK(midpoint["bvhSplit"] == "midpoint");
   const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
   CHECK(chopped["segmentsPerDispatch"] == 1);
   CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
-  for (const json& other : {grouped, brute, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
+  for (const json& other : {grouped, brute, grid, midpoint, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 
@@ -89,6 +95,24 @@ TEST_CASE("compare SCENE finds both tracers in agreement") {
   const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48"});
   INFO(result.out << result.err);
   CHECK(result.exitCode == 0);
+}
+
+TEST_CASE("compare SCENE finds both Whitted tracers in agreement") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("l 2 -3 9\n"));
+  const ProgramResult result = runOnDevice({"compare", scene, "--integrator", "whitted", "--spp", "4"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.out, "they agree"));
+}
+
+TEST_CASE("compare SCENE finds both tracers' normals in agreement") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48", "--integrator", "normal"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.out, "3072 pixels equal"));
 }
 
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {

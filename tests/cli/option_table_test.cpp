@@ -5,17 +5,23 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <set>
 #include <sstream>
 
+#include "host/cli/commands.h"
 #include "host/cli/help.h"
+#include "host/generate/kinds.h"
 #include "tests/cli/run_program.h"
 
 namespace candela::cli {
 namespace {
 
-const Option& find(const std::string& name) {
+// The first row of the name, or the one for a command.
+const Option& find(const std::string& name, std::optional<Command> command = std::nullopt) {
   const auto& table = optionTable();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name() == name; });
+  const auto found =
+      std::ranges::find_if(table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
   REQUIRE(found != table.end());
   return *found;
 }
@@ -36,19 +42,25 @@ TEST_CASE("every option has the promised name, value and default") {
     const char* names;
     const char* metavar;
     const char* defaultText;
+    std::optional<Command> command = {};
   };
   const std::vector<Promise> promises{{"-o,--output", "FILE", ""},
                                       {"--spp", "N", "16"},
                                       {"--seed", "N", "0"},
                                       {"--size", "WxH", "the file's"},
-                                      {"--max-depth", "N", "64"},
+                                      {"--max-depth", "N", "64; whitted 4"},
                                       {"--rr-start", "N", "5"},
-                                      {"--integrator", "path", "path"},
+                                      {"--integrator", "path|whitted|ao|normal|albedo|depth|id|cost", "path"},
+                                      {"--ao-distance", "D", "auto"},
                                       {"--nee", "on|off", "on"},
                                       {"--sampler", "independent|stratified|sobol", "sobol"},
                                       {"--filter", "box|tent", "box"},
                                       {"--lens", "disc|square", "disc"},
-                                      {"--accel", "bvh|none", "bvh"},
+                                      {"--pixel-origin", "centre|corner", "centre"},
+                                      {"--light-size", "S", "0"},
+                                      {"--accel", "none|grid|bvh", "bvh"},
+                                      {"--bvh-split", "sah|midpoint", "sah"},
+                                      {"--grid-density", "M", "2"},
                                       {"--one-sided", "", ""},
                                       {"--lenient", "", ""},
                                       {"--allow-path", "DIR", ""},
@@ -62,6 +74,14 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--tolerance", "T", ""},
                                       {"--diff", "FILE", ""},
                                       {"--flip", "FILE", ""},
+                                      {"--alpha", "A", "0.0001"},
+                                      {"--bias", "SHARE", "0.005"},
+                                      {"--time-limit", "SECONDS", "none"},
+                                      {"--junit", "FILE", ""},
+                                      {"--repeat", "N", "3"},
+                                      {"--markdown", "FILE", ""},
+                                      {"-o,--output", "FILE", "-", Command::generate},
+                                      {"--size", "N", "the kind's", Command::generate},
                                       {"--stats", "", ""},
                                       {"--json", "FILE", ""},
                                       {"-q,--quiet", "", ""},
@@ -71,11 +91,25 @@ TEST_CASE("every option has the promised name, value and default") {
   CHECK(optionTable().size() == promises.size());
   for (const Promise& promise : promises) {
     const std::string names = promise.names;
-    const Option& option = find(names.substr(names.rfind(',') + 1));
+    const Option& option = find(names.substr(names.rfind(',') + 1), promise.command);
     CHECK(option.names == names);
     CHECK(option.metavar == promise.metavar);
     CHECK(option.defaultText == promise.defaultText);
     CHECK_FALSE(option.help.empty());
+  }
+}
+
+TEST_CASE("no command has two options of one name") {
+  for (const CommandInfo& info : commandTable()) {
+    std::set<std::string> names;
+    for (const Option& option : optionTable()) {
+      if (!option.isFor(info.command)) continue;
+      std::istringstream list(option.names);
+      for (std::string name; std::getline(list, name, ',');) {
+        INFO(info.name << " " << name);
+        CHECK(names.insert(name).second);
+      }
+    }
   }
 }
 
@@ -86,11 +120,17 @@ TEST_CASE("an option shows the value that it was given") {
       {"--size", {"1x1", "65535x65535"}},
       {"--max-depth", {"1", "5000"}},
       {"--rr-start", {"0", "9"}},
+      {"--pixel-origin", {"corner", "centre"}},
+      {"--light-size", {"0.25", "3"}},
+      {"--integrator", {"whitted", "ao", "normal", "albedo", "depth", "id", "cost", "path"}},
+      {"--ao-distance", {"0.25", "1e-30", "auto"}},
       {"--nee", {"off", "on"}},
       {"--sampler", {"independent", "stratified", "sobol"}},
       {"--filter", {"tent", "box"}},
       {"--lens", {"square", "disc"}},
-      {"--accel", {"none", "bvh"}},
+      {"--accel", {"none", "grid", "bvh"}},
+      {"--bvh-split", {"midpoint", "sah"}},
+      {"--grid-density", {"0.5", "64"}},
       {"--device", {"cpu", "llvmpipe"}},
       {"--workgroup", {"16x4"}},
       {"--tile", {"7x9", "auto"}},
@@ -116,9 +156,15 @@ TEST_CASE("a value out of range or of another kind is refused") {
       {"--seed", {"-1", "4294967296"}},
       {"--size", {"0x1", "1x0", "65536x1", "1x65536", "12", "x", "1x", "x1", "1x1x1", "1X1"}},
       {"--max-depth", {"0"}},
+      {"--light-size", {"-1", "inf"}},
+      {"--integrator", {"Path", "normals"}},
+      {"--ao-distance", {"0", "-1", "nan", "inf", "1e31"}},
       {"--nee", {"yes", ""}},
       {"--sampler", {"Sobol", "sob"}},
       {"--workgroup", {"0x8", "1025x1"}},
+      {"--accel", {"kd", "octree", ""}},
+      {"--bvh-split", {"median"}},
+      {"--grid-density", {"0", "-1", "65", "nan", "two"}},
       {"--threads", {"1025"}},
       {"--exposure", {"nan", "inf", "65", "1,5"}},
       {"--tolerance", {"-1", "nan"}},
@@ -155,8 +201,20 @@ TEST_CASE("README quotes the list of packages") {
   CHECK(readmeBlock("packages") == packages);
 }
 
+TEST_CASE("help of generate names every kind with its sizes, and its own options only") {
+  const std::string help = helpText(Command::generate);
+  for (const generate::Kind& kind : generate::kindTable()) {
+    CHECK(help.find("\n  " + std::string(kind.name) + " ") != std::string::npos);
+  }
+  CHECK(help.find("balls     1 to 7 (4)") != std::string::npos);
+  CHECK(help.find("--size N") != std::string::npos);
+  CHECK(help.find("--size WxH") == std::string::npos);
+  CHECK(helpText(Command::render).find("--size N") == std::string::npos);
+  CHECK(helpText(Command::render).find("balls") == std::string::npos);
+}
+
 TEST_CASE("help fits on a terminal of 100 columns and names every exit code") {
-  const std::string help = helpText(std::nullopt);
+  const std::string help = helpText(std::nullopt) + helpText(Command::generate);
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   for (const char* code : {"   0  ", "   1  ", "   2  ", "   3  ", "   4  ", "   5  ", "   6  ", "   7  ", "  70  "}) {

@@ -50,14 +50,33 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   CHECK(byOption.settings.size.height == 6);
 }
 
-TEST_CASE("a request for a uniform grid becomes a BVH, and the log says so") {
+TEST_CASE("the longest path is the integrator's unless the command line says") {
+  std::ostringstream sink;
+  const Log log(sink, Verbosity::normal);
+  Arguments path;
+  resolveRequests(path, sceneWithCamera(), log);
+  CHECK(path.settings.maxDepth == 64);
+  Arguments whitted;
+  whitted.settings.integrator = Integrator::whitted;
+  resolveRequests(whitted, sceneWithCamera(), log);
+  CHECK(whitted.settings.maxDepth == 4);
+  Arguments stated;
+  stated.settings.integrator = Integrator::whitted;
+  stated.maxDepth = 7;
+  resolveRequests(stated, sceneWithCamera(), log);
+  CHECK(stated.settings.maxDepth == 7);
+}
+
+TEST_CASE("a file may ask for each of the structures") {
   std::ostringstream sink;
   Scene scene = sceneWithCamera();
-  scene.requestedAccel = 1;
-  Arguments arguments;
-  resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
-  CHECK(arguments.settings.accel == AccelKind::bvh);
-  CHECK(sink.str() == "candela: the file asks for a uniform grid; a BVH takes its place\n");
+  for (const auto& [number, accel] : {std::pair(0u, AccelKind::none), {1u, AccelKind::grid}, {2u, AccelKind::bvh}}) {
+    scene.requestedAccel = number;
+    Arguments arguments;
+    resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
+    CHECK(arguments.settings.accel == accel);
+  }
+  CHECK(sink.str().empty());
 }
 
 TEST_CASE("bad samples are told with the command that replays the first of a pixel") {
@@ -77,6 +96,13 @@ TEST_CASE("bad samples are told with the command that replays the first of a pix
   CHECK(lines[1] ==
         "pixel (2, 1): 2 bad, the first is sample 5; replay: candela render 'a scene.p3f' --spp 6 --seed 9 -o "
         "replay.exr");
+
+  // A single sample of Whitted's would not be jittered.
+  pixel.firstBadSample = 1;
+  job.arguments.settings.integrator = job.settings.integrator = Integrator::whitted;
+  job.settings.sampleCount = 64;
+  CHECK(badSampleReport(film, job)[1].find("--spp 2 --seed 9 --integrator whitted") != std::string::npos);
+  job.arguments.settings.integrator = job.settings.integrator = Integrator::path;
 
   job.arguments.settings.sampler = job.settings.sampler = SamplerKind::stratified;
   CHECK(badSampleReport(film, job)[1].find("--spp 64 --seed 9 --sampler stratified") != std::string::npos);

@@ -50,8 +50,8 @@ TEST_CASE("an EXR file says how it was made") {
   CHECK(metadata.count("candela.driver") == 1);
   CHECK(metadata.at("candela.version") == CANDELA_VERSION);
   CHECK(metadata.at("candela.settings") ==
-        "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --nee on --sampler sobol "
-        "--filter box --lens disc --one-sided");
+        "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --ao-distance auto --nee on "
+        "--sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --one-sided");
 }
 
 TEST_CASE("the report has every promised figure") {
@@ -68,6 +68,7 @@ TEST_CASE("the report has every promised figure") {
                           "traversalSteps",
                           "workgroup",
                           "structure",
+                          "bvhSplit",
                           "kernel",
                           "device",
                           "driver",
@@ -102,7 +103,20 @@ TEST_CASE("the report has every promised figure") {
   CHECK(report["badSamples"] == 0);
 }
 
-TEST_CASE("the same film, whatever the threads; another one for another seed") {
+TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
+  const ProgramResult result = runCandela({scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK(result.err.find("--nee changes nothing here: it is for --integrator path") != std::string::npos);
+  const json report = json::parse(result.out);
+  CHECK(report["settings"]["maxDepth"] == 4);
+  CHECK(report["rays"]["cameraHits"] > 0);
+  CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
+}
+
+TEST_CASE("the same film, whatever the threads and the structure; another one for another seed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto filmHash = [&](const std::vector<std::string>& options) {
@@ -116,6 +130,8 @@ TEST_CASE("the same film, whatever the threads; another one for another seed") {
   const std::string hash = filmHash({"-t", "1"});
   CHECK(filmHash({"-t", "2"}) == hash);
   CHECK(filmHash({"--accel", "none"}) == hash);
+  CHECK(filmHash({"--accel", "grid", "--grid-density", "3"}) == hash);
+  CHECK(filmHash({"--bvh-split", "midpoint"}) == hash);
   CHECK(filmHash({"--seed", "1"}) != hash);
 }
 

@@ -38,6 +38,17 @@ TEST_CASE("rates are per second of tracing") {
   CHECK(json["workgroup"] == "16x4");
 }
 
+TEST_CASE("rays of a tree are told by kind, those of a path are not") {
+  RenderResult result = exampleResult();
+  CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));
+  result.statistics.treeRays = {.cameraHits = 3, .reflected = 4, .refracted = 1};
+  const auto rays = toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"];
+  CHECK(rays["cameraHits"] == 3);
+  CHECK(rays["reflected"] == 4);
+  CHECK(rays["refracted"] == 1);
+  CHECK(rays["total"] == 12'000'000);
+}
+
 TEST_CASE("dispatch times have median, 99th percentile and maximum by nearest rank") {
   const RenderResult result = exampleResult();
   const auto dispatch = toJson(RenderReport{RenderJob{}, result, 0, 0})["dispatch"];
@@ -57,6 +68,7 @@ TEST_CASE("a report of nothing divides by nothing") {
 TEST_CASE("settings are typed: numbers, words and flags") {
   RenderJob job;
   job.arguments.settings.oneSided = true;
+  job.arguments.maxDepth = 64;
   job.arguments.settings.seed = 4294967295u;
   const auto settings = toJson(RenderReport{job, RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);

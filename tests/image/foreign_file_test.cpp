@@ -9,7 +9,7 @@
 
 #include "host/core/errors.h"
 #include "host/image/image.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

@@ -3,7 +3,7 @@
 
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

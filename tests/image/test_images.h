@@ -1,14 +1,8 @@
-// Small images and byte helpers for the tests of image files.
+// Small images for the tests of image files.
 #pragma once
 #include <cmath>
 #include <cstddef>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "host/image/image.h"
 
@@ -33,21 +27,4 @@ inline candela::Pixels8 testPixels() {
     for (const unsigned value : {i, 255 - i, (i * 77) % 256}) pixels.rgb.push_back(static_cast<std::uint8_t>(value));
   }
   return pixels;
-}
-
-inline std::string readText(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-inline void writeText(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
-
-inline std::vector<std::byte> toBytes(const std::string& text) {
-  std::vector<std::byte> bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
-  return bytes;
 }

@@ -60,6 +60,34 @@ TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre
   CHECK(most > 1.4);
 }
 
+TEST_CASE("without jitter rays go through pixels' centres, or through the corners of a grid of one pixel less") {
+  RenderSettings settings = test::settingsOf(5, 3, 1);
+  settings.integrator = Integrator::whitted;
+  const auto at = [&](std::uint32_t x, std::uint32_t y) { return crossing(generate(lookingAtOrigin(), settings, x, y), 0); };
+  const auto isNear = [](const dvec2& a, const dvec2& b) { return length(a - b) < 1e-12; };
+  // The view is 8 high; centres are 8 / 3 apart, corners 8 / 2.
+  CHECK(isNear(at(2, 1), {0, 0}));
+  CHECK(isNear(at(4, 0), {2 * 8.0 / 3, 8.0 / 3}));
+  settings.pixelOrigin = PixelOrigin::corner;
+  CHECK(isNear(at(2, 1), {0, 0}));
+  CHECK(isNear(at(0, 0), {-8, 4}));
+  CHECK(isNear(at(4, 2), {8, -4}));
+  settings.size = {1, 3};  // one column keeps its centre
+  CHECK(isNear(at(0, 0), {0, 4}));
+}
+
+TEST_CASE("corners are jittered about") {
+  RenderSettings settings = test::settingsOf(5, 3, 1);
+  settings.pixelOrigin = PixelOrigin::corner;
+  double most = 0;
+  for (std::uint32_t sample = 0; sample < 200; ++sample) {
+    const dvec2 offset = crossing(generate(lookingAtOrigin(), settings, 0, 0, sample), 0) - dvec2(-8, 4);
+    most = std::max({most, std::abs(offset.x), std::abs(offset.y)});
+  }
+  CHECK(most <= 2);
+  CHECK(most > 1.9);
+}
+
 TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the stated resolution") {
   Camera camera = lookingAtOrigin();
   camera.aperture = 5;  // 5 * 8 / 50 = 0.8

@@ -1,6 +1,7 @@
 // Whole renders by the reference: sameness of bytes, statistics, records, interruption.
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <set>
 #include <vector>
 
 #include "tests/reference/scene_builder.h"
@@ -39,6 +40,7 @@ TEST_CASE("neither threads nor tiles nor the structure change a byte of the film
   const RenderResult first = render(scene, settings);
   const std::uint64_t hash = first.film.hash();
   CHECK(first.statistics.structure == "bvh");
+  CHECK(first.statistics.bvhSplit == "median");
 
   settings.threads = 2;
   CHECK(render(scene, settings).film.hash() == hash);
@@ -49,6 +51,19 @@ TEST_CASE("neither threads nor tiles nor the structure change a byte of the film
   const RenderResult brute = render(scene, settings);
   CHECK(brute.statistics.structure == "none");
   CHECK(brute.film.hash() == hash);
+  settings.accel = AccelKind::bvh;
+  settings.bvhSplit = BvhSplit::midpoint;
+  const RenderResult midpoint = render(scene, settings);
+  CHECK(midpoint.statistics.structure == "bvh");
+  CHECK(midpoint.statistics.bvhSplit == "midpoint");
+  CHECK(midpoint.film.hash() == hash);
+  settings.accel = AccelKind::grid;
+  const RenderResult grid = render(scene, settings);
+  CHECK(grid.statistics.structure == "grid");
+  CHECK(grid.film.hash() == hash);
+  CHECK(std::set{first.statistics.traversalSteps, brute.statistics.traversalSteps, midpoint.statistics.traversalSteps,
+                 grid.statistics.traversalSteps}
+            .size() == 4);
   settings.seed = 1;
   CHECK(render(scene, settings).film.hash() != hash);
 }
@@ -83,6 +98,7 @@ TEST_CASE("samplers, filters, lenses and sides each change the film") {
   add([](RenderSettings& s) { s.nextEventEstimation = false; });
   add([](RenderSettings& s) { s.rouletteStart = 1; });
   add([](RenderSettings& s) { s.maxDepth = 3; });
+  add([](RenderSettings& s) { s.pixelOrigin = PixelOrigin::corner; });
   std::sort(hashes.begin(), hashes.end());
   CHECK(std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end());
 }

@@ -30,6 +30,9 @@ TEST_CASE("the first decision that differs is the cause") {
   const PathRecord record = twoVertices();
   PathRecord other = record;
   CHECK(causeOf(record, other) == Cause::rounding);
+  other.vertices[0].visibleLights = 4;
+  CHECK(causeOf(record, other) == Cause::shadow);
+  other = record;
   other.vertices[1].survivedRoulette = false;
   CHECK(causeOf(record, other) == Cause::roulette);
   other.vertices[1].lobe = Lobe::glossy;

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "host/accel/grid.h"
+#include "host/accel/primitive_bounds.h"
 #include "host/render/flat_scene.h"
 #include "host/scene/load.h"
 #include "shaders/shared/scene_rows.h"
@@ -29,7 +31,7 @@ glm::dvec3 xyz(const gpu::uvec4& row) {
 
 TEST_CASE("every primitive has one slot, with infinite planes last") {
   const Scene scene = loadFixture("primitives.p3f");
-  for (const AccelKind accel : {AccelKind::none, AccelKind::bvh}) {
+  for (const AccelKind accel : {AccelKind::none, AccelKind::grid, AccelKind::bvh}) {
     RenderSettings settings = smallSettings();
     settings.accel = accel;
     const FlatScene flat = flatten(scene, settings);
@@ -91,10 +93,81 @@ TEST_CASE("what a scene does not use is not among its features") {
   CHECK(flatten(loadFixture("sky.p3f"), smallSettings()).features.sky);
 }
 
-TEST_CASE("a scene without primitives has no hierarchy and no slots") {
+TEST_CASE("a scene without primitives has no structure and no slots") {
   Scene scene;
   scene.camera = Camera{};
-  const FlatScene flat = flatten(scene, smallSettings());
-  CHECK(flat.slotCount == 0);
-  CHECK(!flat.hierarchy);
+  for (const AccelKind accel : {AccelKind::none, AccelKind::grid, AccelKind::bvh}) {
+    RenderSettings settings = smallSettings();
+    settings.accel = accel;
+    const FlatScene flat = flatten(scene, settings);
+    CHECK(flat.slotCount == 0);
+    CHECK(flat.structure == gpu::kStructureNone);
+  }
+}
+
+TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to a row") {
+  const Scene scene = loadFixture("primitives.p3f");
+  RenderSettings settings = smallSettings();
+  settings.accel = AccelKind::grid;
+  settings.gridDensity = 3;
+  const FlatScene flat = flatten(scene, settings);
+  REQUIRE(flat.structure == gpu::kStructureGrid);
+  const SceneBounds bounds = boundPrimitives(scene);
+  const Grid grid = buildGrid(bounds.bounds, {.density = 3});
+  REQUIRE(glm::uvec3(flat.constants.gridSides) == grid.shape.sides);
+  CHECK(glm::uvec3(flat.constants.gridStrides) == grid.shape.strides);
+  CHECK(glm::vec3(flat.constants.gridScale) == grid.shape.scale);
+  CHECK(glm::vec3(flat.constants.gridLow) == grid.shape.bounds.min);
+  CHECK(glm::vec3(flat.constants.gridHigh) == grid.shape.bounds.max);
+  for (std::uint32_t cell = 0; cell < grid.shape.cellCount(); ++cell) {
+    const gpu::uvec4& starts = flat.rows[flat.constants.sections.x + cell / gpu::kCellsPerRow];
+    const int place = static_cast<int>(cell % gpu::kCellsPerRow);
+    REQUIRE(starts[place] == grid.starts[cell]);
+    REQUIRE(starts[place + 1] == grid.starts[cell + 1]);
+  }
+  for (std::uint32_t item = 0; item < grid.items.size(); ++item) {
+    const gpu::uvec4& items = flat.rows[flat.constants.gridSides.w + item / gpu::kItemsPerRow];
+    const std::uint32_t slot = items[static_cast<int>(item % gpu::kItemsPerRow)];
+    REQUIRE(slot == grid.items[item]);
+    // Slots are in the scene's order.
+    REQUIRE(flat.rows[flat.constants.sections.y + slot * gpu::kPrimitiveRows + 1].w == bounds.finite[slot]);
+  }
+}
+
+TEST_CASE("a grid has no more cells along an axis than flatten is told") {
+  RenderSettings settings = smallSettings();
+  settings.accel = AccelKind::grid;
+  const Scene scene = loadFixture("primitives.p3f");
+  CHECK(flatten(scene, settings, 3).constants.gridSides.x == 3);
+  CHECK(flatten(scene, settings).constants.gridSides.x > 3);
+}
+
+TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
+  Scene scene = loadFixture("point_light.p3f");
+  scene.pointLights.push_back({scene.camera->at, glm::vec3(1)});  // faces z
+  RenderSettings settings = smallSettings();
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = 4;
+  settings.lightSize = 0.5f;
+  const FlatScene flat = flatten(scene, settings);
+  REQUIRE(flat.constants.limits.z == scene.pointLights.size());
+  for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
+    const std::size_t row = flat.constants.sections.w + i * gpu::kPointLightRows;
+    const glm::dvec3 edgeU = xyz(flat.rows[row + 2]);
+    const glm::dvec3 edgeV = xyz(flat.rows[row + 3]);
+    const glm::dvec3 towards = glm::dvec3(scene.camera->at) - glm::dvec3(scene.pointLights[i].position);
+    const glm::dvec3 facing = glm::length(towards) > 0 ? glm::normalize(towards) : glm::dvec3(0, 0, 1);
+    CHECK(xyz(flat.rows[row]) == glm::dvec3(scene.pointLights[i].colour));
+    CHECK(xyz(flat.rows[row + 1]) == glm::dvec3(scene.pointLights[i].position));
+    CHECK(glm::length(glm::cross(edgeU, edgeV) - 0.25 * facing) < 1e-7);
+    CHECK(glm::length(edgeU) == Approx(0.5));
+  }
+}
+
+TEST_CASE("room for rays that wait is made where there is glass, one for each depth but the first") {
+  RenderSettings settings = smallSettings();
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = 5;
+  CHECK(flatten(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
+  CHECK(flatten(loadFixture("primitives.p3f"), settings).constants.limits.w == gpu::kTreeRows + 4 * gpu::kWaitingRows);
 }

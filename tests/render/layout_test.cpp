@@ -67,7 +67,9 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                 MEMBER(RenderConstants, cameraRight), MEMBER(RenderConstants, cameraUp),
                 MEMBER(RenderConstants, lensRight), MEMBER(RenderConstants, lensUp), MEMBER(RenderConstants, background),
                 MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
-                MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, slotRows)});
+                MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, gridLow),
+                MEMBER(RenderConstants, gridHigh), MEMBER(RenderConstants, gridScale), MEMBER(RenderConstants, gridWidth),
+                MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides), MEMBER(RenderConstants, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
         Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
   CHECK(module.offsetsOf("PathState") ==

@@ -1,49 +1,23 @@
 // The shader's leaf functions on a device, against the reference's and against the C library.
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <glm/glm.hpp>
 #include <limits>
 #include <random>
-#include <span>
 
 #include "host/image/film.h"
 #include "host/reference/sampler.h"
 #include "host/reference/sampling.h"
-#include "host/vulkan/binding_set.h"
-#include "host/vulkan/buffer.h"
-#include "host/vulkan/compute_pipeline.h"
 #include "shaders/shared/specialization.h"
 #include "spirv/film_leaf.h"
 #include "spirv/sampler_leaf.h"
 #include "spirv/warp_leaf.h"
-#include "tests/vulkan_support/test_device.h"
+#include "tests/render/run_leaf.h"
 
 using namespace candela;
 
 namespace {
-
-// Runs one lane per output item on `inputs`; both push constants are given.
-template <typename Output, typename Input>
-std::vector<Output> runLeaf(std::span<const std::uint32_t> spirv, const std::vector<Input>& inputs, std::size_t outputs,
-                            std::array<std::uint32_t, 2> push, std::vector<vulkan::Specialisation> specialisations = {}) {
-  vulkan::Device device = openTestDevice();
-  const vulkan::ComputePipeline pipeline(device, spirv,
-                                         {.bindings = {2, vulkan::BindingKind::storageBuffer},
-                                          .pushConstantBytes = sizeof push,
-                                          .specialisations = std::move(specialisations)});
-  vulkan::Buffer in(device, inputs.size() * sizeof(Input), vulkan::Usage::storage);
-  vulkan::Buffer out(device, outputs * sizeof(Output), vulkan::Usage::storage);
-  in.upload(std::as_bytes(std::span(inputs)));
-  const vulkan::BindingSet bindings(pipeline, {&in, &out});
-  device.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = (push[0] + 63) / 64});
-  });
-  std::vector<Output> result(outputs);
-  out.download(std::as_writable_bytes(std::span(result)));
-  return result;
-}
 
 std::vector<glm::vec4> randomInputs(std::size_t count) {
   std::mt19937 random(3);

@@ -104,6 +104,17 @@ TEST_CASE("brute force beyond the device's loop limit is refused with a message"
   CHECK_THROWS_WITH(renderer->render(heightField(129), settings, {}), Catch::Contains("use --accel bvh"));
 }
 
+TEST_CASE("brute force is refused the sooner, the more lights a ray asks") {
+  const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 65535});
+  Scene scene = heightField(64);
+  for (int i = 0; i < 20; ++i) scene.pointLights.push_back({glm::vec3(0.5f, 0.5f, 3), glm::vec3(0.1f)});
+  RenderSettings settings = squareSettings(8, 1);
+  settings.accel = AccelKind::none;
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = 4;
+  CHECK_THROWS_WITH(renderer->render(scene, settings, {}), Catch::Contains("at most 3633 primitives"));
+}
+
 TEST_CASE("a workgroup that the device does not have is refused with a message") {
   RenderSettings settings = squareSettings(8, 1);
   settings.workgroup = {1024, 1024};

@@ -1,4 +1,4 @@
-// The rules that turn an `f` line into lobes.
+// The rules that turn an `f` line into lobes, and into what Whitted's tracer reads.
 #include <catch2/catch.hpp>
 
 #include "host/render/lobes.h"
@@ -43,4 +43,28 @@ TEST_CASE("everything between is a mixture, scaled to 1 where it exceeds it") {
   CHECK(beyond.glossy == 0.375);
   CHECK(beyond.dielectric == 0.25);
   CHECK(lobesOf(material(0.5f, 0.25f, 0.125f, 0)).dielectric == 0);
+}
+
+TEST_CASE("Whitted's tracer takes weights as they are, T = 0 with Ks as a mirror, T with an index as glass") {
+  const Lobes opaque = whittedLobesOf(material(1, 0.75f, 0, 0));
+  CHECK(opaque.diffuse == 1);
+  CHECK(opaque.glossy == 0.75);
+  CHECK(opaque.mirror);
+  CHECK(opaque.dielectric == 0);
+  const Lobes glass = whittedLobesOf(material(0.125f, 0.5f, 0.875f, 1.5f));
+  CHECK(glass.dielectric == 1);
+  CHECK(glass.glossy == 0.5);
+  CHECK(!glass.mirror);
+  const Lobes withoutIndex = whittedLobesOf(material(0, 0.5f, 1, 0));
+  CHECK(withoutIndex.dielectric == 0);
+  CHECK(!withoutIndex.mirror);
+}
+
+TEST_CASE("ambient light is Whitted's alone") {
+  Material m = material(1, 0, 0, 1);
+  m.diffuse = {1, 0.5f, 0};
+  m.ka = 0.5f;
+  m.emission = {0, 0, 2};
+  CHECK(ownRadiance(Integrator::path, m) == glm::dvec3(0, 0, 2));
+  CHECK(ownRadiance(Integrator::whitted, m) == glm::dvec3(0.5, 0.25, 2));
 }

@@ -8,6 +8,7 @@ namespace candela {
 namespace {
 
 const std::filesystem::path kScenes = std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes";
+const std::filesystem::path kSpd = std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd";
 
 }  // namespace
 
@@ -21,6 +22,17 @@ std::vector<std::filesystem::path> sceneFiles() {
 }
 
 Scene loadTestScene(const std::string& fileName) { return loadScene(kScenes / fileName).scene; }
+
+Scene primitivesUnderLights() {
+  Scene scene = loadTestScene("primitives.p3f");
+  for (int i = 0; i < 11; ++i) {
+    const auto step = static_cast<float>(i);
+    scene.pointLights.push_back({{step - 5, -6 + 0.7f * step, 3 + 0.3f * step}, glm::vec3(0.05f + 0.02f * step)});
+  }
+  return scene;
+}
+
+Scene loadSpdScene(const std::string& fileName) { return loadScene(kSpd / fileName).scene; }
 
 Scene sceneFromText(const std::string& text) { return parseScene(text, "test.p3f", kScenes).scene; }
 

@@ -13,6 +13,12 @@ namespace candela {
 /// The files of scenes/, sorted.
 std::vector<std::filesystem::path> sceneFiles();
 Scene loadTestScene(const std::string& fileName);
+/// scenes/primitives.p3f (every primitive, mirrors, glass, patches, mixtures) under eleven point lights: more than
+/// Whitted's tracer asks in one segment.
+Scene primitivesUnderLights();
+
+/// A sample of Haines' databases, of tests/scene/spd/.
+Scene loadSpdScene(const std::string& fileName);
 /// A scene from text, without warnings printed.
 Scene sceneFromText(const std::string& text);
 

@@ -1,5 +1,5 @@
 // Files that are there as a whole or not at all.
-#include "host/image/atomic_write.h"
+#include "host/core/atomic_file.h"
 
 #include <sys/stat.h>
 
@@ -7,8 +7,7 @@
 #include <future>
 
 #include "host/core/errors.h"
-#include "tests/image/temporary_folder.h"
-#include "tests/image/test_images.h"
+#include "tests/core/temporary_folder.h"
 
 using namespace candela;
 namespace fs = std::filesystem;
@@ -70,4 +69,25 @@ TEST_CASE("an atomic write never replaces a device or a pipe") {
   writeFileAtomically(folder / "pipe", toBytes("through"));
   CHECK(reader.get() == "through");
   CHECK(fs::is_fifo(folder / "pipe"));
+}
+
+TEST_CASE("a file written in pieces appears when it is committed, not before") {
+  TemporaryFolder folder;
+  writeText(folder / "a.txt", "old");
+  AtomicFile file(folder / "a.txt");
+  file.write(toBytes("one, "));
+  file.write(toBytes("two"));
+  CHECK(readText(folder / "a.txt") == "old");
+  file.commit();
+  CHECK(readText(folder / "a.txt") == "one, two");
+  CHECK(fileCount(folder.path()) == 1);
+}
+
+TEST_CASE("a file that is never committed leaves the old one and nothing beside it") {
+  TemporaryFolder folder;
+  writeText(folder / "a.txt", "old");
+  AtomicFile(folder / "a.txt").write(toBytes("half of"));
+  AtomicFile(folder / "b.txt").write(toBytes("half of"));
+  CHECK(readText(folder / "a.txt") == "old");
+  CHECK(fileCount(folder.path()) == 1);
 }

@@ -1,10 +1,9 @@
 // Write beside, sync, rename.
-#include "host/image/atomic_write.h"
+#include "host/core/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -23,47 +22,6 @@ namespace fs = std::filesystem;
 }
 
 [[noreturn]] void failWithErrno(const fs::path& file) { fail(file, std::error_code(errno, std::generic_category())); }
-
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int value) : value_(value) {}
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  ~FileDescriptor() {
-    if (value_ >= 0) ::close(value_);
-  }
-  int get() const { return value_; }
-  bool isOpen() const { return value_ >= 0; }
-  /// Some file systems report a failed write only here.
-  bool close() {
-    const int value = value_;
-    value_ = -1;
-    return ::close(value) == 0;
-  }
-
- private:
-  int value_;
-};
-
-/// Removes the temporary file unless it got its final name.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (!renamed_) ::unlink(path_.c_str());
-  }
-  const fs::path& path() const { return path_; }
-  bool rename(const fs::path& target) {
-    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
-    return renamed_;
-  }
-
- private:
-  fs::path path_;
-  bool renamed_ = false;
-};
 
 bool writeAll(int descriptor, std::span<const std::byte> content) {
   while (!content.empty()) {
@@ -93,11 +51,6 @@ bool isSpecialFile(const fs::path& file) {
          type == fs::file_type::socket;
 }
 
-void writeInPlace(const fs::path& file, std::span<const std::byte> content) {
-  FileDescriptor descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!descriptor.isOpen() || !writeAll(descriptor.get(), content) || !descriptor.close()) failWithErrno(file);
-}
-
 /// Two processes, or two threads, that write the same file do not meet in the temporary one.
 fs::path temporaryName(const fs::path& target) {
   static std::atomic<unsigned> counter = 0;
@@ -114,19 +67,37 @@ void syncFolder(const fs::path& folder) {
 
 }  // namespace
 
-void writeFileAtomically(const fs::path& file, std::span<const std::byte> content) {
-  if (isSpecialFile(file)) return writeInPlace(file, content);
-  const fs::path target = resolveLinks(file);
-  const fs::path temporaryPath = temporaryName(target);
-  FileDescriptor descriptor(::open(temporaryPath.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!descriptor.isOpen()) failWithErrno(file);
+AtomicFile::AtomicFile(const fs::path& file)
+    : name_(file),
+      inPlace_(isSpecialFile(file)),
+      target_(inPlace_ ? file : resolveLinks(file)),
+      temporary_(inPlace_ ? fs::path() : temporaryName(target_)),
+      descriptor_(inPlace_ ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC)
+                           : ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+  if (!descriptor_.isOpen()) failWithErrno(name_);
+}
 
-  TemporaryFile temporary(temporaryPath);
-  if (!writeAll(descriptor.get(), content) || ::fsync(descriptor.get()) != 0 || !descriptor.close()) {
-    failWithErrno(file);
-  }
-  if (!temporary.rename(target)) failWithErrno(file);
-  syncFolder(target.parent_path());
+AtomicFile::~AtomicFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::byte> content) {
+  if (!writeAll(descriptor_.get(), content)) failWithErrno(name_);
+}
+
+void AtomicFile::commit() {
+  if (!inPlace_ && ::fsync(descriptor_.get()) != 0) failWithErrno(name_);
+  if (!descriptor_.close()) failWithErrno(name_);
+  if (inPlace_) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) failWithErrno(name_);
+  temporary_.clear();
+  syncFolder(target_.parent_path());
+}
+
+void writeFileAtomically(const fs::path& file, std::span<const std::byte> content) {
+  AtomicFile output(file);
+  output.write(content);
+  output.commit();
 }
 
 }  // namespace candela

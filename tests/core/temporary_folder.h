@@ -1,10 +1,15 @@
-// A folder for one test's files, removed afterwards.
+// A folder for one test's files, removed afterwards, and what is needed to fill and read them.
 #pragma once
 #include <stdlib.h>
 
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 class TemporaryFolder {
  public:
@@ -25,3 +30,20 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+inline std::string readText(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+inline void writeText(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+inline std::vector<std::byte> toBytes(const std::string& text) {
+  std::vector<std::byte> bytes(text.size());
+  std::memcpy(bytes.data(), text.data(), text.size());
+  return bytes;
+}

@@ -1,0 +1,29 @@
+// A POSIX file descriptor that is closed once.
+#pragma once
+#include <unistd.h>
+
+namespace candela {
+
+class FileDescriptor {
+ public:
+  /// Takes over `value`, what open() gave; negative: none.
+  explicit FileDescriptor(int value) : value_(value) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  int get() const { return value_; }
+  bool isOpen() const { return value_ >= 0; }
+  /// False, with errno set, on an error; some file systems report a failed write only here.
+  bool close() {
+    const int value = value_;
+    value_ = -1;
+    return ::close(value) == 0;
+  }
+
+ private:
+  int value_;
+};
+
+}  // namespace candela

@@ -1,0 +1,42 @@
+// The table of kinds.
+#include "host/generate/kinds.h"
+
+#include <array>
+
+#include "host/generate/databases.h"
+
+namespace candela::generate {
+
+std::uint32_t Kind::largestSize() const {
+  std::uint32_t size = smallestSize;
+  while (primitiveCount(size + 1) <= kMostPrimitives) ++size;
+  return size;
+}
+
+std::span<const Kind> kindTable() {
+  // Default sizes are those of the original programs; of our own, a million and 70,000 triangles.
+  static constexpr std::array<Kind, 13> table{{
+      {"balls", "sphereflake: each ball carries nine smaller ones", 1, 4, ballsPrimitives, writeBalls},
+      {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
+      {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
+      {"rings", "pyramid of interlocked rings of spheres and cylinders", 1, 7, ringsPrimitives, writeRings},
+      {"gears", "meshing gears with concave 144-gons, some of glass", 1, 4, gearsPrimitives, writeGears},
+      {"tree", "tree of cones and spheres, seven lights", 1, 11, treePrimitives, writeTree},
+      {"jacks", "jacks within jacks: cylinders and spheres", 1, 1, jacksPrimitives, writeJacks},
+      {"lattice", "cubic lattice of spheres and cylinders", 1, 12, latticePrimitives, writeLattice},
+      {"shells", "sea shell of overlapping spheres: hard for grids", 1, 5, shellsPrimitives, writeShells},
+      {"sombrero", "ripples as a height field", 1, 1, sombreroPrimitives, writeSombrero},
+      {"teapot", "Newell's teapot, as triangles with normals", 1, 6, teapotPrimitives, writeTeapot},
+      {"terrain", "hills, one mesh of N x N vertices", 2, 708, terrainPrimitives, writeTerrain},
+      {"sphere", "bumpy sphere, one mesh in a closed room with a lamp", 1, 76, spherePrimitives, writeSphere},
+  }};
+  return table;
+}
+
+void generateScene(const Kind& kind, std::uint32_t size, NffWriter::Sink sink) {
+  NffWriter out(std::move(sink));
+  kind.write(out, size);
+  out.finish();
+}
+
+}  // namespace candela::generate

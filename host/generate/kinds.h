@@ -1,0 +1,31 @@
+// The kinds of scenes that can be generated.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "host/generate/nff_writer.h"
+
+namespace candela::generate {
+
+/// So that every scene fits into a file that can be read (1 GiB).
+inline constexpr std::uint64_t kMostPrimitives = 6'000'000;
+
+struct Kind {
+  std::string_view name;
+  std::string_view summary;  ///< no capital, no full stop
+  std::uint32_t smallestSize;
+  std::uint32_t defaultSize;
+  std::uint64_t (*primitiveCount)(std::uint32_t size);  ///< as traced; grows with size
+  void (*write)(NffWriter& out, std::uint32_t size);
+
+  /// The largest one of at most kMostPrimitives.
+  std::uint32_t largestSize() const;
+};
+
+std::span<const Kind> kindTable();
+
+/// The scene as text, in blocks. `size` is in the kind's range.
+void generateScene(const Kind& kind, std::uint32_t size, NffWriter::Sink sink);
+
+}  // namespace candela::generate

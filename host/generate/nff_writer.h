@@ -1,0 +1,76 @@
+// Writes scenes as text in the format that docs/scene-format.md describes, statement by statement.
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+
+namespace candela::generate {
+
+struct View {
+  glm::dvec3 from;
+  glm::dvec3 at;
+  glm::dvec3 up;
+  double angle;  ///< vertical field of view, degrees
+  double hither;
+  std::uint32_t side = 512;  ///< of the square picture, pixels
+};
+
+/// What the Standard Procedural Databases say of a surface, which NFF's eight numbers hold.
+struct Surface {
+  glm::dvec3 colour;
+  double kd;
+  double ks;
+  double halfAngle;  ///< degrees, in [0, 90): where a highlight has half its strength; 0: as sharp as can be
+  double t;
+  double ior;
+};
+
+/// The sky that all but one of the databases have.
+inline constexpr glm::dvec3 kSkyBlue{0.078, 0.361, 0.753};
+
+/// Numbers are printed with six digits, as C's %g. The text goes to the sink in blocks, so that a scene of any size
+/// needs little memory; what the sink throws passes through.
+class NffWriter {
+ public:
+  using Sink = std::function<void(std::string_view)>;
+
+  explicit NffWriter(Sink sink) : sink_(std::move(sink)) {}
+  NffWriter(const NffWriter&) = delete;
+  NffWriter& operator=(const NffWriter&) = delete;
+
+  void background(const glm::dvec3& colour);
+  void view(const View& view);
+  void light(const glm::dvec3& position);
+  /// A parallelogram that shines with `radiance`, the same in all channels; u x v is its normal.
+  void areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double radiance);
+  void surface(const Surface& surface);
+  void sphere(const glm::dvec3& centre, double radius);
+  void cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius);
+  void polygon(std::span<const glm::dvec3> vertices);
+  /// A polygon about the z axis at height z, seen from above.
+  void square(double halfWidth, double z);
+  void patch(std::span<const glm::dvec3> vertices, std::span<const glm::dvec3> normals);
+  /// All vertices and then all faces must follow.
+  void mesh(std::uint64_t vertexCount, std::uint64_t faceCount);
+  void meshVertex(const glm::dvec3& position);
+  /// Indices of vertices, the first one being 1.
+  void meshFace(std::uint64_t a, std::uint64_t b, std::uint64_t c);
+
+  /// Hands the rest to the sink.
+  void finish();
+
+ private:
+  void line(std::string_view keyword, std::initializer_list<double> numbers);
+  void count(std::string_view keyword, std::uint64_t number);
+  void endLine();
+
+  Sink sink_;
+  fmt::memory_buffer buffer_;
+};
+
+}  // namespace candela::generate

@@ -1,0 +1,13 @@
+// Rotations in space.
+#pragma once
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace candela::generate {
+
+/// Counter-clockwise, seen against `axis`, which need not be unit.
+inline glm::dmat3 rotation(double radians, const glm::dvec3& axis) {
+  return glm::dmat3(glm::rotate(glm::dmat4(1), radians, axis));
+}
+
+}  // namespace candela::generate

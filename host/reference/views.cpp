@@ -1,0 +1,85 @@
+// One camera ray a sample, and for ambient occlusion one more.
+#include "host/reference/views.h"
+
+#include "host/reference/sampling.h"
+#include "shaders/shared/dimensions.h"
+
+namespace candela::reference {
+namespace {
+
+double aoDistanceOf(const Camera& camera, const RenderSettings& settings) {
+  if (settings.aoDistance) return *settings.aoDistance;
+  return static_cast<float>(glm::length(dvec3(camera.at) - dvec3(camera.from)) / 4);
+}
+
+dvec3 indexColour(std::uint32_t primitive) {
+  const Words words = pcg4d({primitive, 0, 0, 0});
+  const auto channel = [](std::uint32_t word) { return ((word >> 24) + 1) / 256.0; };
+  return {channel(words[0]), channel(words[1]), channel(words[2])};
+}
+
+// With the orientation of the primitive, whichever side is seen.
+dvec3 ownShadingNormal(const Surface& surface) {
+  return surface.fromOutside ? surface.shadingNormal : -surface.shadingNormal;
+}
+
+}  // namespace
+
+ViewTracer::ViewTracer(const Scene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      view_(settings.integrator),
+      aoDistance_(aoDistanceOf(*scene.camera, settings)),
+      sampler_(settings.sampler, settings.seed, settings.sampleCount),
+      camera_(*scene.camera, settings),
+      tracing_(scene, settings) {
+  for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
+}
+
+dvec3 ViewTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+                         PathRecord* record) const {
+  SampleNumbers numbers(sampler_, x, y, sampleIndex);
+  const Ray ray = camera_.generate(x, y, numbers);
+  ++counters.samples;
+  ++counters.cameraRays;
+  const std::uint64_t stepsBefore = counters.traversalSteps;
+  const Hit hit = tracing_.closest(ray, counters);
+  const std::uint64_t steps = counters.traversalSteps - stepsBefore;
+  if (hit) ++counters.vertices;
+
+  VertexRecord vertex{.primitive = hit.primitive};
+  dvec3 value(view_ == Integrator::ao ? 1 : 0);
+  if (view_ == Integrator::cost) {
+    value = dvec3(static_cast<double>(steps));
+  } else if (hit) {
+    value = valueAt(hit, surfaceAt(scene_, ray, hit), numbers, counters, vertex);
+  }
+  if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
+  return value;
+}
+
+dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
+                          VertexRecord& record) const {
+  switch (view_) {
+    case Integrator::normal: return (ownShadingNormal(surface) + 1.0) / 2.0;
+    case Integrator::albedo: return bsdfs_[surface.material].albedo();
+    case Integrator::depth: return dvec3(hit.distance);
+    case Integrator::id: return indexColour(hit.primitive);
+    default: return dvec3(isOpen(surface, numbers, counters, record) ? 1 : 0);
+  }
+}
+
+bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters,
+                        VertexRecord& record) const {
+  constexpr std::uint32_t kFirstVertex = kCameraDimensionCount;
+  const dvec2 u(numbers.unit(kFirstVertex + kDimensionBsdfU), numbers.unit(kFirstVertex + kDimensionBsdfV));
+  const dvec3 wi = Frame(surface.shadingNormal).toWorld(sampleCosineHemisphere(u));
+  if (dot(wi, surface.facingNormal) <= 0) return false;
+
+  ++counters.shadowRays;
+  const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
+  const bool blocked = tracing_.isOccluded(ray, aoDistance_, kNoPrimitive, counters);
+  record.shadow = blocked ? ShadowOutcome::occluded : ShadowOutcome::visible;
+  return !blocked;
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,161 @@
+// A recursion over the tree of rays: each ray returns what it sees.
+#include "host/reference/whitted.h"
+
+#include <cmath>
+
+#include "host/reference/fresnel.h"
+#include "shaders/shared/dimensions.h"
+
+namespace candela::reference {
+namespace {
+
+bool isGlass(const Material& material) { return material.t > 0 && material.ior > 0; }
+bool isMirror(const Material& material) { return material.t == 0 && material.ks > 0; }
+
+dvec3 localColour(const Material& material, const dvec3& normal, const dvec3& wo, const dvec3& wi) {
+  const double cosH = dot(normal, normalize(wi + wo));
+  return double{material.kd} * dot(normal, wi) * dvec3(material.diffuse) +
+         material.ks * std::pow(cosH, double{material.shine}) * dvec3(material.specular);
+}
+
+}  // namespace
+
+struct WhittedTracer::SampleState {
+  SampleNumbers& numbers;
+  Counters& counters;
+  PathRecord* record;
+
+  void keep(const VertexRecord& vertex) const {
+    if (record && record->vertexCount < PathRecord::kRecordedVertices) record->vertices[record->vertexCount++] = vertex;
+  }
+};
+
+struct WhittedTracer::Node {
+  Ray ray;
+  std::uint32_t number = 1;
+  std::uint32_t depth = 1;
+
+  Node reflected(const Ray& next) const { return {next, 2 * number, depth + 1}; }
+  Node refracted(const Ray& next) const { return {next, 2 * number + 1, depth + 1}; }
+};
+
+WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      maxDepth_(settings.maxDepth),
+      lightSize_(settings.lightSize),
+      sampler_(settings.sampler, settings.seed, settings.sampleCount),
+      camera_(*scene.camera, settings),
+      background_(scene),
+      tracing_(scene, settings) {
+  for (const PointLight& light : scene.pointLights) {
+    const dvec3 position(light.position);
+    const dvec3 towards = dvec3(scene.camera->at) - position;
+    lights_.push_back(
+        {position, dvec3(light.colour), Frame(towards == dvec3(0) ? dvec3(0, 0, 1) : normalize(towards))});
+  }
+}
+
+dvec3 WhittedTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+                            PathRecord* record) const {
+  SampleNumbers numbers(sampler_, x, y, sampleIndex);
+  ++counters.samples;
+  ++counters.cameraRays;
+  SampleState state{numbers, counters, record};
+  return radiance({camera_.generate(x, y, numbers)}, state);
+}
+
+dvec3 WhittedTracer::radiance(const Node& node, SampleState& state) const {
+  const Hit hit = tracing_.closest(node.ray, state.counters);
+  VertexRecord record{.primitive = hit.primitive};
+  if (!hit) {
+    state.keep(record);
+    return background_.radiance(node.ray.direction);
+  }
+  ++state.counters.vertices;
+  if (node.depth == 1) ++state.counters.cameraHits;
+  const Surface surface = surfaceAt(scene_, node.ray, hit);
+  const Material& material = scene_.materials[surface.material];
+  dvec3 sum = dvec3(material.emission) + double{material.ka} * dvec3(material.diffuse);
+  sum += direct(node, surface, state, record);
+  const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -node.ray.direction) : Branches{};
+  record.lobe = branches.lobe;
+  state.keep(record);
+
+  const auto rayTowards = [&](const dvec3& direction) {
+    return Ray{surface.position, direction, surface.primitive, surface.outwardNormal};
+  };
+  if (branches.reflected.factor > 0) {
+    ++state.counters.bounceRays;
+    ++state.counters.reflectedRays;
+    sum += branches.reflected.factor * radiance(node.reflected(rayTowards(branches.reflected.direction)), state);
+  }
+  if (branches.refracted.factor > 0) {
+    ++state.counters.bounceRays;
+    ++state.counters.refractedRays;
+    sum += branches.refracted.factor * radiance(node.refracted(rayTowards(branches.refracted.direction)), state);
+  }
+  return sum;
+}
+
+dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const {
+  const Material& material = scene_.materials[surface.material];
+  if (material.kd == 0 && material.ks == 0) return dvec3(0);
+  dvec3 sum(0);
+  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
+    const dvec3 towards = lightPoint(i, node.number, state.numbers) - surface.position;
+    const double distance = length(towards);
+    if (distance == 0) continue;
+    const dvec3 wi = towards / distance;
+    if (dot(surface.shadingNormal, wi) <= 0 || dot(surface.facingNormal, wi) <= 0) continue;
+
+    ++state.counters.shadowRays;
+    const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
+    const bool occluded = tracing_.isOccluded(ray, distance, kNoPrimitive, state.counters);
+    if (occluded) {
+      record.shadow = ShadowOutcome::occluded;
+      continue;
+    }
+    if (record.shadow == ShadowOutcome::notTraced) record.shadow = ShadowOutcome::visible;
+    record.visibleLights ^= 1u << (i % VertexRecord::kRecordedLights);
+    sum += lights_[i].colour * localColour(material, surface.shadingNormal, -node.ray.direction, wi);
+  }
+  return sum;
+}
+
+dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const {
+  const auto& [position, colour, frame] = lights_[light];
+  if (lightSize_ == 0) return position;
+  const std::uint32_t block = kCameraDimensionCount + (node - 1) * kVertexDimensionCount;
+  const auto offset = [&](std::uint32_t dimension) {
+    return lightSize_ * (toUnit(numbers.word(block + dimension) + light * 0x9e3779b9u) - 0.5);
+  };
+  return position + frame.toWorld({offset(kDimensionLightU), offset(kDimensionLightV), 0});
+}
+
+WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo) const {
+  const Material& material = scene_.materials[surface.material];
+  if (!isMirror(material) && !isGlass(material)) return {};
+  const dvec3& normal = surface.shadingNormal;
+  const double cosine = dot(normal, wo);
+  Branches branches;
+  branches.reflected = {2 * cosine * normal - wo, material.ks};
+  branches.lobe = Lobe::mirror;
+  if (isGlass(material)) {
+    const double ior = material.ior;
+    const double eta = surface.fromOutside ? 1 / ior : ior;
+    const Boundary boundary = fresnel(cosine, eta);
+    branches.reflected.factor = boundary.reflectance;
+    branches.refracted = {-eta * wo + (eta * cosine - boundary.cosTransmitted) * normal, 1 - boundary.reflectance};
+    branches.lobe = Lobe::reflect;
+  }
+  if (dot(branches.reflected.direction, surface.facingNormal) <= 0) branches.reflected.factor = 0;
+  if (dot(branches.refracted.direction, surface.facingNormal) >= 0) branches.refracted.factor = 0;
+  if (branches.refracted.factor > 0) {
+    branches.lobe = Lobe::refract;
+  } else if (branches.reflected.factor == 0) {
+    branches.lobe = Lobe::none;
+  }
+  return branches;
+}
+
+}  // namespace candela::reference

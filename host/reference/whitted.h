@@ -1,0 +1,62 @@
+// Whitted's ray tracer: docs/light-transport.md section 9.
+#pragma once
+#include <vector>
+
+#include "host/reference/background.h"
+#include "host/reference/camera.h"
+#include "host/reference/pixel_tracer.h"
+#include "host/reference/sampler.h"
+#include "host/reference/sampling.h"
+#include "host/reference/surface.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+class WhittedTracer final : public PixelTracer {
+ public:
+  /// The scene, which has a camera, must outlive the object. `settings.maxDepth` is at most kMaxTreeDepth.
+  WhittedTracer(const Scene& scene, const RenderSettings& settings);
+
+  dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+               PathRecord* record) const override;
+  const Tracing& tracing() const override { return tracing_; }
+
+ private:
+  /// What all rays of one sample share.
+  struct SampleState;
+  /// A ray and its place in the tree.
+  struct Node;
+  /// A ray that goes on; a factor of 0: there is none.
+  struct Branch {
+    dvec3 direction{0};
+    double factor = 0;
+  };
+  struct Branches {
+    Branch reflected;
+    Branch refracted;
+    Lobe lobe = Lobe::none;
+  };
+  /// A point light, and the frame of the square that it fills.
+  struct Light {
+    dvec3 position;
+    dvec3 colour;
+    Frame frame;
+  };
+
+  dvec3 radiance(const Node& node, SampleState& state) const;
+  dvec3 direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const;
+  dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;
+  Branches branchesAt(const Surface& surface, const dvec3& wo) const;
+
+  const Scene& scene_;
+  std::uint32_t maxDepth_;
+  double lightSize_;
+  Sampler sampler_;
+  CameraRays camera_;
+  Background background_;
+  Tracing tracing_;
+  std::vector<Light> lights_;
+};
+
+}  // namespace candela::reference

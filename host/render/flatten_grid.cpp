@@ -1,0 +1,64 @@
+#include "host/render/flatten_grid.h"
+
+#include "host/accel/grid.h"
+#include "host/render/flat_rows.h"
+
+namespace candela {
+namespace {
+
+// The last row is filled up with the end.
+void appendCells(const Grid& grid, Rows& rows) {
+  const std::uint64_t cellCount = grid.shape.cellCount();
+  const auto start = [&](std::uint64_t cell) { return grid.starts[std::min(cell, cellCount)]; };
+  for (std::uint64_t cell = 0; cell < cellCount; cell += gpu::kCellsPerRow) {
+    rows.push_back({start(cell), start(cell + 1), start(cell + 2), start(cell + 3)});
+  }
+}
+
+void appendItems(const Grid& grid, Rows& rows) {
+  const auto item = [&](std::size_t i) { return i < grid.items.size() ? grid.items[i] : 0; };
+  for (std::size_t i = 0; i < grid.items.size(); i += gpu::kItemsPerRow) {
+    rows.push_back({item(i), item(i + 1), item(i + 2), item(i + 3)});
+  }
+}
+
+void setConstants(const GridShape& shape, gpu::RenderConstants& constants) {
+  const glm::dvec3 extent = shape.bounds.extent();
+  constants.gridLow = {shape.bounds.min, gridReach(shape)};
+  constants.gridHigh = {shape.bounds.max, 0};
+  constants.gridScale = {shape.scale, 0};
+  constants.gridWidth = {glm::vec3(extent / glm::dvec3(shape.sides)), 0};
+  constants.gridSides = {shape.sides, 0};
+  constants.gridStrides = {shape.strides, 0};
+}
+
+void noteQuality(const Grid& grid, FlatScene& flat) {
+  const GridQuality measured = quality(grid);
+  flat.structureQuality = {{"density", grid.density},
+                           {"cells", static_cast<double>(measured.cellCount)},
+                           {"cellsX", grid.shape.sides.x},
+                           {"cellsY", grid.shape.sides.y},
+                           {"cellsZ", grid.shape.sides.z},
+                           {"references", static_cast<double>(measured.referenceCount)},
+                           {"occupiedShare", measured.occupiedShare},
+                           {"averageItems", measured.averageItems},
+                           {"maxItems", measured.maxItems}};
+}
+
+}  // namespace
+
+void appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide, FlatScene& flat) {
+  if (bounds.bounds.empty()) return;
+  const Grid grid = buildGrid(bounds.bounds, {.density = double{density}, .maxSide = maxSide});
+  noteQuality(grid, flat);
+  setConstants(grid.shape, flat.constants);
+  flat.structure = gpu::kStructureGrid;
+  flat.constants.sections.x = rowCount(flat.rows);
+  flat.rows.reserve(flat.rows.size() + grid.starts.size() / gpu::kCellsPerRow + grid.items.size() / gpu::kItemsPerRow +
+                    2);
+  appendCells(grid, flat.rows);
+  flat.constants.gridSides.w = rowCount(flat.rows);
+  appendItems(grid, flat.rows);
+}
+
+}  // namespace candela

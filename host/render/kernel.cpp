@@ -1,0 +1,62 @@
+#include "host/render/kernel.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "spirv/path.h"
+#include "spirv/views.h"
+#include "spirv/whitted.h"
+
+namespace candela {
+namespace {
+
+template <class State>
+State headOf(std::span<const std::byte> bytes) {
+  State state;
+  std::memcpy(&state, bytes.data(), sizeof state);
+  return state;
+}
+
+void addPathCounts(std::span<const std::byte> bytes, RenderStatistics& statistics) {
+  const auto state = headOf<gpu::PathState>(bytes);
+  const bool underWay = state.throughputDepth.w > 0;
+  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
+  statistics.bounceRays += state.counts.x;
+  statistics.shadowRays += state.counts.y;
+  statistics.vertices += state.counts.z;
+  statistics.traversalSteps += state.counts.w;
+}
+
+static_assert(sizeof(gpu::TreeState) == gpu::kTreeRows * sizeof(gpu::uvec4));
+
+void addTreeCounts(std::span<const std::byte> bytes, RenderStatistics& statistics) {
+  const auto state = headOf<gpu::TreeState>(bytes);
+  const bool underWay = state.place.x > 0;
+  if (!statistics.treeRays) statistics.treeRays.emplace();
+  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
+  statistics.treeRays->cameraHits += state.rays.x;
+  statistics.treeRays->reflected += state.rays.y;
+  statistics.treeRays->refracted += state.rays.z;
+  statistics.bounceRays += std::uint64_t{state.rays.y} + state.rays.z;
+  statistics.shadowRays += state.rays.w;
+  statistics.vertices += state.work.x;
+  statistics.traversalSteps += state.work.y;
+}
+
+}  // namespace
+
+std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& settings) {
+  if (settings.integrator != Integrator::whitted) return 2;
+  return 1 + static_cast<std::uint32_t>(std::min<std::size_t>(scene.pointLights.size(), gpu::kLightsPerSegment));
+}
+
+Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
+  if (settings.integrator == Integrator::whitted) {
+    const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
+    return {"whitted", spirv::whitted, stateBytes, addTreeCounts};
+  }
+  if (isView(settings.integrator)) return {"views", spirv::views, sizeof(gpu::PathState), addPathCounts};
+  return {"megakernel", spirv::path, sizeof(gpu::PathState), addPathCounts};
+}
+
+}  // namespace candela

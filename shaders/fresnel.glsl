@@ -1,0 +1,21 @@
+// Reflection at a smooth boundary between two dielectrics: docs/light-transport.md section 9.
+#ifndef CANDELA_FRESNEL_GLSL
+#define CANDELA_FRESNEL_GLSL
+
+// Unpolarised, exact. c in (0, 1] is the cosine of incidence, n > 0 the index behind the boundary by that before it. With
+// g = n times the cosine of refraction, rs = (c - g) / (c + g) and rp = rs (c (g + c) - 1) / (c (g - c) + 1) (Cook and
+// Torrance 1982), where g - c = (n^2 - 1) / (g + c) does not cancel. Total reflection: 1, and g = 0.
+float fresnelReflectance(float c, float n, out float g) {
+  float excess = (n - 1.0) * (n + 1.0);
+  precise float gSquared = excess + c * c;
+  g = sqrt(max(gSquared, 0.0));
+  if (gSquared <= 0.0) return 1.0;
+  float sum = g + c;
+  float difference = excess / sum;
+  float rs = difference / sum;
+  float ratio = (c * sum - 1.0) / (c * difference + 1.0);
+  precise float reflectance = 0.5 * rs * rs * (1.0 + ratio * ratio);
+  return reflectance;
+}
+
+#endif

@@ -1,0 +1,25 @@
+// The normals that a surface shows to a ray: docs/light-transport.md section 4.
+#ifndef CANDELA_NORMALS_GLSL
+#define CANDELA_NORMALS_GLSL
+#include "primitives.glsl"
+
+// Both on the side of wo. (`outside` says where the oriented normal is, which dielectrics need.)
+struct Normals {
+  vec3 geometric;
+  vec3 shading;
+  bool outside;
+};
+
+Normals normalsTowards(Surface surface, vec3 wo) {
+  Normals normals;
+  normals.outside = dot(surface.outward, wo) > 0.0;
+  normals.geometric = normals.outside ? surface.outward : -surface.outward;
+  normals.shading = normals.geometric;
+  if (kHasSmooth) {
+    vec3 turned = normals.outside ? surface.shading : -surface.shading;
+    normals.shading = dot(turned, wo) > 0.0 ? turned : normals.geometric;
+  }
+  return normals;
+}
+
+#endif

@@ -1,0 +1,50 @@
+// What the camera ray meets, as a picture instead of radiance: docs/light-transport.md section 10.
+#ifndef CANDELA_VIEWS_GLSL
+#define CANDELA_VIEWS_GLSL
+#include "path.glsl"
+
+vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
+
+vec3 albedo(Material m) {
+  if (kHasMirror && m.mirror) return m.diffuse;
+  precise vec3 sum = (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.specular;
+  return sum;
+}
+
+// 1: the hemisphere's ray of this sample meets nothing within reach.
+float openness(Surface surface, Normals normals, SampleKey key, inout Work work, inout RayCounts counts,
+               inout Decisions decisions) {
+  vec2 numbers = toUnit(sampleGroup(key, vertexGroup(1u, kDimensionBsdfU))).xy;
+  precise vec3 direction = unit(frameAround(normals.shading) * sampleCosineHemisphere(numbers));
+  if (dot(direction, normals.geometric) <= 0.0) return 0.0;
+  counts.shadow += 1u;
+  bool blocked = traceAny(rayFrom(surface, direction), kNoSlot, constants.background.w, work);
+  decisions.shadow = blocked ? kShadowOccluded : kShadowVisible;
+  return blocked ? 0.0 : 1.0;
+}
+
+vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts counts, inout Decisions decisions) {
+  if (kView == kViewDepth) return vec3(hit.t);
+  if (kView == kViewId) return indexColour(hit.index);
+  Surface surface = surfaceAt(ray, hit.slot, hit.t);
+  if (kView == kViewAlbedo) return albedo(loadMaterial(surface.kind));
+  Normals normals = normalsTowards(surface, -ray.direction);
+  if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));
+  precise vec3 coded = 0.5 * (normals.outside ? normals.shading : -normals.shading) + 0.5;
+  return coded;
+}
+
+// The value of a whole sample.
+vec3 viewSample(Ray ray, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
+  uint stepsBefore = work.steps;
+  Hit hit = traceClosest(ray, work);
+  bool missed = hit.t >= kNoHit;
+  counts.vertices += missed ? 0u : 1u;
+  decisions.index = missed ? kRecordMiss : hit.index;
+  if (kView == kViewCost) return vec3(float(work.steps - stepsBefore));
+  if (missed) return vec3(kView == kViewAo ? 1.0 : 0.0);
+  return viewOfHit(ray, hit, key, work, counts, decisions);
+}
+
+#endif

@@ -1,0 +1,145 @@
+// Entry point of Whitted's tracer: one lane a pixel. A lane whose tree is done takes its pixel's next sample at once;
+// after its share of rays or loop turns it keeps its tree in a buffer and goes on in the next dispatch.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "film.glsl"
+#include "whitted.glsl"
+
+layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
+layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
+layout(set = 0, binding = kBindingPathStates, std430) buffer TreeStates { uvec4 treeRows[]; };
+layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
+layout(set = 0, binding = kBindingResults, std430) buffer Results {
+  Counters counters;
+  uvec2 records[];
+};
+
+TreeState loadTree(uint row) {
+  return TreeState(treeRows[row], treeRows[row + 1u], treeRows[row + 2u], treeRows[row + 3u], treeRows[row + 4u],
+                   treeRows[row + 5u]);
+}
+
+void storeTree(uint row, TreeState state) {
+  treeRows[row] = state.originLeaving;
+  treeRows[row + 1u] = state.directionWeight;
+  treeRows[row + 2u] = state.place;
+  treeRows[row + 3u] = state.radianceSample;
+  treeRows[row + 4u] = state.rays;
+  treeRows[row + 5u] = state.work;
+}
+
+Ray unpackRay(uvec4 originLeaving, uvec4 directionWeight) {
+  return makeRay(uintBitsToFloat(originLeaving.xyz), uintBitsToFloat(directionWeight.xyz), originLeaving.w);
+}
+
+Tree unpackTree(TreeState state) {
+  return Tree(unpackRay(state.originLeaving, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
+              state.place.x, state.place.y, state.place.z, uintBitsToFloat(state.radianceSample.xyz));
+}
+
+uint waitingRow(uint treeRow, uint depth) { return treeRow + kTreeRows + (depth - 2u) * kWaitingRows; }
+
+void keepWaiting(inout Tree tree, uint treeRow, uint depth, Ray ray, float weight) {
+  uint row = waitingRow(treeRow, depth);
+  treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.leaving);
+  treeRows[row + 1u] = floatBitsToUint(vec4(ray.direction, weight));
+  tree.waiting |= 1u << depth;
+}
+
+// Takes the deepest ray that waits: it is the sibling of a reflected ray on the way to `node`.
+void takeWaiting(inout Tree tree, uint treeRow) {
+  uint depth = uint(findMSB(tree.waiting));
+  uint row = waitingRow(treeRow, depth);
+  uvec4 originLeaving = treeRows[row];
+  uvec4 directionWeight = treeRows[row + 1u];
+  tree.ray = unpackRay(originLeaving, directionWeight);
+  tree.weight = uintBitsToFloat(directionWeight.w);
+  tree.node = (tree.node >> (depthOf(tree.node) - depth)) | 1u;
+  tree.waiting ^= 1u << depth;
+}
+
+// Goes to the next node: the reflected child, else the deepest ray that waits. True if there is one.
+bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches branches, inout RayCounts counts) {
+  float weight = tree.weight;
+  tree.nextLight = 0u;
+  tree.node *= 2u;
+  if (kHasDielectric && branches.refractedFactor > 0.0) {
+    counts.refracted += 1u;
+    keepWaiting(tree, treeRow, depthOf(tree.node), rayFrom(surface, branches.refracted), weight * branches.refractedFactor);
+  }
+  bool reflects = (kHasMirror || kHasDielectric) && branches.reflectedFactor > 0.0;
+  if (reflects) {
+    counts.reflected += 1u;
+    tree.ray = rayFrom(surface, branches.reflected);
+    tree.weight = weight * branches.reflectedFactor;
+    return true;
+  }
+  bool waits = kHasDielectric && tree.waiting != 0u;
+  if (waits) takeWaiting(tree, treeRow);
+  return waits;
+}
+
+// A node whose lights take several segments adds to its record.
+void record(uint pixelIndex, uint number, Decisions decisions) {
+  if (number >= kRecordedVertices) return;
+  uint place = pixelIndex * kRecordedVertices + number;
+  uint before = records[place].y;
+  uint visible = ((before & ~kRecordValid) >> kRecordLightShift) ^ decisions.visibleLights;
+  uint shadow = max((before >> 8) & 255u, decisions.shadow);
+  uint flags = kRecordValid | (visible << kRecordLightShift) | (1u << 16) | (shadow << 8) | decisions.lobe;
+  records[place] = uvec2(decisions.index, flags);
+}
+
+void main() {
+  uvec2 inRegion = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
+  uvec2 pixel = dispatch.region.xy + inRegion;
+  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
+  uint treeRow = pixelIndex * constants.limits.w;
+  TreeState state = loadTree(treeRow);
+  uint firstSample = state.radianceSample.w;
+  uint sampleIndex = firstSample;
+  uint sampleEnd = dispatch.work.z;
+  if (sampleIndex >= sampleEnd) return;
+
+  Tree tree = unpackTree(state);
+  FilmRows sums = film[pixelIndex];
+  RayCounts counts = RayCounts(state.rays.x, state.rays.y, state.rays.z, state.rays.w, state.work.x);
+  Work work = Work(0u, 0u);
+  uint nodesDone = state.place.w;
+  uint segments = 0u;
+  uint lightTurns = 0u;
+  bool working = true;
+  while (working) {
+    SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+    if (tree.node == 0u) startTree(tree, key, pixel);
+    Decisions decisions;
+    Surface surface;
+    Branches branches;
+    bool nodeDone = visitNode(tree, key, work, counts, decisions, surface, branches);
+    if (kRecordPaths) record(pixelIndex, nodesDone, decisions);
+    bool treeDone = nodeDone && !followBranches(tree, treeRow, surface, branches, counts);
+    nodesDone += nodeDone ? 1u : 0u;
+    if (treeDone) {
+      addSample(sums, tree.radiance, sampleIndex);
+      tree.node = 0u;
+      nodesDone = 0u;
+      sampleIndex += 1u;
+    }
+    segments += 1u;
+    lightTurns += min(constants.limits.z, kLightsPerSegment);
+    working = sampleIndex < sampleEnd && segments < dispatch.work.y &&
+              work.steps + segments + lightTurns < dispatch.work.w;
+  }
+  uint truncated = work.truncated + (working ? 1u : 0u);
+  film[pixelIndex] = sums;
+  storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.leaving),
+                               floatBitsToUint(vec4(tree.ray.direction, tree.weight)),
+                               uvec4(tree.node, tree.waiting, tree.nextLight, nodesDone),
+                               uvec4(floatBitsToUint(tree.radiance), sampleIndex),
+                               uvec4(counts.cameraHits, counts.reflected, counts.refracted, counts.shadow),
+                               uvec4(counts.vertices, state.work.y + work.steps, 0u, 0u)));
+  if (truncated > 0u) atomicAdd(counters.truncated, truncated);
+  if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
+  if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);
+}

@@ -1,0 +1,112 @@
+// Every structure finds exactly the hit that brute force finds: its distance, bit for bit, and of ties the lower index.
+#include <catch2/catch.hpp>
+
+#include "tests/accel/searches.h"
+#include "tests/accel/test_rays.h"
+#include "tests/accel/test_scenes.h"
+
+using namespace candela;
+using namespace candela::test;
+
+namespace {
+
+struct Structures {
+  explicit Structures(const std::vector<Aabb>& boxes)
+      : trees{buildBvh(boxes, {.maxLeafSize = 8}), buildBvh(boxes, {.rule = SplitRule::midpoint, .maxLeafSize = 2})},
+        grids{buildGrid(boxes), buildGrid(boxes, {.density = 1}), buildGrid(boxes, {.density = 5})} {}
+
+  std::array<Bvh, 2> trees;
+  std::array<Grid, 3> grids;
+};
+
+struct Outcome {
+  int hits = 0;
+  int ties = 0;                    ///< if counted
+  std::array<int, 5> differing{};  ///< by structure: SAH, midpoint, grids of density 2, 1 and 5
+};
+
+// Rays are of single precision; T is that of all tests and searches.
+template <class T>
+Outcome searchAll(const Scene& scene, int rayCount, std::uint64_t seed, bool countTies = false) {
+  Searcher<T> searcher(scene);
+  const Structures structures(searcher.boxes());
+  RayMaker rays(structures.grids[0].shape, seed);
+  glm::vec3 surfacePoint(0);
+  Outcome outcome;
+  for (int i = 0; i < rayCount; ++i) {
+    const Ray<float> single = rays.next(surfacePoint);
+    const Ray<T> ray{Vec<T>(single.origin), Vec<T>(single.direction)};
+    const Hit<T> expected = searcher.bruteForce(ray);
+    std::size_t place = 0;
+    for (const Bvh& bvh : structures.trees) outcome.differing[place++] += searcher.throughTree(ray, bvh) != expected;
+    for (const Grid& grid : structures.grids) outcome.differing[place++] += searcher.throughGrid(ray, grid) != expected;
+    if (expected.primitive == ~0u) continue;
+    ++outcome.hits;
+    outcome.ties += countTies && searcher.isTie(ray, expected);
+    surfacePoint = glm::vec3(ray.origin + expected.t * ray.direction);
+  }
+  return outcome;
+}
+
+void requireEqual(const NamedScene& named, int rayCount, std::uint64_t seed) {
+  INFO(named.name);
+  const bool hasFinite = !boundPrimitives(named.scene).finite.empty();
+  const Outcome single = searchAll<float>(named.scene, rayCount, seed);
+  CHECK(single.differing == std::array<int, 5>{});
+  CHECK(single.hits >= (hasFinite ? rayCount / 100 : 0));
+  const Outcome exact = searchAll<double>(named.scene, rayCount / 4, seed);
+  CHECK(exact.differing == std::array<int, 5>{});
+}
+
+}  // namespace
+
+TEST_CASE("trees and grids find what brute force finds, in every scene") {
+  for (const NamedScene& named : sceneFiles()) requireEqual(named, 5000, 1);
+}
+
+TEST_CASE("trees and grids find what brute force finds, on the edges of what scenes can be") {
+  for (const NamedScene& named : edgeScenes()) requireEqual(named, 10000, 2);
+}
+
+TEST_CASE("of equal distances the lower primitive index wins in every structure") {
+  for (const NamedScene& named : edgeScenes()) {
+    if (named.name != "mixed") continue;  // half of everything stands there twice
+    constexpr int kRays = 5000;
+    const Outcome outcome = searchAll<float>(named.scene, kRays, 7, true);
+    CHECK(outcome.differing == std::array<int, 5>{});
+    CHECK(outcome.ties > kRays / 5);
+  }
+}
+
+TEST_CASE("trees and grids find what brute force finds for a million rays in every scene", "[slow]") {
+  for (const NamedScene& named : sceneFiles()) requireEqual(named, 1000000, 3);
+}
+
+TEST_CASE("trees and grids find what brute force finds for a million rays on the edges", "[slow]") {
+  for (const NamedScene& named : edgeScenes()) requireEqual(named, 1000000, 4);
+}
+
+TEST_CASE("trees and grids find what brute force finds among a million objects", "[slow]") {
+  requireEqual({"a million objects", largeScene(1000000)}, 1000, 5);
+}
+
+TEST_CASE("trees and grids save nearly all of brute force's tests") {
+  const Scene scene = largeScene(20000);
+  Searcher<float> searcher(scene);
+  const Structures structures(searcher.boxes());
+  Random random(6);
+  std::array<std::uint64_t, 5> steps{};
+  constexpr int kRays = 500;
+  for (int i = 0; i < kRays; ++i) {
+    const Ray<float> ray{glm::vec3(random.inCube(-20, 120)), glm::vec3(random.direction())};
+    std::size_t place = 0;
+    const auto count = [&](auto&& search) {
+      searcher.steps = 0;
+      search();
+      steps[place++] += searcher.steps;
+    };
+    for (const Bvh& bvh : structures.trees) count([&] { searcher.throughTree(ray, bvh); });
+    for (const Grid& grid : structures.grids) count([&] { searcher.throughGrid(ray, grid); });
+  }
+  for (const std::uint64_t count : steps) CHECK(count < kRays * scene.primitives.size() / 50);
+}

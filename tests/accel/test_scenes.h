@@ -1,0 +1,23 @@
+// Scenes for searches: every scene file there is, and the edges of what scenes can be.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.h"
+
+namespace candela::test {
+
+struct NamedScene {
+  std::string name;
+  Scene scene;
+};
+
+/// The files of scenes/ and tests/scene/spd/.
+std::vector<NamedScene> sceneFiles();
+/// Flat scenes, one object and none, overlapping shells, boxes of zero thickness, objects far apart in place and size,
+/// objects on the faces of cells, half of everything twice.
+std::vector<NamedScene> edgeScenes();
+/// `count` triangles and spheres in a cube.
+Scene largeScene(std::size_t count);
+
+}  // namespace candela::test

@@ -1,0 +1,44 @@
+// A renderer that takes no time: its images and figures are scripted.
+#pragma once
+#include <vector>
+
+#include "host/render/renderer.h"
+
+namespace candela::bench {
+
+/// One run: what the film's only pixel gets, and what the statistics say.
+struct ScriptedRun {
+  float value = 1;
+  double traceSeconds = 1;
+  std::uint64_t truncated = 0;
+  bool interrupted = false;
+};
+
+class FakeRenderer final : public Renderer {
+ public:
+  explicit FakeRenderer(std::vector<ScriptedRun> runs) : runs_(std::move(runs)) {}
+
+  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+    const ScriptedRun& run = runs_.at(accels.size());
+    accels.push_back(settings.accel);
+    RenderResult result;
+    result.film = Film(1, 1);
+    result.film.addSample(0, 0, glm::dvec3(run.value), 0);
+    result.statistics.samples = 1000;
+    result.statistics.cameraRays = 1000;
+    result.statistics.shadowRays = 500;
+    result.statistics.traversalSteps = 6000;
+    result.statistics.truncated = run.truncated;
+    result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
+    result.interrupted = run.interrupted;
+    if (control.progress) control.progress(1, 1000);
+    return result;
+  }
+
+  std::vector<AccelKind> accels;  ///< of the runs so far, in their order
+
+ private:
+  std::vector<ScriptedRun> runs_;
+};
+
+}  // namespace candela::bench

@@ -1,0 +1,92 @@
+// Repeated, interleaved renders: their order, their medians, and images that differ.
+#include "host/bench/measure.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/core/errors.h"
+#include "tests/bench/fake_renderer.h"
+
+namespace candela::bench {
+namespace {
+
+const std::vector<AccelKind> kKinds{AccelKind::none, AccelKind::grid, AccelKind::bvh};
+
+std::vector<Variant> threeVariants() {
+  std::vector<Variant> variants;
+  for (const AccelKind kind : kKinds) variants.emplace_back("variant", RenderSettings{}).settings.accel = kind;
+  return variants;
+}
+
+std::vector<Measurement> measure(std::vector<ScriptedRun> script, std::uint32_t repeats) {
+  FakeRenderer renderer(std::move(script));
+  return measureInterleaved(renderer, Scene{}, threeVariants(), repeats, {});
+}
+
+TEST_CASE("the median is the middle value, or the mean of the two middle ones") {
+  CHECK(median({}) == 0);
+  CHECK(median(std::vector{3.0}) == 3);
+  CHECK(median(std::vector{1.0, 2.0, 9.0}) == 2);
+  CHECK(median(std::vector{1.0, 2.0, 4.0, 9.0}) == 3);
+  CHECK(spread(std::vector{1.0, 2.0, 4.0}) == 1.5);
+  CHECK(spread({}) == 0);
+}
+
+TEST_CASE("every variant runs once before any runs twice") {
+  FakeRenderer renderer(std::vector<ScriptedRun>(6));
+  measureInterleaved(renderer, Scene{}, threeVariants(), 2, {});
+  std::vector<AccelKind> expected = kKinds;
+  expected.insert(expected.end(), kKinds.begin(), kKinds.end());
+  CHECK(renderer.accels == expected);
+}
+
+TEST_CASE("a measurement's rates are those of its median run") {
+  const auto measurements = measure({{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0}, {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}}, 3);
+  REQUIRE(measurements.size() == 3);
+  CHECK(measurements[0].traceSeconds == std::vector{1.0, 2.0, 9.0});
+  CHECK(measurements[0].buildSeconds == std::vector{0.25, 0.5, 2.25});
+  CHECK(measurements[0].mraysPerSecond() == Approx(1500 / 2.0 / 1e6));
+  CHECK(measurements[0].msamplesPerSecond() == Approx(1000 / 2.0 / 1e6));
+  CHECK(measurements[0].stepsPerRay() == Approx(4));
+}
+
+TEST_CASE("a variant whose image differs from most does not agree") {
+  const auto measurements = measure({{1}, {2}, {1}}, 1);
+  CHECK(measurements[0].agrees);
+  CHECK_FALSE(measurements[1].agrees);
+  CHECK(measurements[2].agrees);
+}
+
+TEST_CASE("a variant whose image changes from run to run does not agree") {
+  const auto measurements = measure({{1}, {1}, {2}, {1}, {1}, {1}}, 2);
+  CHECK(measurements[0].agrees);
+  CHECK(measurements[1].agrees);
+  CHECK_FALSE(measurements[2].agrees);
+}
+
+TEST_CASE("where no image has a majority, none is taken for right") {
+  for (const Measurement& measurement : measure({{1}, {2}, {3}}, 1)) CHECK_FALSE(measurement.agrees);
+}
+
+TEST_CASE("an interrupted benchmark has no measurements, and truncated work is an error") {
+  CHECK(measure({{1}, {.interrupted = true}, {1}}, 1).empty());
+  CHECK_THROWS_AS(measure({{1}, {.truncated = 1}, {1}}, 1), InternalError);
+}
+
+TEST_CASE("progress goes from the first run's share to all") {
+  std::vector<double> fractions;
+  std::vector<std::uint64_t> samples;
+  RenderControl control;
+  control.progress = [&](double fraction, std::uint64_t done) {
+    fractions.push_back(fraction);
+    samples.push_back(done);
+  };
+  FakeRenderer renderer(std::vector<ScriptedRun>(3));
+  measureInterleaved(renderer, Scene{}, threeVariants(), 1, control);
+  REQUIRE(fractions.size() == 3);
+  CHECK(fractions[0] == Approx(1.0 / 3));
+  CHECK(fractions[2] == Approx(1));
+  CHECK(samples == std::vector<std::uint64_t>{1000, 2000, 3000});
+}
+
+}  // namespace
+}  // namespace candela::bench

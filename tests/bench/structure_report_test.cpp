@@ -1,0 +1,66 @@
+// What the comparison of structures says, and what it keeps to itself when images differ.
+#include "host/bench/structure_report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/fake_renderer.h"
+
+namespace candela::bench {
+namespace {
+
+using Catch::Contains;
+
+StructureReport reportOf(std::vector<ScriptedRun> script) {
+  FakeRenderer renderer(std::move(script));
+  const std::vector<Variant> variants = structureVariants(RenderSettings{});
+  StructureReport report;
+  for (Measurement& m : measureInterleaved(renderer, Scene{}, variants, 1, {})) {
+    report.rows.push_back({"room", 0x1234, std::move(m), std::nullopt});
+  }
+  return report;
+}
+
+TEST_CASE("the structures compared are the report's two and the surface-area tree") {
+  const auto variants = structureVariants(RenderSettings{});
+  REQUIRE(variants.size() == 3);
+  CHECK(variants[0].settings.accel == AccelKind::grid);
+  CHECK(variants[1].settings.accel == AccelKind::bvh);
+  CHECK(variants[1].settings.bvhSplit == BvhSplit::midpoint);
+  CHECK(variants[2].settings.accel == AccelKind::bvh);
+  CHECK(variants[2].settings.bvhSplit == BvhSplit::sah);
+}
+
+TEST_CASE("a structure with another image has no figures") {
+  const StructureReport report = reportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
+  CHECK_FALSE(report.agree());
+  const auto json = toJson(report);
+  CHECK(json["rows"][0]["medianMs"] == 2000.0);
+  CHECK(json["rows"][1]["sameImage"] == false);
+  CHECK_FALSE(json["rows"][1].contains("medianMs"));
+  CHECK_THAT(toText(report), Contains("differs") && Contains("2.00") && !Contains("0.50"));
+}
+
+TEST_CASE("published seconds stand beside the measured ones, where there are any") {
+  StructureReport report = reportOf({{1}, {1}, {1}});
+  CHECK(report.agree());
+  CHECK_THAT(toText(report), !Contains("report's"));
+  report.rows[0].publishedSeconds = 361.0;
+  CHECK_THAT(toText(report), Contains("the report's s") && Contains("361.0"));
+  CHECK_THAT(toMarkdown(report), Contains("| 361.0 |"));
+  CHECK(toJson(report)["rows"][0]["publishedSeconds"] == 361.0);
+}
+
+TEST_CASE("the JSON says its schema, and of each row scene, images and rates") {
+  const auto json = toJson(reportOf({{1}, {1}, {1}}));
+  CHECK(json["schema"] == "candela-bench/1");
+  const auto& row = json["rows"][0];
+  for (const char* key : {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout",
+                          "msamplesPerSecond", "mraysPerSecond", "medianMs", "spread", "buildMs", "stepsPerRay"}) {
+    CHECK(row.contains(key));
+  }
+  CHECK(row["sceneHash"] == "0000000000001234");
+}
+
+}  // namespace
+}  // namespace candela::bench

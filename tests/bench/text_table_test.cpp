@@ -1,0 +1,25 @@
+#include "host/bench/text_table.h"
+
+#include <catch2/catch.hpp>
+
+namespace candela::bench {
+namespace {
+
+const TextTable kTable{{"scene", "s"}, {{"a", "12.5"}, {"long name", "3"}}};
+
+TEST_CASE("text columns line up, names to the left and figures to the right") {
+  CHECK(toText(kTable) ==
+        "scene         s\n"
+        "a          12.5\n"
+        "long name     3\n");
+}
+
+TEST_CASE("Markdown escapes what would end a cell") {
+  CHECK(toMarkdown({{"a|b", "c"}, {{"1", "2"}}}) ==
+        "| a\\|b | c |\n"
+        "|---|---:|\n"
+        "| 1 | 2 |\n");
+}
+
+}  // namespace
+}  // namespace candela::bench

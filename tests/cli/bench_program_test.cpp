@@ -1,0 +1,65 @@
+// `candela bench` as a person meets it, on the reference tracer.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+using Catch::Contains;
+using nlohmann::json;
+
+const std::vector<std::string> kQuick{"--device", "cpu", "--size", "16x12", "--spp", "1", "--repeat", "2"};
+
+ProgramResult runBench(const std::vector<std::string>& words) {
+  std::vector<std::string> all{"bench"};
+  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), kQuick.begin(), kQuick.end());
+  return runCandela(all);
+}
+
+}  // namespace
+
+TEST_CASE("bench table1 needs no files: both scenes, three structures each, the report's seconds beside") {
+  const TemporaryFolder folder;
+  const std::string markdown = folder.path("table.md");
+  const ProgramResult result = runBench({"table1", "--json", "-", "--markdown", markdown});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  const json report = json::parse(result.out);
+  CHECK(report["schema"] == "candela-bench/1");
+  CHECK(report["repeats"] == 2);
+  REQUIRE(report["rows"].size() == 6);
+  CHECK(report["rows"][0]["scene"] == "mirror");
+  CHECK(report["rows"][0]["publishedSeconds"] == 361.0);
+  CHECK(report["rows"][1]["publishedSeconds"] == 327.78);
+  CHECK_FALSE(report["rows"][2].contains("publishedSeconds"));
+  CHECK(report["rows"][4]["publishedSeconds"] == 512.43);
+  for (const json& row : report["rows"]) {
+    CHECK(row["sameImage"] == true);
+    CHECK(row["medianMs"] > 0);
+  }
+  CHECK(report["rows"][0]["filmHash"] != report["rows"][3]["filmHash"]);
+  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && Contains("| 526.6 |"));
+}
+
+TEST_CASE("bench accel compares structures on any scenes, and says so in text") {
+  const TemporaryFolder folder;
+  const ProgramResult result = runBench({"accel", folder.write("a.p3f", smallScene())});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK_THAT(result.out, Contains("a.p3f") && Contains("uniform grid") && Contains("BVH, midpoint") &&
+                             Contains("BVH, SAH") && Contains("Mrays/s"));
+  CHECK_THAT(result.out, !Contains("report's"));
+}
+
+TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {
+  CHECK_THAT(runBench({"tabel1"}).err, Contains("expected table1 or accel"));
+  CHECK(runBench({"tabel1"}).exitCode == 1);
+  CHECK(runBench({"accel"}).exitCode == 1);
+  CHECK(runBench({"table1", "a.p3f"}).exitCode == 1);
+  CHECK(runBench({"accel", "absent.p3f"}).exitCode == 2);
+}
+
+}  // namespace candela

@@ -1,0 +1,26 @@
+// The generator and the loader, back to back.
+#include "tests/generate/generated_text.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+namespace candela {
+
+const generate::Kind& kindNamed(const std::string& name) {
+  const auto table = generate::kindTable();
+  const auto found = std::ranges::find(table, name, &generate::Kind::name);
+  REQUIRE(found != table.end());
+  return *found;
+}
+
+std::string generatedText(const std::string& kind, std::uint32_t size) {
+  std::string text;
+  generateScene(kindNamed(kind), size, [&](std::string_view block) { text += block; });
+  return text;
+}
+
+LoadedScene generatedScene(const std::string& kind, std::uint32_t size) {
+  return parseScene(generatedText(kind, size), kind, ".");
+}
+
+}  // namespace candela

@@ -1,0 +1,56 @@
+// The table of kinds keeps its promises: ranges, limits, scenes that load.
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+
+#include "host/scene/diagnostic.h"
+#include "tests/generate/generated_text.h"
+
+namespace candela {
+
+TEST_CASE("kinds have different names, a summary, and a default within their sizes") {
+  std::set<std::string_view> names;
+  for (const generate::Kind& kind : generate::kindTable()) {
+    CAPTURE(kind.name);
+    CHECK(names.insert(kind.name).second);
+    CHECK_FALSE(kind.summary.empty());
+    CHECK(kind.smallestSize <= kind.defaultSize);
+    CHECK(kind.defaultSize <= kind.largestSize());
+  }
+}
+
+TEST_CASE("the largest size of a kind is the last within the limit of primitives") {
+  for (const generate::Kind& kind : generate::kindTable()) {
+    CAPTURE(kind.name);
+    CHECK(kind.primitiveCount(kind.largestSize()) <= generate::kMostPrimitives);
+    CHECK(kind.primitiveCount(kind.largestSize() + 1) > generate::kMostPrimitives);
+  }
+  CHECK(kindNamed("balls").largestSize() == 7);
+  CHECK(kindNamed("mount").largestSize() == 10);
+}
+
+TEST_CASE(
+    "every kind's smallest scene loads strictly, with a view and light, and only with the warnings of its colours") {
+  // Surfaces of the databases whose shares of light exceed 1.
+  const std::map<std::string_view, std::string> expected{{"mount", "Kd + Ks + T = 1.1"},
+                                                         {"jacks", "Kd + Ks + T = 1.4"}};
+  for (const generate::Kind& kind : generate::kindTable()) {
+    CAPTURE(kind.name);
+    const LoadedScene loaded = generatedScene(std::string(kind.name), kind.smallestSize);
+    for (const Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
+    CHECK(loaded.scene.camera);
+    const auto found = expected.find(kind.name);
+    REQUIRE(loaded.warnings.size() == (found == expected.end() ? 0 : 1));
+    if (found != expected.end()) CHECK(loaded.warnings[0].message.starts_with(found->second));
+  }
+}
+
+TEST_CASE("the same scene is the same text every time") {
+  for (const generate::Kind& kind : generate::kindTable()) {
+    const std::string name(kind.name);
+    CHECK(generatedText(name, kind.smallestSize) == generatedText(name, kind.smallestSize));
+    CHECK(generatedText(name, kind.smallestSize) != generatedText(name, kind.smallestSize + 1));
+  }
+}
+
+}  // namespace candela

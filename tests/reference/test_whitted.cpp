@@ -1,0 +1,106 @@
+// The tree of rays: its order, its ends, and the rays that are not traced.
+#include <catch2/catch.hpp>
+
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::test;
+
+namespace {
+
+RenderSettings whittedSettings(std::uint32_t maxDepth) {
+  RenderSettings settings = settingsOf(1, 1, 1);
+  settings.integrator = Integrator::whitted;
+  settings.maxDepth = maxDepth;
+  settings.recordPaths = true;
+  return settings;
+}
+
+// Seen along -z: a pane of glass (primitive 0), a wall behind it (1) and one behind the camera (2).
+SceneBuilder paneBetweenWalls() {
+  SceneBuilder b;
+  b.view({0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 1e-3f);
+  b.material(glassMaterial(vec3(1), 1.5f)).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.material(diffuseMaterial(vec3(1), vec3(2))).plane({0, 0, -3}, {1, 0, -3}, {0, 1, -3});
+  b.material(diffuseMaterial(vec3(1), vec3(10))).plane({0, 0, 5}, {1, 0, 5}, {0, 1, 5});
+  return b;
+}
+
+std::vector<std::uint32_t> primitivesOf(const PathRecord& record) {
+  std::vector<std::uint32_t> primitives;
+  for (std::uint32_t i = 0; i < record.vertexCount; ++i) primitives.push_back(record.vertices[i].primitive);
+  return primitives;
+}
+
+}  // namespace
+
+TEST_CASE("a node comes first, then what it reflects, then what it refracts") {
+  const RenderResult result = render(paneBetweenWalls().scene, whittedSettings(4));
+  const PathRecord& record = result.paths.at(0);
+  CHECK(primitivesOf(record) == std::vector<std::uint32_t>{0, 2, 1});
+  CHECK(record.vertices[0].lobe == Lobe::refract);
+  CHECK(record.vertices[1].lobe == Lobe::none);
+  CHECK(result.film.mean(0, 0).x == Approx(0.04 * 10 + 0.96 * 2).epsilon(1e-6));
+  CHECK(result.statistics.treeRays->reflected == 1);
+  CHECK(result.statistics.treeRays->refracted == 1);
+  CHECK(result.statistics.bounceRays == 2);
+}
+
+TEST_CASE("the camera's ray has depth 1, and no ray comes from the last depth") {
+  const RenderResult result = render(paneBetweenWalls().scene, whittedSettings(1));
+  CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0});
+  CHECK(result.paths.at(0).vertices[0].lobe == Lobe::none);
+  CHECK(result.film.mean(0, 0) == dvec3(0));
+  CHECK(result.statistics.bounceRays == 0);
+}
+
+TEST_CASE("glass of index 1 reflects no ray") {
+  SceneBuilder b = paneBetweenWalls();
+  b.scene.materials[0].ior = 1;
+  const RenderResult result = render(b.scene, whittedSettings(4));
+  CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0, 1});
+  CHECK(result.film.mean(0, 0).x == 2);
+}
+
+TEST_CASE("a mirror's ray that would go into its own surface is not traced") {
+  // The shading normal leans so far that the mirrored ray dives below the flat triangle.
+  const vec3 leaning = normalize(vec3(-1, 0, 0.2f));
+  SceneBuilder b;
+  b.view({-2, 0, 1}, {0, 0, 0}, {0, 0, 1}, 1e-3f);
+  b.material(mirrorMaterial(vec3(1)));
+  b.patch({-3, -3, 0}, {3, -3, 0}, {0, 3, 0}, {{leaning, leaning, leaning}});
+  const RenderStatistics away = render(b.scene, whittedSettings(4)).statistics;
+  CHECK(away.treeRays->cameraHits == 1);
+  CHECK(away.treeRays->reflected == 0);
+  b.scene.vertexNormals[0] = {{vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1)}};
+  CHECK(render(b.scene, whittedSettings(4)).statistics.treeRays->reflected == 1);
+}
+
+TEST_CASE("glass that no light can light asks for no light") {
+  SceneBuilder b = paneBetweenWalls();
+  b.pointLight({1, 0, 4}, vec3(1));
+  // The walls are lit: one from each side of the pane, which throws a shadow.
+  const RenderResult result = render(b.scene, whittedSettings(4));
+  const PathRecord& record = result.paths.at(0);
+  CHECK(record.vertices[0].shadow == ShadowOutcome::notTraced);
+  CHECK(record.vertices[1].shadow == ShadowOutcome::visible);
+  CHECK(record.vertices[1].visibleLights == 1);
+  CHECK(record.vertices[2].shadow == ShadowOutcome::occluded);
+  CHECK(record.vertices[2].visibleLights == 0);
+  CHECK(result.statistics.shadowRays == 2);
+}
+
+TEST_CASE("with several samples pixels are jittered, with one they are not") {
+  SceneBuilder b;
+  b.view({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40);
+  b.material(diffuseMaterial(vec3(0), vec3(1))).sphere({0, 0, 0}, 1);
+  RenderSettings settings = whittedSettings(1);
+  settings.size = {16, 16};
+  settings.recordPaths = false;
+  std::uint64_t seeds[2];
+  for (settings.seed = 0; settings.seed < 2; ++settings.seed) seeds[settings.seed] = render(b.scene, settings).film.hash();
+  CHECK(seeds[0] == seeds[1]);
+  settings.sampleCount = 2;
+  for (settings.seed = 0; settings.seed < 2; ++settings.seed) seeds[settings.seed] = render(b.scene, settings).film.hash();
+  CHECK(seeds[0] != seeds[1]);
+}

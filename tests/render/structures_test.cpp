@@ -1,0 +1,178 @@
+// Grid, midpoint BVH, SAH BVH and brute force give the same film, by different ways.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+#include "host/vulkan/loop_limit.h"
+#include "shaders/shared/render_data.h"
+#include "tests/render/render_support.h"
+#include "tests/vulkan_support/test_device.h"
+
+using namespace candela;
+
+namespace {
+
+struct Way {
+  std::string structure;
+  std::string bvhSplit;
+  AccelKind accel;
+  BvhSplit split = BvhSplit::sah;
+  float density = 2;
+};
+
+const std::vector<Way> kWays{{"none", "", AccelKind::none},
+                             {"bvh", "sah", AccelKind::bvh},
+                             {"bvh", "midpoint", AccelKind::bvh, BvhSplit::midpoint},
+                             {"grid", "", AccelKind::grid},
+                             {"grid", "", AccelKind::grid, BvhSplit::sah, 1},
+                             {"grid", "", AccelKind::grid, BvhSplit::sah, 5}};
+
+RenderSettings along(const Way& way, RenderSettings settings) {
+  settings.accel = way.accel;
+  settings.bvhSplit = way.split;
+  settings.gridDensity = way.density;
+  return settings;
+}
+
+constexpr const char* kView = "v from 0 -6 1.5 at 0 0 .5 up 0 0 1 angle 40 hither 0 resolution 24 24\nb .3 .4 .5\n";
+
+// Spheres that scatter and refract, all of one material, so that scenes of them share kernels.
+Scene spheres(const std::vector<glm::vec4>& all) {
+  std::string text = std::string(kView) + "f .8 .7 .6 .5 0 0 0 0 1 .5 1.3 0 0 0\n";
+  for (const glm::vec4& s : all) text += fmt::format("s {} {} {} {}\n", s.x, s.y, s.z, s.w);
+  return sceneFromText(text);
+}
+
+// The camera is in the first of them; many others are behind it and beside the view.
+Scene spheresAroundTheCamera() {
+  std::vector<glm::vec4> all{{0, -6, 1.5, 1}};
+  for (int i = 0; i < 25; ++i) all.emplace_back(i - 12, i % 5 * 5 - 15, 0, 0.8f);
+  return spheres(all);
+}
+
+// Triangles, and boxes of zero thickness, all in the plane z = 0.
+Scene flatScene() {
+  std::string text = std::string(kView) + "f .8 .7 .6 1 0 0 0 0 1 0 1 0 0 0\n";
+  for (int i = 0; i < 30; ++i) {
+    const double x = 0.2 * i - 3, y = 0.4 * (i % 7) - 1;
+    text += fmt::format("p 3 {0} {1} 0 {2} {1} 0 {0} 3 0\nbox {0} -2 0 {2} {1} 0\n", x, y, x + 0.5);
+  }
+  return sceneFromText(text);
+}
+
+// Rays from the plane, up to far beyond what single precision tells apart, towards a lamp among small spheres.
+Scene clusterOnPlane() {
+  std::mt19937 random(5);
+  const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
+  std::string text =
+      "b .1 .2 .3\nv from 0 -6 .6 at 0 0 .6 up 0 0 1 angle 60 hither 0 resolution 24 24\n"
+      "f .8 .8 .8 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\n";
+  for (int i = 0; i < 300; ++i) text += fmt::format("s {} {} {} .03\n", uniform(), uniform(), uniform() + 0.6);
+  return sceneFromText(text + "f 0 0 0 1 0 0 0 0 1 0 1 90 80 70\ns 0 0 1.3 .2\n");
+}
+
+// 70,000 spheres at one place and one far away, so that a grid has nearly all of them in one cell.
+Scene crowdedCell() {
+  Scene scene = sceneFromText(std::string(kView) + "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns 1000 1000 1000 1\n");
+  for (int i = 0; i < 70000; ++i) {
+    scene.primitives.push_back({PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size()), 0});
+    scene.spheres.push_back({{0, 0, 0.5f + 1e-5f * static_cast<float>(i)}, 0.5f});
+  }
+  return scene;
+}
+
+RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
+  RenderSettings settings = squareSettings(side, samples);
+  settings.maxDepth = 6;
+  return settings;
+}
+
+// Renders all scenes one way before the next, since a renderer keeps its last kernel.
+void requireSameFilms(const std::vector<Scene>& scenes, const RenderSettings& settings, const std::vector<Way>& ways) {
+  std::vector<std::set<std::uint64_t>> hashes(scenes.size());
+  for (const Way& way : ways) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const RenderResult result = renderOnDevice(scenes[i], along(way, settings));
+      CHECK(result.statistics.structure == way.structure);
+      hashes[i].insert(result.film.hash());
+    }
+  }
+  for (const auto& ofScene : hashes) CHECK(ofScene.size() == 1);
+}
+
+}  // namespace
+
+TEST_CASE("every structure gives brute force's film, in its own number of steps") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  std::set<std::uint64_t> hashes, steps;
+  for (const Way& way : kWays) {
+    const RenderResult result = renderOnDevice(scene, along(way, squareSettings(40, 2)));
+    CHECK(result.statistics.structure == way.structure);
+    CHECK(result.statistics.bvhSplit == way.bvhSplit);
+    hashes.insert(result.film.hash());
+    steps.insert(result.statistics.traversalSteps);
+  }
+  CHECK(hashes.size() == 1);
+  CHECK(steps.size() == kWays.size());
+}
+
+TEST_CASE("a grid or the report's BVH is used even where a few tests in a row would be faster") {
+  const Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
+  REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
+  const RenderSettings settings = shortPaths(16, 1);
+  const RenderResult row = renderOnDevice(scene, settings);
+  CHECK(row.statistics.structureQuality.at("nodes") == 1);
+  const RenderResult midpoint = renderOnDevice(scene, along(kWays[2], settings));
+  CHECK(midpoint.statistics.structureQuality.at("nodes") > 1);
+  const RenderResult grid = renderOnDevice(scene, along(kWays[3], settings));
+  CHECK(grid.statistics.structureQuality.at("cells") > 1);
+  for (const RenderResult& other : {midpoint, grid}) {
+    CHECK(other.statistics.traversalSteps != row.statistics.traversalSteps);
+    CHECK(other.film.hash() == row.film.hash());
+  }
+}
+
+TEST_CASE("rays that come to a grid from very far away miss nothing") {
+  RenderSettings settings = squareSettings(48, 4);
+  settings.maxDepth = 4;
+  requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});
+}
+
+TEST_CASE("one object, no object, and a camera within an object look the same through a grid") {
+  requireSameFilms({spheres({{0, 0, 0.5, 1}}), spheresAroundTheCamera()}, shortPaths(24, 2), {kWays[0], kWays[3]});
+  requireSameFilms({spheres({})}, shortPaths(24, 2), {kWays[0], kWays[3]});
+}
+
+TEST_CASE("a flat scene looks the same through a grid") {
+  requireSameFilms({flatScene()}, shortPaths(24, 2), {kWays[0], kWays[3], kWays[5]});
+}
+
+TEST_CASE(
+    "overlapping shells look the same through a grid, and through the coarser one of a device that limits loops") {
+  const Scene scene = loadSpdScene("shells_1.nff");
+  const RenderSettings settings = squareSettings(40, 2);
+  requireSameFilms({scene}, settings, {kWays[0], kWays[4], kWays[5]});
+  const RenderResult free = renderOnDevice(scene, along(kWays[3], settings));
+  const auto limited = makeGpuRenderer(testDevice(), {.loopLimit = 512});
+  const RenderResult coarse = limited->render(scene, along(kWays[3], settings), {});
+  CHECK(coarse.statistics.structureQuality.at("cells") < free.statistics.structureQuality.at("cells"));
+  CHECK(coarse.statistics.traversalSteps != free.statistics.traversalSteps);
+  CHECK(coarse.film.hash() == free.film.hash());
+  CHECK(coarse.film.hash() == renderOnDevice(scene, along(kWays[4], settings)).film.hash());
+}
+
+TEST_CASE("a cell that holds too much for the device's loop limit is caught") {
+  vulkan::Device device = openTestDevice();
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  RenderSettings settings = along(kWays[3], squareSettings(8, 1));
+  settings.maxDepth = 2;
+  const RenderResult result = testRenderer().render(crowdedCell(), settings, {});
+  CHECK(result.statistics.structureQuality.at("maxItems") > 65535);
+  if (limited) {
+    CHECK(result.statistics.truncated > 0);
+  } else {
+    CHECK(result.statistics.truncated == 0);
+  }
+}

@@ -1,0 +1,243 @@
+// The auxiliary integrators: what they show is known, and both tracers show it.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "host/render/agreement.h"
+#include "tests/render/render_support.h"
+
+using namespace candela;
+using glm::dvec3;
+using glm::vec3;
+
+namespace {
+
+using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
+
+constexpr std::array kViews{Integrator::ao,    Integrator::normal, Integrator::albedo,
+                            Integrator::depth, Integrator::id,     Integrator::cost};
+
+// A floor z = 0 and a wall y = 0 whose normal points away from the cameras, and far from both, 20 apart: a ball of each
+// material and a triangle whose vertex normals lean.
+const Scene& exhibition() {
+  static const Scene scene = sceneFromText(
+      "v\nfrom 40 -160 30\nat 40 -60 3\nup 0 0 1\nangle 50\nhither 0\nresolution 64 64\n"
+      "f .8 .5 .25 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\npl 0 0 0 0 0 1 1 0 0\n"
+      "f .8 .5 .25 .6 1 .5 .2 .5 20 .3 1.5 0 0 0\ns 0 -100 5 1\n"
+      "f .9 .8 .7 0 1 1 1 1 1 0 1 0 0 0\ns 20 -100 5 1\n"
+      "f .9 .8 .7 0 0 0 0 0 1 1 0 0 0 0\ns 40 -100 5 1\n"
+      "f .1 .2 .3 1 0 0 0 0 1 0 1 9 9 9\ns 60 -100 5 1\n"
+      "f .98 .9 .95 0 0 0 0 0 1 1 1.5 0 0 0\ns 80 -100 5 1\n"
+      "f .4 .3 .2 1 0 0 0 0 1 0 1 0 0 0\n"
+      "pp 3\n99 -101 5 1 0 1\n101 -101 5 1 0 1\n100 -99 5 1 0 1\n");
+  return scene;
+}
+
+const vec3 kMixedBall(0, -100, 5), kMirrorBall(20, -100, 5), kBlackBall(40, -100, 5), kLamp(60, -100, 5),
+    kGlassBall(80, -100, 5), kLeaningTriangle(100, -100, 5);
+
+const vec3 kAway(0, -600, 200), kOutside(0, -500, 100);  // a target with nothing behind, as seen from outside
+
+// Through a field of view of a hundredth of a degree.
+Scene lookingAt(const vec3& at, const vec3& from) {
+  Scene scene = exhibition();
+  scene.camera->from = from;
+  scene.camera->at = at;
+  scene.camera->up = vec3(0.1f, 1, 0.2f);
+  scene.camera->angle = 0.01f;
+  return scene;
+}
+
+RenderSettings viewSettings(Integrator integrator, std::uint32_t side, std::uint32_t samples) {
+  RenderSettings settings = squareSettings(side, samples);
+  settings.integrator = integrator;
+  settings.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
+  return settings;
+}
+
+void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
+  SECTION("device") { body(renderOnDevice); }
+  SECTION("reference") { body(renderOnReference); }
+}
+
+dvec3 seen(const RenderFunction& render, Integrator integrator, const vec3& at, const vec3& from) {
+  return render(lookingAt(at, from), viewSettings(integrator, 4, 1)).film.mean(2, 2);
+}
+
+dvec3 seenFromAbove(const RenderFunction& render, Integrator integrator, const vec3& at) {
+  return seen(render, integrator, at, at + vec3(0, 0, 3));
+}
+
+void checkClose(const dvec3& value, const dvec3& expected) {
+  CAPTURE(value.x, value.y, value.z, expected.x, expected.y, expected.z);
+  CHECK(glm::distance(value, expected) < 2e-4);
+}
+
+double samePrimitiveShare(const RenderResult& a, const RenderResult& b) {
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < a.paths.size(); ++i) same += a.paths[i].vertices[0] == b.paths[i].vertices[0];
+  return static_cast<double>(same) / static_cast<double>(a.paths.size());
+}
+
+void requireReferencesPixels(const Scene& scene, Integrator integrator) {
+  const RenderSettings settings = viewSettings(integrator, 64, 1);
+  const RenderResult device = renderOnDevice(scene, settings);
+  const RenderResult reference = renderOnReference(scene, settings);
+  const PixelAgreement pixels = comparePixels(device, reference);
+  CAPTURE(scene.name, static_cast<int>(integrator), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CHECK(pixels.share() >= 0.999);
+  CHECK(pixels.lit > pixels.pixels / 2);
+  CHECK(samePrimitiveShare(device, reference) >= 0.999);
+  CHECK(device.statistics.vertices == Approx(reference.statistics.vertices).epsilon(1e-3));
+  CHECK(device.statistics.shadowRays == Approx(reference.statistics.shadowRays).epsilon(1e-3));
+  CHECK(device.statistics.bounceRays == 0);
+}
+
+double mean(const Film& film) {
+  dvec3 sum(0);
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) sum += film.mean(x, y);
+  }
+  return sum.x / (static_cast<double>(film.width()) * film.height());
+}
+
+}  // namespace
+
+TEST_CASE("normals keep the primitive's orientation, whichever side is seen") {
+  constexpr Integrator kNormal = Integrator::normal;
+  onBothTracers([&](const RenderFunction& render) {
+    const vec3 towards(2 / 3.f, -1 / 3.f, 2 / 3.f);
+    checkClose(seen(render, kNormal, kMixedBall, kMixedBall + 5.f * towards), {5 / 6., 1 / 3., 5 / 6.});
+    checkClose(seen(render, kNormal, kMixedBall + 5.f * towards, kMixedBall), {5 / 6., 1 / 3., 5 / 6.});
+    checkClose(seen(render, kNormal, {0, 0, 50}, {0, -9, 50}), {0.5, 1, 0.5});
+    const double lean = 0.5 + std::sqrt(0.125);
+    checkClose(seenFromAbove(render, kNormal, kLeaningTriangle), {lean, 0.5, lean});
+    checkClose(seen(render, kNormal, kLeaningTriangle, kLeaningTriangle - vec3(0, 0, 3)), {lean, 0.5, lean});
+    CHECK(seen(render, kNormal, kAway, kOutside) == dvec3(0));
+  });
+  SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kNormal); }
+}
+
+TEST_CASE("albedos are the file's colours, weighted as the lobes are") {
+  constexpr Integrator kAlbedo = Integrator::albedo;
+  onBothTracers([&](const RenderFunction& render) {
+    checkClose(seenFromAbove(render, kAlbedo, {0, -50, 0}), {0.8, 0.5, 0.25});
+    // Kd 0.6, Ks 0.5 and T 0.3 are scaled to the sum 1.
+    const dvec3 mixed = (0.9 * dvec3(0.8, 0.5, 0.25) + 0.5 * dvec3(1, 0.5, 0.2)) / 1.4;
+    checkClose(seenFromAbove(render, kAlbedo, kMixedBall), mixed);
+    checkClose(seenFromAbove(render, kAlbedo, kMirrorBall), {0.9, 0.8, 0.7});
+    checkClose(seenFromAbove(render, kAlbedo, kGlassBall), {0.98, 0.9, 0.95});
+    checkClose(seenFromAbove(render, kAlbedo, kLamp), {0.1, 0.2, 0.3});
+    CHECK(seenFromAbove(render, kAlbedo, kBlackBall) == dvec3(0));
+    CHECK(seen(render, kAlbedo, kAway, kOutside) == dvec3(0));
+  });
+  SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kAlbedo); }
+}
+
+TEST_CASE("depth is the distance along the ray") {
+  constexpr Integrator kDepth = Integrator::depth;
+  onBothTracers([&](const RenderFunction& render) {
+    CHECK(seenFromAbove(render, kDepth, {0, -50, 0}).x == Approx(3).epsilon(1e-5));
+    CHECK(seen(render, kDepth, {0, -50, 0}, {0, -54, 3}).y == Approx(5).epsilon(1e-3));
+    CHECK(seen(render, kDepth, kMixedBall, kMixedBall + vec3(0, 3, 4)).z == Approx(4).epsilon(1e-4));
+    CHECK(seen(render, kDepth, kAway, kOutside) == dvec3(0));
+  });
+  SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kDepth); }
+}
+
+TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
+  constexpr Integrator kId = Integrator::id;
+  const vec3 kFloor(0, -50, 0);
+  const std::vector<vec3> objects{kFloor, kMixedBall, kMirrorBall, kBlackBall, kLamp, kGlassBall, kLeaningTriangle};
+  std::set<std::array<double, 3>> colours;
+  const auto note = [&](const vec3& at, const vec3& from) {
+    const dvec3 colour = seen(renderOnDevice, kId, at, from);
+    CHECK(colour == seen(renderOnReference, kId, at, from));
+    CHECK(glm::all(glm::greaterThan(colour, dvec3(0))));
+    CHECK(glm::all(glm::lessThanEqual(colour, dvec3(1))));
+    CHECK(colour * 256.0 == glm::floor(colour * 256.0));
+    colours.insert({colour.x, colour.y, colour.z});
+  };
+  for (const vec3& object : objects) note(object, object + vec3(0, 0, 3));
+  note({0, 0, 50}, {0, -9, 50});
+  CHECK(colours.size() == exhibition().primitives.size());
+  CHECK(seen(renderOnDevice, kId, kAway, kOutside) == dvec3(0));
+  requireReferencesPixels(exhibition(), kId);
+}
+
+TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are free within reach") {
+  constexpr Integrator kAo = Integrator::ao;
+  onBothTracers([&](const RenderFunction& render) {
+    RenderSettings settings = viewSettings(kAo, 8, 256);
+    settings.aoDistance = 8.f;
+    const auto above = [](double distance, float height) {
+      const vec3 foot(0, -static_cast<float>(distance), 0);
+      return lookingAt(foot, foot + vec3(0, 0, height));
+    };
+    CHECK(mean(render(above(50, 4), settings).film) == 1);
+    // In the corner half of the directions meet the wall. 16384 samples: a standard deviation of 0.004.
+    CHECK(mean(render(above(1e-3, 4), settings).film) == Approx(0.5).margin(0.016));
+    // At distance d < D those do whose component towards the wall exceeds a = d/D, cosine-weighted a coordinate of the
+    // unit disc: 1 - (acos a - a sqrt(1 - a^2)) / pi.
+    const double a = 0.25;
+    const double expected = 1 - (std::acos(a) - a * std::sqrt(1 - a * a)) / 3.14159265358979;
+    CHECK(mean(render(above(2, 4), settings).film) == Approx(expected).margin(0.016));
+    settings.aoDistance.reset();  // a quarter of the way from eye to target
+    CHECK(mean(render(above(2, 32), settings).film) == Approx(expected).margin(0.016));
+    CHECK(mean(render(above(2, 4), settings).film) == 1);
+    const RenderResult missed = render(lookingAt(kAway, kOutside), settings);
+    CHECK(mean(missed.film) == 1);
+    CHECK(missed.statistics.shadowRays == 0);
+  });
+  SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kAo); }
+}
+
+TEST_CASE("cost is what the statistics count, pixel by pixel") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  const auto primitives = static_cast<double>(scene.primitives.size());
+  // Mean cost with a tree.
+  const auto meanCost = [&](const RenderFunction& render) {
+    RenderSettings settings = viewSettings(Integrator::cost, 64, 4);
+    settings.accel = AccelKind::none;
+    const Film all = render(scene, settings).film;
+    for (std::uint32_t i = 0; i < 64; ++i) CHECK(all.mean(i, 63 - i) == dvec3(primitives));
+    settings.accel = AccelKind::bvh;
+    const RenderResult tree = render(scene, settings);
+    CHECK(mean(tree.film) * 4 * 64 * 64 == static_cast<double>(tree.statistics.traversalSteps));
+    return mean(tree.film);
+  };
+  SECTION("device, where a tree spares tests") { CHECK(meanCost(renderOnDevice) < 0.5 * primitives); }
+  SECTION("reference") { CHECK(meanCost(renderOnReference) > 0); }
+}
+
+TEST_CASE("every view of all kinds of primitives has the reference's pixels") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  for (const Integrator view : kViews) {
+    if (view != Integrator::cost) requireReferencesPixels(scene, view);
+  }
+}
+
+TEST_CASE("neither work's division nor what concerns paths alone changes a view") {
+  const Scene scene = loadTestScene("primitives.p3f");
+  RenderSettings settings = viewSettings(Integrator::ao, 64, 4);
+  settings.size.height = 50;  // no multiple of any workgroup
+  const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
+  const auto check = [&](auto change) {
+    RenderSettings changed = settings;
+    change(changed);
+    CHECK(renderOnDevice(scene, changed).film.hash() == expected);
+  };
+  check([](RenderSettings& s) { s.segmentsPerDispatch = 1; });
+  check([](RenderSettings& s) { s.tile = Extent{17, 5}; });
+  check([](RenderSettings& s) { s.maxDepth = 1; });
+  check([](RenderSettings& s) { s.rouletteStart = 0; });
+  check([](RenderSettings& s) { s.nextEventEstimation = false; });
+  check([](RenderSettings& s) { s.accel = AccelKind::none; });
+  check([](RenderSettings& s) { s.workgroup = {16, 4}; });
+  RenderSettings reseeded = settings;
+  reseeded.seed = 1;
+  CHECK(renderOnDevice(scene, reseeded).film.hash() != expected);
+}
