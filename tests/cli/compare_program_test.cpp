@@ -76,4 +76,21 @@ TEST_CASE("a value that is not a number fails any tolerance") {
   CHECK(runCandela({"compare", a, b, "--tolerance", "1e9"}).exitCode == 3);
 }
 
+TEST_CASE("the reference cannot be verified by itself") {
+  const TemporaryFolder folder;
+  const ProgramResult result = runCandela({"verify", folder.write("a.p3f", smallScene()), "--device", "cpu"});
+  CHECK(result.exitCode == 1);
+  CHECK_THAT(result.err, Catch::Contains("the reference would be verified by itself"));
+}
+
+TEST_CASE("shares are read as numbers and in percent") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  for (const char* bias : {"5 %", "%", "-1%", "200%", "0"}) {
+    const ProgramResult result = runCandela({"verify", scene, "--bias", bias});
+    CHECK(result.exitCode == 1);
+    CHECK_THAT(result.err, Catch::Contains("--bias: expected a share from"));
+  }
+}
+
 }  // namespace candela

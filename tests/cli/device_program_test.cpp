@@ -115,6 +115,30 @@ TEST_CASE("compare SCENE finds both tracers' normals in agreement") {
   CHECK(contains(result.out, "3072 pixels equal"));
 }
 
+TEST_CASE("verify finds the same light on both sides, and says so to people, programs and CI servers") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string junit = folder.path("verdict.xml");
+  const ProgramResult result = runOnDevice({"verify", scene, "--bias", "5%", "--json", "-", "--junit", junit});
+  INFO(result.out << result.err);
+  REQUIRE(result.exitCode == 0);
+  const json report = json::parse(result.out);
+  CHECK(report["agree"] == true);
+  CHECK(report["bias"] == 0.05);
+  CHECK(report["sameLight"]["information"] == 1.0);
+  CHECK(report["sameLight"]["regions"][0]["detectableBias"] < 0.06);
+  CHECK(contains(readFile(junit), "failures=\"0\""));
+}
+
+TEST_CASE("verify finds a wrong answer although both sides agree") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene("# exact-mean: 9 9 9\n"));
+  const ProgramResult result = runOnDevice({"verify", scene, "--bias", "10%"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 3);
+  CHECK(contains(result.out, "NOT with the answer that the scene states"));
+}
+
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
