@@ -131,7 +131,7 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint3
   const SceneBounds bounds = boundPrimitives(scene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (settings.accel == AccelKind::bvh) order = appendHierarchy(bounds, settings.bvhSplit, flat);
-  if (settings.accel == AccelKind::grid) appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
+  if (settings.accel == AccelKind::grid) order = appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
   flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   flat.slotCount = static_cast<std::uint32_t>(order.size());
