@@ -27,6 +27,7 @@ struct GridWalk {
   uint item;         // of the cell's items the next, and the end
   uint itemEnd;
   bool finished;
+  uint unfinished;   // 1 until the walk ends: see Work
 };
 
 GridWalk walk;
@@ -74,6 +75,7 @@ void startWalk(Ray ray) {
   walk.item = 0u;
   walk.itemEnd = 0u;
   walk.finished = walk.start > walk.exit;
+  walk.unfinished = walk.finished ? 0u : 1u;
 }
 
 // The host's cellAt(), on the two axes across the driving one.
@@ -88,6 +90,7 @@ void enterNextSlice(float limit) {
   float leave = ((backward ? low : high) - walk.farOrigin) * walk.inverse;
   float end = min(walk.exit, limit);
   walk.finished = max(enter, walk.start) > end || walk.slice < 0 || float(walk.slice) > walk.lastCell.x;
+  walk.unfinished = walk.finished ? 0u : 1u;
   vec2 from = walk.origin.yz + max(min(enter, end), walk.start) * walk.direction.yz;
   vec2 to = walk.origin.yz + max(min(leave, end), walk.start) * walk.direction.yz;
   walk.firstCell = cellsAt(min(from, to) - walk.pad);
@@ -145,7 +148,7 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
       keepCloser(hit, hitPrimitive(ray, slot), slot);
     }
   }
-  work.truncated += walk.finished ? 0u : 1u;
+  work.truncated += walk.unfinished;
 }
 
 bool anyInGrid(Ray ray, uint ignored, float limit, inout Work work) {
@@ -158,7 +161,7 @@ bool anyInGrid(Ray ray, uint ignored, float limit, inout Work work) {
       blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     }
   }
-  work.truncated += walk.finished || blocked ? 0u : 1u;
+  work.truncated += blocked ? 0u : walk.unfinished;
   return blocked;
 }
 
