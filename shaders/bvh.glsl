@@ -41,16 +41,19 @@ uint stack[kStackSize];
 uint stackTop;
 Subtree current;
 bool finished;
+uint unfinished;  // 1 until the traversal ends: see Work
 
 void startTraversal() {
   stackTop = 0u;
   current = Subtree(0u, 0u);
   finished = false;
+  unfinished = 1u;
 }
 
 // The next subtree that waits, or the end.
 void popSubtree() {
   finished = stackTop == 0u;
+  unfinished = finished ? 0u : 1u;
   stackTop -= finished ? 0u : 1u;
   Subtree next = unpackSubtree(stack[stackTop]);
   if (!finished) current = next;
@@ -87,7 +90,7 @@ void descendToLeaf(BoxRay ray, float limit, inout Work work) {
     visitNode(ray, limit);
     work.steps += 1u;
   }
-  work.truncated += !finished && current.count == 0u ? 1u : 0u;
+  work.truncated += current.count == 0u ? unfinished : 0u;
 }
 
 void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
@@ -100,7 +103,7 @@ void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
       popSubtree();
     }
   }
-  work.truncated += finished ? 0u : 1u;
+  work.truncated += unfinished;
 }
 
 bool anyInHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
@@ -114,7 +117,7 @@ bool anyInHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
       popSubtree();
     }
   }
-  work.truncated += finished || blocked ? 0u : 1u;
+  work.truncated += blocked ? 0u : unfinished;
   return blocked;
 }
 

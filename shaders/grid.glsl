@@ -1,6 +1,7 @@
-// 3D-DDA through the uniform grid along a driving axis (Fujimoto, Tanaka and Iwata, "ARTS", IEEE CG&A 1986),
-// "while-while": all lanes look for a cell that holds primitives, then all test them. host/accel/grid.h says why this
-// misses no hit. Each slice of cells is computed from its number alone, so that no rounding adds up.
+// 3D-DDA through the uniform grid along a driving axis (Fujimoto, Tanaka and Iwata, "ARTS", IEEE CG&A 1986).
+// host/accel/grid.h says why it misses no hit. Each slice of cells is computed from its number alone, so that no rounding
+// adds up. A turn of the loop may take a lane to its next cell and test the first primitive there: cells hold so few that
+// lanes which look for cells while others test would wait for them more often than not (docs/performance.md).
 #ifndef CANDELA_GRID_GLSL
 #define CANDELA_GRID_GLSL
 
@@ -26,6 +27,7 @@ struct GridWalk {
   uint item;         // of the cell's items the next, and the end
   uint itemEnd;
   bool finished;
+  uint unfinished;   // 1 until the walk ends: see Work
 };
 
 GridWalk walk;
@@ -73,6 +75,7 @@ void startWalk(Ray ray) {
   walk.item = 0u;
   walk.itemEnd = 0u;
   walk.finished = walk.start > walk.exit;
+  walk.unfinished = walk.finished ? 0u : 1u;
 }
 
 // The host's cellAt(), on the two axes across the driving one.
@@ -87,6 +90,7 @@ void enterNextSlice(float limit) {
   float leave = ((backward ? low : high) - walk.farOrigin) * walk.inverse;
   float end = min(walk.exit, limit);
   walk.finished = max(enter, walk.start) > end || walk.slice < 0 || float(walk.slice) > walk.lastCell.x;
+  walk.unfinished = walk.finished ? 0u : 1u;
   vec2 from = walk.origin.yz + max(min(enter, end), walk.start) * walk.direction.yz;
   vec2 to = walk.origin.yz + max(min(leave, end), walk.start) * walk.direction.yz;
   walk.firstCell = cellsAt(min(from, to) - walk.pad);
@@ -113,61 +117,51 @@ void nextCell(float limit) {
   if (!walk.finished) loadCell();
 }
 
-void seekItems(float limit, inout Work work) {
-  while (!walk.finished && walk.item == walk.itemEnd) {
-    nextCell(limit);
-    work.steps += 1u;
-  }
-  work.truncated += !walk.finished && walk.item == walk.itemEnd ? 1u : 0u;
-}
-
 uint gridItem(uint item) {
   uvec4 row = sceneRow(constants.gridSides.w + item / kItemsPerRow);
   uint place = item % kItemsPerRow;
   return place < 2u ? (place == 0u ? row.x : row.y) : (place == 2u ? row.z : row.w);
 }
 
-void closestOfItems(inout Hit hit, Ray ray, inout Work work) {
-  uint first = walk.item;
-  while (walk.item < walk.itemEnd) {
-    uint slot = gridItem(walk.item);
-    keepCloser(hit, hitPrimitive(ray, slot), slot);
-    ++walk.item;
+// One turn: on to the next cell where the last one has no more to test.
+void seekItem(float limit, inout Work work) {
+  if (walk.item == walk.itemEnd) {
+    nextCell(limit);
+    work.steps += 1u;
   }
-  work.steps += walk.item - first;
-  work.truncated += walk.item < walk.itemEnd ? 1u : 0u;
 }
 
-bool anyOfItems(Ray ray, uint ignored, float limit, inout Work work) {
-  uint first = walk.item;
-  bool blocked = false;
-  while (walk.item < walk.itemEnd && !blocked) {
-    uint slot = gridItem(walk.item);
-    blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
-    ++walk.item;
-  }
-  work.steps += walk.item - first;
-  work.truncated += walk.item < walk.itemEnd && !blocked ? 1u : 0u;
-  return blocked;
+bool hasItem() { return !walk.finished && walk.item < walk.itemEnd; }
+
+uint takeItem(inout Work work) {
+  work.steps += 1u;
+  ++walk.item;
+  return gridItem(walk.item - 1u);
 }
 
 void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
   startWalk(ray);
   while (!walk.finished) {
-    seekItems(hit.t, work);
-    if (!walk.finished) closestOfItems(hit, ray, work);
+    seekItem(hit.t, work);
+    if (hasItem()) {
+      uint slot = takeItem(work);
+      keepCloser(hit, hitPrimitive(ray, slot), slot);
+    }
   }
-  work.truncated += walk.finished ? 0u : 1u;
+  work.truncated += walk.unfinished;
 }
 
 bool anyInGrid(Ray ray, uint ignored, float limit, inout Work work) {
   bool blocked = false;
   startWalk(ray);
   while (!walk.finished && !blocked) {
-    seekItems(limit, work);
-    if (!walk.finished) blocked = anyOfItems(ray, ignored, limit, work);
+    seekItem(limit, work);
+    if (hasItem()) {
+      uint slot = takeItem(work);
+      blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
+    }
   }
-  work.truncated += walk.finished || blocked ? 0u : 1u;
+  work.truncated += blocked ? 0u : walk.unfinished;
   return blocked;
 }
 

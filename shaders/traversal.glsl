@@ -11,6 +11,8 @@ struct Hit {
 };
 
 // Work done, and whether some loop was stopped before its end (a device may limit the turns of an invocation's loops).
+// Behind a loop compilers take for granted that its condition is false, and fold a test of that very variable away; but
+// it may have been the device that stopped the loop. So traversals keep a number beside the variable, and look at that.
 struct Work {
   uint steps;
   uint truncated;

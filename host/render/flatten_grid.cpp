@@ -1,5 +1,7 @@
 #include "host/render/flatten_grid.h"
 
+#include <span>
+
 #include "host/accel/grid.h"
 #include "host/render/flat_rows.h"
 
@@ -15,10 +17,24 @@ void appendCells(const Grid& grid, Rows& rows) {
   }
 }
 
-void appendItems(const Grid& grid, Rows& rows) {
-  const auto item = [&](std::size_t i) { return i < grid.items.size() ? grid.items[i] : 0; };
+// Primitives in the order in which cells name them first: what lies side by side in space does so in memory.
+std::vector<std::uint32_t> orderOf(const Grid& grid, std::size_t primitiveCount) {
+  std::vector<bool> named(primitiveCount);
+  std::vector<std::uint32_t> order;
+  order.reserve(primitiveCount);
+  for (const std::uint32_t item : grid.items) {
+    if (!named[item]) order.push_back(item);
+    named[item] = true;
+  }
+  return order;
+}
+
+void appendItems(const Grid& grid, std::span<const std::uint32_t> order, Rows& rows) {
+  std::vector<std::uint32_t> slotOf(order.size());
+  for (std::uint32_t slot = 0; slot < order.size(); ++slot) slotOf[order[slot]] = slot;
+  const auto slot = [&](std::size_t i) { return i < grid.items.size() ? slotOf[grid.items[i]] : 0; };
   for (std::size_t i = 0; i < grid.items.size(); i += gpu::kItemsPerRow) {
-    rows.push_back({item(i), item(i + 1), item(i + 2), item(i + 3)});
+    rows.push_back({slot(i), slot(i + 1), slot(i + 2), slot(i + 3)});
   }
 }
 
@@ -47,8 +63,9 @@ void noteQuality(const Grid& grid, FlatScene& flat) {
 
 }  // namespace
 
-void appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide, FlatScene& flat) {
-  if (bounds.bounds.empty()) return;
+std::vector<std::uint32_t> appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide,
+                                      FlatScene& flat) {
+  if (bounds.bounds.empty()) return {};
   const Grid grid = buildGrid(bounds.bounds, {.density = double{density}, .maxSide = maxSide});
   noteQuality(grid, flat);
   setConstants(grid.shape, flat.constants);
@@ -58,7 +75,10 @@ void appendGrid(const SceneBounds& bounds, float density, std::uint32_t maxSide,
                     2);
   appendCells(grid, flat.rows);
   flat.constants.gridSides.w = rowCount(flat.rows);
-  appendItems(grid, flat.rows);
+  std::vector<std::uint32_t> order = orderOf(grid, bounds.finite.size());
+  appendItems(grid, order, flat.rows);
+  for (std::uint32_t& place : order) place = bounds.finite[place];
+  return order;
 }
 
 }  // namespace candela

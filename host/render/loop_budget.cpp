@@ -21,12 +21,10 @@ std::uint32_t mostGridSide(std::uint32_t limit, const DeviceInfo& info, std::uin
 }
 
 // Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
-// device's limit, or three quarters where each cell found costs a turn of its own, is left for the turns that a lane
-// does not count and for its last segment.
+// device's limit is left for the turns that a lane does not count and for its last segment.
 LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat, std::uint32_t raysPerSegment) {
   if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
-  if (flat.structure == gpu::kStructureBvh) return {limit / 4, limit / (2 * lanesOf(info))};
-  if (flat.structure == gpu::kStructureGrid) return {limit / 4, limit / (4 * lanesOf(info))};
+  if (flat.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * lanesOf(info))};
   constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations
   const std::uint32_t half = limit / 2;
   const std::uint64_t segments = half / (std::uint64_t{raysPerSegment} * flat.slotCount + kOtherTurns);

@@ -14,8 +14,8 @@ CANDELA_CONST uint kNodeRows = 4u;
 CANDELA_CONST uint kCellsPerRow = 3u;
 CANDELA_CONST uint kItemsPerRow = 4u;
 
-// Primitives ("slots", in the order of the BVH's leaves, else the scene's; infinite planes behind all others), three rows
-// each. Common to all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
+// Primitives ("slots", in the order of the BVH's leaves or of the grid's cells; infinite planes behind all others), three
+// rows each. Common to all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
 //   triangle  (p0, light + 1, or first row among the normals if smooth) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)

@@ -128,9 +128,8 @@ TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to 
   for (std::uint32_t item = 0; item < grid.items.size(); ++item) {
     const gpu::uvec4& items = flat.rows[flat.constants.gridSides.w + item / gpu::kItemsPerRow];
     const std::uint32_t slot = items[static_cast<int>(item % gpu::kItemsPerRow)];
-    REQUIRE(slot == grid.items[item]);
-    // Slots are in the scene's order.
-    REQUIRE(flat.rows[flat.constants.sections.y + slot * gpu::kPrimitiveRows + 1].w == bounds.finite[slot]);
+    const std::uint32_t primitive = flat.rows[flat.constants.sections.y + slot * gpu::kPrimitiveRows + 1].w;
+    REQUIRE(primitive == bounds.finite[grid.items[item]]);
   }
 }
 
