@@ -44,7 +44,7 @@ std::uint64_t mostGridReferences(std::size_t primitiveCount);
 /// everything is empty.
 struct Grid {
   GridShape shape;
-  double density = 0;  ///< at which it was built: lower than asked for where a bound was met
+  double density = 0;  ///< at which it was built: lower than asked for where the cells or references would be too many
   std::vector<std::uint32_t> starts;
   std::vector<std::uint32_t> items;
 

@@ -22,7 +22,7 @@ struct Measurement {
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};   ///< one per run, ascending; without the pipeline's compilation
   std::vector<double> buildSeconds{};   ///< of the search structure, one per run, ascending
-  bool agrees = true;                 ///< every run gave the image that most runs of all variants gave
+  bool agrees = true;                 ///< every run was complete and gave the image that most runs of all variants gave
 
   double mraysPerSecond() const;      ///< at the median time
   double msamplesPerSecond() const;
@@ -36,7 +36,7 @@ double spread(std::span<const double> ascending);
 
 /// Runs every variant `repeats` times, all once before any twice. One measurement per variant, in their order; none at
 /// all if `control` stops a run, since what is left of it is no measurement.
-/// Throws what Renderer::render throws, and InternalError if work was truncated.
+/// Throws what Renderer::render throws.
 std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& scene, std::span<const Variant> variants,
                                             std::uint32_t repeats, const RenderControl& control);
 

@@ -51,6 +51,12 @@ std::vector<StructureRow> measureScene(const Scene& scene, const RenderSettings&
   return rows;
 }
 
+// The report's seconds are for this work alone.
+bool isPublishedWork(const RenderSettings& settings) {
+  return settings.integrator == Integrator::path && settings.sampleCount == kTable1Samples &&
+         settings.size.width == 512 && settings.size.height == 512;
+}
+
 bool append(std::vector<StructureRow> rows, StructureReport& report) {
   for (StructureRow& row : rows) report.rows.push_back(std::move(row));
   return !rows.empty();
@@ -65,9 +71,11 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
     if (!resolved.given.contains("--sampler")) resolved.settings.sampler = SamplerKind::stratified;
     resolved.settings.oneSided |= published.oneSided;
     resolveRequests(resolved, scene, log);
+    requirePossible(resolved, scene, log);
     std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
     for (StructureRow& row : rows) {
       const RenderSettings& settings = row.measurement.variant.settings;
+      if (!isPublishedWork(settings)) break;
       if (settings.accel == AccelKind::grid) row.publishedSeconds = published.gridSeconds;
       if (settings.accel == AccelKind::bvh && settings.bvhSplit == BvhSplit::midpoint) {
         row.publishedSeconds = published.bvhSeconds;
@@ -108,6 +116,9 @@ ExitCode runBench(const Arguments& arguments, const Log& log) {
   }
   if (table1 && arguments.files.size() > 1) throw UsageError("bench table1: has its own scenes; bench accel takes others");
   if (!table1 && arguments.files.size() < 2) throw UsageError("bench accel: no scene given");
+  if (arguments.settings.integrator == Integrator::cost) {
+    throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
+  }
   requireWritableReport(arguments.json);
   requireWritableReport(arguments.markdown);
   StructureReport report;

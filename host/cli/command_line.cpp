@@ -138,8 +138,15 @@ void requireTreeDepth(const Arguments& arguments) {
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {
-  if (arguments.printStatistics && arguments.json == "-") {
-    fail(arguments.command, "--stats and --json - both write to stdout");
+  const std::pair<const char*, bool> writers[]{{"--stats", arguments.printStatistics},
+                                               {"--markdown -", arguments.markdown == "-"},
+                                               {"--junit -", arguments.junit == "-"},
+                                               {"--json -", arguments.json == "-"}};
+  const char* first = nullptr;
+  for (const auto& [option, writes] : writers) {
+    if (!writes) continue;
+    if (first != nullptr) fail(arguments.command, fmt::format("{} and {} both write to stdout", first, option));
+    first = option;
   }
 }
 

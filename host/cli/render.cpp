@@ -1,6 +1,7 @@
 // `candela render`: a scene file in, images and a report out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,9 @@ void writeImages(const RenderJob& job, const RenderResult& result, const Log& lo
   const DisplayTransform display = chooseDisplay(job.arguments, image);
   if (isFalseColour(display.toneMap)) {
     image.metadata["candela.falseColour"] = falseColourText(display);
-    log.note(falseColourKey(display));
+    if (std::any_of(job.arguments.outputs.begin(), job.arguments.outputs.end(), isEightBit)) {
+      log.note(falseColourKey(display));
+    }
   }
   for (const auto& file : job.arguments.outputs) writeImage(file, image, display);
 }

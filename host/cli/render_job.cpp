@@ -38,22 +38,37 @@ AccelKind requestedAccel(const Scene& scene) {
   return AccelKind::bvh;
 }
 
-// Options that one integrator alone reads.
-struct IntegratorOption {
+// Options that not every render reads.
+struct SpecialOption {
   const char* option;
-  Integrator reader;
-  const char* readerName;
+  bool (*isRead)(const RenderSettings& settings);
+  const char* reader;
 };
-constexpr std::array kIntegratorOptions{IntegratorOption{"--nee", Integrator::path, "path"},
-                                        IntegratorOption{"--rr-start", Integrator::path, "path"},
-                                        IntegratorOption{"--light-size", Integrator::whitted, "whitted"}};
+constexpr std::array kSpecialOptions{
+    SpecialOption{"--nee", [](const RenderSettings& s) { return s.integrator == Integrator::path; }, "--integrator path"},
+    SpecialOption{"--rr-start", [](const RenderSettings& s) { return s.integrator == Integrator::path; },
+                  "--integrator path"},
+    SpecialOption{"--max-depth", [](const RenderSettings& s) { return !isView(s.integrator); },
+                  "--integrator path or whitted"},
+    SpecialOption{"--light-size", [](const RenderSettings& s) { return s.integrator == Integrator::whitted; },
+                  "--integrator whitted"},
+    SpecialOption{"--ao-distance", [](const RenderSettings& s) { return s.integrator == Integrator::ao; },
+                  "--integrator ao"},
+    SpecialOption{"--grid-density", [](const RenderSettings& s) { return s.accel == AccelKind::grid; }, "--accel grid"},
+    SpecialOption{"--bvh-split", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"}};
 
-// Said rather than refused, so that one command line serves all integrators.
+// Said rather than refused, so that one command line serves all renders.
 void noteIdleOptions(const Arguments& arguments, const Log& log) {
-  for (const auto& [option, reader, readerName] : kIntegratorOptions) {
-    if (arguments.settings.integrator == reader || !arguments.given.contains(option)) continue;
-    log.note(fmt::format("{} changes nothing here: it is for --integrator {}", option, readerName));
+  if (arguments.command == Command::bench) return;  // which chooses the structures itself
+  for (const auto& [option, isRead, reader] : kSpecialOptions) {
+    if (isRead(arguments.settings) || !arguments.given.contains(option)) continue;
+    log.note(fmt::format("{} changes nothing here: it is for {}", option, reader));
   }
+}
+
+void warnOfDarkness(const RenderSettings& settings, const Scene& scene, const Log& log) {
+  if (settings.integrator != Integrator::whitted || !scene.pointLights.empty()) return;
+  log.warning("no point light: --integrator whitted knows no other, so that surfaces show their own emission at most");
 }
 
 }  // namespace
@@ -72,8 +87,14 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
   arguments.settings.size = *arguments.size;
 }
 
-RenderJob loadJob(const Arguments& arguments, const Log& log) {
+void requirePossible(const Arguments& arguments, const Scene& scene, const Log& log) {
+  requirePixelLimit(arguments.settings.size);
+  requireMemoryForFilm(arguments.settings.size);
   noteIdleOptions(arguments, log);
+  warnOfDarkness(arguments.settings, scene, log);
+}
+
+RenderJob loadJob(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
   for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
@@ -82,8 +103,7 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   resolveRequests(job.arguments, job.scene, log);
   job.settings = job.arguments.settings;
   job.parseSeconds = monotonicSeconds() - start;
-  requirePixelLimit(job.settings.size);
-  requireMemoryForFilm(job.settings.size);
+  requirePossible(job.arguments, job.scene, log);
   return job;
 }
 
@@ -100,6 +120,11 @@ RenderControl makeControl(Progress& progress) {
 
 void requireComplete(const RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
+  if (statistics.structure == "grid") {
+    throw FileError(fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
+                                "nothing is written: use --accel bvh",
+                                statistics.truncated));
+  }
   throw InternalError(
       fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
                   "A smaller --segments-per-dispatch or another --accel may help",

@@ -22,6 +22,10 @@ struct RenderJob {
 /// OutOfMemoryError (a film larger than the machine's memory).
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
+/// What must hold before a render of resolved arguments begins: an image within the limits (else FileError) whose film
+/// fits into memory (else OutOfMemoryError). Says in the log which options change nothing, and what will be dark.
+void requirePossible(const Arguments& arguments, const Scene& scene, const Log& log);
+
 /// The file's requests, and what the integrator defaults to, take the place of options that are absent.
 void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
 
@@ -31,7 +35,8 @@ std::unique_ptr<Renderer> makeRenderer(const std::string& device);
 /// Progress on stderr; SIGINT and SIGTERM stop.
 RenderControl makeControl(Progress& progress);
 
-/// Throws InternalError if work was truncated, since the image would be wrong.
+/// Throws, since the image would be wrong, if work was truncated: FileError where a scene's grid is too much for the
+/// device's loops, InternalError elsewhere.
 void requireComplete(const RenderStatistics& statistics);
 
 }  // namespace candela::cli

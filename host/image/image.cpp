@@ -168,6 +168,11 @@ Image toImage(const Pixels8& pixels) {
 
 void checkImageFormat(const fs::path& file) { requireFormat(file); }
 
+bool isEightBit(const fs::path& file) {
+  const Format format = requireFormat(file);
+  return format == Format::png || format == Format::jpeg;
+}
+
 void writeImage(const fs::path& file, const Image& image, const DisplayTransform& transform) {
   const Format format = requireFormat(file);
   Bytes bytes;

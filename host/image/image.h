@@ -64,6 +64,8 @@ Image toImage(const Pixels8& pixels);
 /// B, `variance.Y`, `samples` as far as the image has them, and the metadata as string attributes). Throws UsageError
 /// for an extension that is not one of them.
 void checkImageFormat(const std::filesystem::path& file);
+/// Whether such a file holds 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
+bool isEightBit(const std::filesystem::path& file);
 /// Writes beside, syncs, renames: an error leaves no half-written file. Equal images give equal bytes. Throws
 /// UsageError for the extension; FileError if the image is empty or too large, for metadata names that EXR reserves,
 /// or if the file cannot be written.

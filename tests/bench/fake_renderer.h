@@ -30,6 +30,8 @@ class FakeRenderer final : public Renderer {
     result.statistics.traversalSteps = 6000;
     result.statistics.truncated = run.truncated;
     result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
+    result.statistics.structure = settings.accel == AccelKind::grid ? "grid" : "bvh";
+    result.statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
     result.interrupted = run.interrupted;
     if (control.progress) control.progress(1, 1000);
     return result;

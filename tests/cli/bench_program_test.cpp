@@ -21,7 +21,7 @@ ProgramResult runBench(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("bench table1 needs no files: both scenes, three structures each, the report's seconds beside") {
+TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
   const TemporaryFolder folder;
   const std::string markdown = folder.path("table.md");
   const ProgramResult result = runBench({"table1", "--json", "-", "--markdown", markdown});
@@ -32,16 +32,14 @@ TEST_CASE("bench table1 needs no files: both scenes, three structures each, the 
   CHECK(report["repeats"] == 2);
   REQUIRE(report["rows"].size() == 6);
   CHECK(report["rows"][0]["scene"] == "mirror");
-  CHECK(report["rows"][0]["publishedSeconds"] == 361.0);
-  CHECK(report["rows"][1]["publishedSeconds"] == 327.78);
-  CHECK_FALSE(report["rows"][2].contains("publishedSeconds"));
-  CHECK(report["rows"][4]["publishedSeconds"] == 512.43);
+  CHECK(report["rows"][3]["scene"] == "balls");
   for (const json& row : report["rows"]) {
     CHECK(row["sameImage"] == true);
     CHECK(row["medianMs"] > 0);
+    CHECK_FALSE(row.contains("publishedSeconds"));  // the report's are of other work
   }
   CHECK(report["rows"][0]["filmHash"] != report["rows"][3]["filmHash"]);
-  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && Contains("| 526.6 |"));
+  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("report's"));
 }
 
 TEST_CASE("bench accel compares structures on any scenes, and says so in text") {
@@ -49,8 +47,7 @@ TEST_CASE("bench accel compares structures on any scenes, and says so in text") 
   const ProgramResult result = runBench({"accel", folder.write("a.p3f", smallScene())});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  CHECK_THAT(result.out, Contains("a.p3f") && Contains("uniform grid") && Contains("BVH, midpoint") &&
-                             Contains("BVH, SAH") && Contains("Mrays/s"));
+  CHECK_THAT(result.out, Contains("a.p3f") && Contains("uniform grid") && Contains("Mrays/s"));
   CHECK_THAT(result.out, !Contains("report's"));
 }
 
@@ -60,6 +57,8 @@ TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage")
   CHECK(runBench({"accel"}).exitCode == 1);
   CHECK(runBench({"table1", "a.p3f"}).exitCode == 1);
   CHECK(runBench({"accel", "absent.p3f"}).exitCode == 2);
+  CHECK(runBench({"table1", "--integrator", "cost"}).exitCode == 1);
+  CHECK(runBench({"table1", "--json", "-", "--markdown", "-"}).exitCode == 1);
 }
 
 }  // namespace candela

@@ -73,8 +73,11 @@ TEST_CASE("structure and scene loads do not change a tree") {
   RenderSettings settings = baseSettings();
   settings.sceneLoads = SceneLoads::texel;
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
+  settings.accel = AccelKind::grid;
+  const RenderResult grid = renderOnDevice(scene, settings);
+  CHECK(grid.statistics.structure == "grid");
+  CHECK(grid.film.hash() == expected);
   settings.sceneLoads = SceneLoads::storage;
-  settings.accel = AccelKind::none;
   CHECK(renderOnDevice(scene, settings).film.hash() == expected);
 }
 

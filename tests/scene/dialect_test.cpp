@@ -215,7 +215,7 @@ TEST_CASE("lenient reading still refuses WorldToolKit's NFF and wrong values") {
 }
 
 TEST_CASE("odd but harmless things are warned about") {
-  CHECK(warningWith(load("f 1 1 1 .5 .6 10 0 1\n"), "scaled to sum 1").line == 1);
+  CHECK(warningWith(load("f 1 1 1 .5 .6 10 0 1\n"), "scales them to sum 1").line == 1);
   CHECK(warningWith(load("f 2 1 1 1 0 10 0 1\n"), "reflects more than it receives").line == 1);
   CHECK(warningWith(load("s 0 0 0 1\n"), "the image will be black").line == 0);
   CHECK(warningWith(load("b 1 1 1\n"), "no objects").line == 0);
