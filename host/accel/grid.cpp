@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxPrimitives = std::size_t{1} << 27;
 constexpr std::size_t kChunk = std::size_t{1} << 15;  // primitives of one task
 constexpr std::uint32_t kMostSlabs = 256;             // write streams that caches keep up with
-constexpr double kCoarser = 0.8;                      // steps of the density where memory is short
+constexpr double kCoarser = 0.8;                      // steps of the density where the grid is too fine
 
 // A primitive on its way into cells. The block's numbers fit 16 bits: kMostCellsPerAxis.
 struct Entry {
@@ -86,11 +86,12 @@ class Builder {
                            [](Aabb all, const Aabb& box) { return all.extend(box), all; });
   }
 
-  // The finest grid, from the density asked for downwards, that keeps within the bounds of memory. One cell does.
+  // The finest grid, from the density asked for downwards, that keeps within all bounds. One cell does.
   void chooseShape(const Aabb& box) {
     for (grid_.density = options_.density;; grid_.density *= kCoarser) {
-      grid_.shape = gridShape(box, bounds_.size(), grid_.density, options_.maxSide);
+      grid_.shape = gridShape(box, bounds_.size(), grid_.density);
       if (grid_.shape.cellCount() > mostGridCells(bounds_.size())) continue;
+      if (grid_.shape.sides[grid_.shape.outermostAxis()] > options_.maxSide) continue;
       cutSlabs();
       if (census() <= mostGridReferences(bounds_.size())) return;
     }

@@ -48,10 +48,10 @@ struct Grid {
   std::vector<std::uint32_t> starts;
   std::vector<std::uint32_t> items;
 
-  bool operator==(const Grid& other) const { return starts == other.starts && items == other.items; }
+  bool operator==(const Grid&) const = default;
 };
 
-/// At most 2^27 boxes as requireProper() wants them. Throws InternalError where that, or an option's range, is violated.
+/// At most 2^27 boxes as requireProper() wants them. Throws InternalError where that or an option's range is violated.
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options = {});
 
 struct GridQuality {

@@ -50,7 +50,7 @@ CellBlock GridShape::cellsOf(const Aabb& box) const {
           {cellAt(0, box.max.x), cellAt(1, box.max.y), cellAt(2, box.max.z)}};
 }
 
-GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double density, std::uint32_t maxSide) {
+GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double density) {
   GridShape shape;
   shape.bounds = bounds;
   const glm::dvec3 extent = bounds.extent();
@@ -60,7 +60,7 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
     shape.sides[axis] = 1;
     if (extent[axis] <= thinnest) continue;
     const double wanted = std::trunc(density * extent[axis] * s) + 1;
-    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), std::min(maxSide, kMostCellsPerAxis));
+    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMostCellsPerAxis);
     shape.sides[axis] = static_cast<std::uint32_t>(std::min(wanted, most));
     if (shape.sides[axis] > 1) shape.scale[axis] = static_cast<float>(shape.sides[axis] / extent[axis]);
   }

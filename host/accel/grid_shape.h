@@ -7,7 +7,7 @@
 //
 // - Only axes with extent take part: s = (N / product of their w_i)^(1/k) over k = 3, 2 or 1 axes, and the others have
 //   one cell. An extent within the padding of the boxes (kThinnestCell of the largest coordinate) is none.
-// - No cell is thinner than that, for the same reason, and no axis has more than `maxSide` cells.
+// - No cell is thinner than that, for the same reason.
 // - The builder lowers the density until cells and references stay within bounds that grow with N (grid.h).
 #pragma once
 #include <array>
@@ -52,10 +52,12 @@ struct GridShape {
   }
   /// All cells that the box touches.
   CellBlock cellsOf(const Aabb& box) const;
+
+  bool operator==(const GridShape&) const = default;
 };
 
-/// The grid over `primitiveCount` >= 1 primitives within `bounds`; density > 0, maxSide >= 1.
-GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double density, std::uint32_t maxSide);
+/// The grid over `primitiveCount` >= 1 primitives within `bounds`; density > 0.
+GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double density);
 
 /// The largest coordinate of the grid in magnitude.
 float gridReach(const GridShape& shape);

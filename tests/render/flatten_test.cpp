@@ -137,8 +137,12 @@ TEST_CASE("a grid has no more cells along an axis than flatten is told") {
   RenderSettings settings = smallSettings();
   settings.accel = AccelKind::grid;
   const Scene scene = loadFixture("primitives.p3f");
-  CHECK(flatten(scene, settings, 3).constants.gridSides.x == 3);
-  CHECK(flatten(scene, settings).constants.gridSides.x > 3);
+  const FlatScene free = flatten(scene, settings);
+  const FlatScene limited = flatten(scene, settings, 4);
+  CHECK(free.constants.gridSides.x > 4);
+  CHECK(glm::all(glm::lessThanEqual(glm::uvec3(limited.constants.gridSides), glm::uvec3(4))));
+  CHECK(free.structureQuality.at("density") == 2);
+  CHECK(limited.structureQuality.at("density") < 2);
 }
 
 TEST_CASE("Whitted's lights are squares that face what the camera looks at") {

@@ -158,6 +158,7 @@ TEST_CASE(
   const auto limited = makeGpuRenderer(testDevice(), {.loopLimit = 512});
   const RenderResult coarse = limited->render(scene, along(kWays[3], settings), {});
   CHECK(coarse.statistics.structureQuality.at("cells") < free.statistics.structureQuality.at("cells"));
+  CHECK(coarse.statistics.structureQuality.at("density") < 2);
   CHECK(coarse.statistics.traversalSteps != free.statistics.traversalSteps);
   CHECK(coarse.film.hash() == free.film.hash());
   CHECK(coarse.film.hash() == renderOnDevice(scene, along(kWays[4], settings)).film.hash());
