@@ -31,5 +31,6 @@ ExitCode runCheck(const Arguments& arguments, const Log& log);
 ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
+ExitCode runBoxes(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli
