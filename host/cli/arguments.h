@@ -13,7 +13,7 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128 };
 
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
@@ -44,6 +44,7 @@ struct Arguments {
 
   std::optional<std::uint32_t> generatedSize;  ///< absent: the kind's default
   std::string generatedFile = "-";             ///< "-": stdout
+  std::optional<std::uint32_t> boxDepth;       ///< level of a BVH, the root's being 0; absent: all
 
   std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
   std::string markdown;       ///< as `json`

@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 7> table{{
+  static const std::array<CommandInfo, 8> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "traces a P3F or NFF scene", "scene", 1, 1, runRender},
       {Command::devices, "devices", "devices", "lists the Vulkan devices", "", 0, 0, runDevices},
       {Command::check, "check", "check FILE...", "says what scenes contain, or all that is wrong with them", "scene", 1,
@@ -19,6 +19,7 @@ std::span<const CommandInfo> commandTable() {
        "scene", 1, 1, runVerify},
       {Command::generate, "generate", "generate KIND", "writes a procedural scene; its help lists the kinds", "kind", 1,
        1, runGenerate},
+      {Command::boxes, "boxes", "boxes SCENE", "writes the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
       {Command::bench, "bench", "bench table1 | accel SCENE...",
        "times search structures, on the scenes of the report's Table 1 or on others", "benchmark", 1, kAnyNumber, runBench},
   }};

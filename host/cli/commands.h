@@ -32,5 +32,6 @@ ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
+ExitCode runBoxes(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

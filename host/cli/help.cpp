@@ -30,7 +30,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
-    GroupTitle{OptionGroup::generation, "Generating scenes"},
+    GroupTitle{OptionGroup::generation, "Writing scenes"},
     GroupTitle{OptionGroup::general, "General"},
 };
 

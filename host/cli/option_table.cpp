@@ -17,10 +17,11 @@ constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
 constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
 constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
+constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify;
-constexpr unsigned kReadingScenes = kTracing | kCheck;
+constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes;
 constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify;
-constexpr unsigned kAll = kReporting | kGenerate;
+constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
 constexpr std::uint32_t kMostSegments = 1u << 20;
@@ -169,7 +170,7 @@ std::vector<Option> executionOptions() {
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
-    valued({"--bvh-split", kRender | kCompare, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+    valued({"--bvh-split", kRender | kCompare | kBoxes, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
     valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
@@ -233,10 +234,12 @@ std::vector<Option> benchmarkOptions() {
 std::vector<Option> generationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::generation;
   return {
-    valued({"-o,--output", kGenerate, kGroup, "the scene file; `-`: stdout"},
+    valued({"-o,--output", kGenerate | kBoxes, kGroup, "the scene file; `-`: stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
     valued({"--size", kGenerate, kGroup, "how large the scene is; each kind has its range"},
            orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
+    valued({"--depth", kBoxes, kGroup, "draw one level of the tree, and leaves above it; 0 is the root"},
+           orAbsent(wholeNumber(0, kAnySize), "all"), [](auto& a) -> auto& { return a.boxDepth; }),
   };
 }
 

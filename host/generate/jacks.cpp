@@ -44,7 +44,7 @@ std::uint64_t jacksPrimitives(std::uint32_t size) {
 
 void writeJacks(NffWriter& out, std::uint32_t size) {
   out.background({0.2, 0.05, 0.2});
-  out.view({{0, 0, -8}, {0, 0, 0}, {0, 1, 0}, 25, 0.001, 256});
+  out.view({{0, 0, -8}, {0, 0, 0}, {0, 1, 0}, 25, 0.001, 256, 256});
   out.light({-10, 3, -20});
   out.surface({{0.737, 0.561, 0.561}, 0.7, 0.7, 20, 0, 1});
   glm::dmat4 place = glm::rotate(glm::dmat4(1), glm::radians(-30.0), glm::dvec3(1, 0, 0));

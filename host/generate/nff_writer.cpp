@@ -27,7 +27,7 @@ void NffWriter::view(const View& view) {
   line("up", {view.up.x, view.up.y, view.up.z});
   line("angle", {view.angle});
   line("hither", {view.hither});
-  line("resolution", {static_cast<double>(view.side), static_cast<double>(view.side)});
+  line("resolution", {static_cast<double>(view.width), static_cast<double>(view.height)});
 }
 
 void NffWriter::light(const glm::dvec3& position) { line("l", {position.x, position.y, position.z}); }
@@ -89,7 +89,7 @@ void NffWriter::line(std::string_view keyword, std::initializer_list<double> num
   for (const double number : numbers) {
     if (!first) buffer_.push_back(' ');
     first = false;
-    fmt::format_to(std::back_inserter(buffer_), "{:g}", number);
+    fmt::format_to(std::back_inserter(buffer_), "{:.{}g}", number, digits_);
   }
   endLine();
 }

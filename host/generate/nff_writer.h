@@ -17,7 +17,8 @@ struct View {
   glm::dvec3 up;
   double angle;  ///< vertical field of view, degrees
   double hither;
-  std::uint32_t side = 512;  ///< of the square picture, pixels
+  std::uint32_t width = 512;  ///< of the picture, pixels
+  std::uint32_t height = 512;
 };
 
 /// What the Standard Procedural Databases say of a surface, which NFF's eight numbers hold.
@@ -33,13 +34,14 @@ struct Surface {
 /// The sky that all but one of the databases have.
 inline constexpr glm::dvec3 kSkyBlue{0.078, 0.361, 0.753};
 
-/// Numbers are printed with six digits, as C's %g. The text goes to the sink in blocks, so that a scene of any size
+/// Numbers are printed as C's %g does. The text goes to the sink in blocks, so that a scene of any size
 /// needs little memory; what the sink throws passes through.
 class NffWriter {
  public:
   using Sink = std::function<void(std::string_view)>;
 
-  explicit NffWriter(Sink sink) : sink_(std::move(sink)) {}
+  /// Nine `digits` keep every binary32 as it is.
+  explicit NffWriter(Sink sink, int digits = 6) : sink_(std::move(sink)), digits_(digits) {}
   NffWriter(const NffWriter&) = delete;
   NffWriter& operator=(const NffWriter&) = delete;
 
@@ -70,6 +72,7 @@ class NffWriter {
   void endLine();
 
   Sink sink_;
+  int digits_;
   fmt::memory_buffer buffer_;
 };
 

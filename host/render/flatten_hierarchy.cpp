@@ -1,9 +1,7 @@
 #include "host/render/flatten_hierarchy.h"
 
 #include <algorithm>
-#include <span>
 
-#include "host/accel/bvh.h"
 #include "host/render/flat_rows.h"
 #include "shaders/shared/render_data.h"
 
@@ -56,8 +54,12 @@ void noteQuality(const BvhQuality& measured, FlatScene& flat) {
 
 }  // namespace
 
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split) {
+  return buildBvh(bounds, optionsFor(split, bounds.size()));
+}
+
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, BvhSplit split, FlatScene& flat) {
-  const Bvh bvh = buildBvh(bounds.bounds, optionsFor(split, bounds.bounds.size()));
+  const Bvh bvh = buildHierarchy(bounds.bounds, split);
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
   if (bvh.nodes.size() > 1) flat.structure = gpu::kStructureBvh;

@@ -82,6 +82,7 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--markdown", "FILE", ""},
                                       {"-o,--output", "FILE", "-", Command::generate},
                                       {"--size", "N", "the kind's", Command::generate},
+                                      {"--depth", "N", "all", Command::boxes},
                                       {"--stats", "", ""},
                                       {"--json", "FILE", ""},
                                       {"-q,--quiet", "", ""},

@@ -38,8 +38,16 @@ TEST_CASE("statements have the form of the format, with six digits") {
           out.meshFace(1, 2, 3);
         }) == "mesh 3 1\n0 0 0\n1 0 1\n2 0 4\n1 2 3\n");
   CHECK(textOf([](NffWriter& out) {
-          out.view({{1, 2, 3}, {0, 0, 0}, {0, 0, 1}, 45, 0.5, 64});
-        }) == "v\nfrom 1 2 3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.5\nresolution 64 64\n");
+          out.view({{1, 2, 3}, {0, 0, 0}, {0, 0, 1}, 45, 0.5, 64, 48});
+        }) == "v\nfrom 1 2 3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.5\nresolution 64 48\n");
+}
+
+TEST_CASE("nine digits keep a number of single precision") {
+  std::string text;
+  NffWriter out([&](std::string_view block) { text += block; }, 9);
+  out.light({1.0f / 3, 0.1f, 16777215});
+  out.finish();
+  CHECK(text == "l 0.333333343 0.100000001 16777215\n");
 }
 
 TEST_CASE("a highlight has half its strength at its half angle") {

@@ -1,0 +1,43 @@
+// `candela boxes`: the tree over a scene, as a scene.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/cli/box_scene.h"
+#include "host/cli/commands.h"
+#include "host/cli/scene_output.h"
+#include "host/generate/kinds.h"
+#include "host/render/flatten_hierarchy.h"
+#include "host/scene/load.h"
+
+namespace candela::cli {
+namespace {
+
+void requireReadableSize(std::size_t boxCount) {
+  constexpr std::uint64_t kMostBoxes = generate::kMostPrimitives / kBoxEdges;
+  if (boxCount <= kMostBoxes) return;
+  throw FileError(fmt::format("{} boxes have more than {} edges; --depth N draws one level of the tree", boxCount,
+                              generate::kMostPrimitives));
+}
+
+}  // namespace
+
+ExitCode runBoxes(const Arguments& arguments, const Log& log) {
+  const LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
+  for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  requireCamera(loaded.scene);
+  const Bvh bvh = buildHierarchy(boundPrimitives(loaded.scene).bounds, arguments.settings.bvhSplit);
+  const std::vector<LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
+  requireReadableSize(boxes.size());
+  const std::uint32_t deepest = quality(bvh).depth;
+  writeSceneText(arguments.generatedFile, [&](const auto& sink) {
+    generate::NffWriter out(sink, std::numeric_limits<float>::max_digits10);
+    writeBoxScene(out, *loaded.scene.camera, boxes, deepest);
+  });
+  log.note(fmt::format("{}: {} boxes, of {} in {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
+                       bvh.nodes.empty() ? 0 : deepest + 1));
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

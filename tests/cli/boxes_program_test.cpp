@@ -1,0 +1,120 @@
+// `candela boxes` as a person runs it: what is drawn, where, and mistakes.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/image/image.h"
+#include "host/render/flatten_hierarchy.h"
+#include "host/scene/load.h"
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+const std::string kView = "v\nfrom 0.1 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 12\n";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Scene boxesOf(const std::string& scene, const std::vector<std::string>& options = {}) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"boxes", folder.write("a.nff", scene), "-o", folder.path("boxes.nff")};
+  words.insert(words.end(), options.begin(), options.end());
+  const ProgramResult result = runCandela(words);
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  return loadScene(folder.path("boxes.nff")).scene;
+}
+
+// Twenty balls in a row, ever farther apart.
+std::string row() {
+  std::string text = kView;
+  for (int i = 0; i < 20; ++i) text += "s " + std::to_string(0.01 * i * i * i) + " 0 0 0.1\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the edges of a box end in its corners, to the bit") {
+  const std::string text = kView + "s 0.3 -0.7 123.4 0.125\n";
+  const Aabb box = boundPrimitives(parseScene(text, "a", ".").scene).bounds.front();
+  const Scene drawn = boxesOf(text);
+  REQUIRE(drawn.cones.size() == 12);
+  for (const bool lowX : {false, true}) {
+    for (const bool lowY : {false, true}) {
+      for (const bool lowZ : {false, true}) {
+        const glm::vec3 corner(lowX ? box.min.x : box.max.x, lowY ? box.min.y : box.max.y, lowZ ? box.min.z : box.max.z);
+        CHECK(std::ranges::count_if(drawn.cones, [&](const Cone& c) { return c.base == corner || c.apex == corner; }) ==
+              3);
+      }
+    }
+  }
+}
+
+TEST_CASE("a flat box has no edges across") {
+  // At the origin nothing pads the box.
+  CHECK(boxesOf(kView + "p 3\n0 0 0\n1 0 0\n0 0 1\n").cones.size() == 12);
+  CHECK(boxesOf(kView + "p 3\n0 0 0\n0 0 0\n0 0 0\n").cones.empty());
+  CHECK(boxesOf(kView + "pl 0 0 0  1 0 0  0 1 0\n").cones.empty());
+}
+
+TEST_CASE("the boxes are those of the tree that the renderer builds") {
+  const std::vector<Aabb> bounds = boundPrimitives(parseScene(row(), "a", ".").scene).bounds;
+  const auto nodesBy = [&](BvhSplit split) { return buildHierarchy(bounds, split).nodes.size(); };
+  CHECK(nodesBy(BvhSplit::sah) != nodesBy(BvhSplit::midpoint));
+  CHECK(boxesOf(row()).cones.size() == 12 * nodesBy(BvhSplit::sah));
+  CHECK(boxesOf(row(), {"--bvh-split", "midpoint"}).cones.size() == 12 * nodesBy(BvhSplit::midpoint));
+  CHECK(boxesOf(row(), {"--depth", "0"}).cones.size() == 12);
+  CHECK(boxesOf(row(), {"--depth", "1"}).cones.size() == 24);
+}
+
+TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
+  const std::string scene = row();
+  const Scene drawn = boxesOf(scene);
+  const Camera camera = *parseScene(scene, "a", ".").scene.camera;
+  CHECK(drawn.camera->from == camera.from);
+  CHECK(drawn.camera->up == camera.up);
+  CHECK(drawn.camera->angle == camera.angle);
+  CHECK(drawn.camera->width == 16);
+  CHECK(drawn.camera->height == 12);
+
+  const TemporaryFolder folder;
+  const std::string boxes = folder.path("boxes.nff");
+  REQUIRE(runCandela({"boxes", folder.write("a.nff", scene), "-o", boxes}).exitCode == 0);
+  for (const char* integrator : {"path", "whitted"}) {
+    const std::string image = folder.path("a.pfm");
+    REQUIRE(runCandela({boxes, "--device", "cpu", "--integrator", integrator, "-o", image, "--size", "128x96"}).exitCode == 0);
+    const Image seen = readImage(image);
+    float brightest = 0;
+    for (std::uint32_t y = 0; y < 96; ++y) {
+      for (std::uint32_t x = 0; x < 128; ++x) brightest = std::max(brightest, seen.at(x, y).x);
+    }
+    CAPTURE(integrator);
+    CHECK(brightest > 0.3f);
+    CHECK(seen.at(0, 0) == glm::vec3(0));
+  }
+}
+
+TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.nff", row());
+  const ProgramResult result = runCandela({"boxes", scene, "--depth", "1"});
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.err, "a.nff: 2 boxes, of "));
+  CHECK(parseScene(result.out, "boxes", ".").scene.cones.size() == 24);
+  CHECK(runCandela({"boxes", scene, "--depth", "1", "-q"}).err.empty());
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("boxes without a scene, a view or a place to write are errors that leave nothing") {
+  const TemporaryFolder folder;
+  CHECK(runCandela({"boxes"}).exitCode == 1);
+  CHECK(runCandela({"boxes", "a.nff", "--depth", "x"}).exitCode == 1);
+  CHECK(runCandela({"boxes", folder.path("none.nff"), "-o", folder.path("b.nff")}).exitCode == 2);
+  const ProgramResult viewless = runCandela({"boxes", folder.write("a.nff", "s 0 0 0 1\n"), "-o", folder.path("b.nff")});
+  CHECK(viewless.exitCode == 2);
+  CHECK(contains(viewless.err, "view"));
+  CHECK(runCandela({"boxes", folder.write("c.nff", row()), "-o", folder.path("none/b.nff")}).exitCode == 2);
+  CHECK(folder.fileCount() == 2);
+}
+
+}  // namespace candela
