@@ -42,7 +42,8 @@ TEST_CASE("the edges of a box end in its corners, to the bit") {
   for (const bool lowX : {false, true}) {
     for (const bool lowY : {false, true}) {
       for (const bool lowZ : {false, true}) {
-        const glm::vec3 corner(lowX ? box.min.x : box.max.x, lowY ? box.min.y : box.max.y, lowZ ? box.min.z : box.max.z);
+        const glm::vec3 corner(lowX ? box.min.x : box.max.x, lowY ? box.min.y : box.max.y,
+                               lowZ ? box.min.z : box.max.z);
         CHECK(std::ranges::count_if(drawn.cones, [&](const Cone& c) { return c.base == corner || c.apex == corner; }) ==
               3);
       }
@@ -82,7 +83,9 @@ TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
   REQUIRE(runCandela({"boxes", folder.write("a.nff", scene), "-o", boxes}).exitCode == 0);
   for (const char* integrator : {"path", "whitted"}) {
     const std::string image = folder.path("a.pfm");
-    REQUIRE(runCandela({boxes, "--device", "cpu", "--integrator", integrator, "-o", image, "--size", "128x96"}).exitCode == 0);
+    const std::vector<std::string> words{boxes,      "--device", "cpu", "--integrator",
+                                         integrator, "--size",   "128x96", "-o", image};
+    REQUIRE(runCandela(words).exitCode == 0);
     const Image seen = readImage(image);
     float brightest = 0;
     for (std::uint32_t y = 0; y < 96; ++y) {
@@ -110,7 +113,8 @@ TEST_CASE("boxes without a scene, a view or a place to write are errors that lea
   CHECK(runCandela({"boxes"}).exitCode == 1);
   CHECK(runCandela({"boxes", "a.nff", "--depth", "x"}).exitCode == 1);
   CHECK(runCandela({"boxes", folder.path("none.nff"), "-o", folder.path("b.nff")}).exitCode == 2);
-  const ProgramResult viewless = runCandela({"boxes", folder.write("a.nff", "s 0 0 0 1\n"), "-o", folder.path("b.nff")});
+  const std::string noView = folder.write("a.nff", "s 0 0 0 1\n");
+  const ProgramResult viewless = runCandela({"boxes", noView, "-o", folder.path("b.nff")});
   CHECK(viewless.exitCode == 2);
   CHECK(contains(viewless.err, "view"));
   CHECK(runCandela({"boxes", folder.write("c.nff", row()), "-o", folder.path("none/b.nff")}).exitCode == 2);
