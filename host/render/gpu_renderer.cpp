@@ -85,8 +85,7 @@ void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const Re
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
-  const bool isEmptyGrid = settings.accel == AccelKind::grid && flat.structure == gpu::kStructureNone;
-  statistics.structure = isEmptyGrid ? "none" : structureName(settings.accel);
+  statistics.structure = structureName(settings.accel);
   if (settings.accel == AccelKind::bvh) statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
   statistics.kernel = kernel.name;
   statistics.workgroup = settings.workgroup;
