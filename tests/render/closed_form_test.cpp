@@ -1,19 +1,11 @@
 // Pictures whose exact values neither tracer wrote.
 #include <catch2/catch.hpp>
-#include <functional>
 
-#include "tests/render/render_support.h"
+#include "tests/render/both_tracers.h"
 
 using namespace candela;
 
 namespace {
-
-using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
-
-void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
-  SECTION("device") { body(renderOnDevice); }
-  SECTION("reference") { body(renderOnReference); }
-}
 
 // A closed sphere, seen from inside, whose surface has albedo `albedo` and emission 1.
 Scene furnace(const std::string& albedo) {

@@ -2,20 +2,17 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <vector>
 
 #include "host/render/agreement.h"
-#include "tests/render/render_support.h"
+#include "tests/render/both_tracers.h"
 
 using namespace candela;
 using glm::dvec3;
 using glm::vec3;
 
 namespace {
-
-using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
 
 constexpr std::array kViews{Integrator::ao,    Integrator::normal, Integrator::albedo,
                             Integrator::depth, Integrator::id,     Integrator::cost};
@@ -56,11 +53,6 @@ RenderSettings viewSettings(Integrator integrator, std::uint32_t side, std::uint
   settings.integrator = integrator;
   settings.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
   return settings;
-}
-
-void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
-  SECTION("device") { body(renderOnDevice); }
-  SECTION("reference") { body(renderOnReference); }
 }
 
 dvec3 seen(const RenderFunction& render, Integrator integrator, const vec3& at, const vec3& from) {

@@ -1,21 +1,13 @@
 // Whitted's pictures whose exact values neither tracer wrote.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
-#include "tests/render/render_support.h"
+#include "tests/render/both_tracers.h"
 
 using namespace candela;
 
 namespace {
-
-using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
-
-void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
-  SECTION("device") { body(renderOnDevice); }
-  SECTION("reference") { body(renderOnReference); }
-}
 
 RenderSettings whittedSettings(std::uint32_t side, std::uint32_t maxDepth) {
   RenderSettings settings = squareSettings(side, 1);

@@ -1,0 +1,17 @@
+// Runs the body of a test on each tracer, as a section of its own.
+#pragma once
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "tests/render/render_support.h"
+
+namespace candela {
+
+using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
+
+inline void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
+  SECTION("device") { body(renderOnDevice); }
+  SECTION("reference") { body(renderOnReference); }
+}
+
+}  // namespace candela
