@@ -1,11 +1,9 @@
 // The option table: a row per option.
 #include "host/cli/option_table.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 
-#include "host/cli/notation.h"
+#include "host/cli/option_kinds.h"
 
 namespace candela::cli {
 namespace {
@@ -34,66 +32,6 @@ constexpr float kMostGridDensity = 64;
 constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
 constexpr float kShortestReach = 1e-30f;
 constexpr float kLongestReach = 1e30f;
-
-const Arguments kDefaults;
-
-struct Row {
-  const char* names;
-  unsigned commands;
-  OptionGroup group;
-  const char* help;
-};
-
-// `get` maps Arguments& to the option's field, a reference.
-template <class T, class Get>
-Option valued(const Row& row, const Notation<T>& notation, Get get) {
-  Option option{row.names, row.commands, row.group, row.help, notation.metavar, notation.expected, "", {}, {}};
-  option.apply = [=](Arguments& arguments, const std::string& word) {
-    const auto value = notation.parse(word);
-    if (value) get(arguments) = *value;
-    return value.has_value();
-  };
-  option.show = [=](const Arguments& arguments) { return std::vector{notation.print(get(arguments))}; };
-  option.defaultText = notation.print(get(std::as_const(kDefaults)));
-  return option;
-}
-
-template <class Get>
-Option flag(const Row& row, Get get) {
-  Option option{row.names, row.commands, row.group, row.help, "", "no value", "", {}, {}};
-  option.apply = [=](Arguments& arguments, const std::string& word) {
-    get(arguments) = true;
-    return word == "true";  // what CLI11 gives for a flag without a value
-  };
-  option.show = [=](const Arguments& arguments) { return std::vector<std::string>(get(arguments) ? 1 : 0, "on"); };
-  return option;
-}
-
-template <class Get>
-Option path(const Row& row, const char* metavar, Get get) {
-  Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
-  option.apply = [=](Arguments& arguments, const std::string& word) {
-    get(arguments) = word;
-    return !word.empty();
-  };
-  option.show = [=](const Arguments& arguments) { return std::vector{get(arguments).string()}; };
-  return option;
-}
-
-// An option that may be given several times.
-template <class Get>
-Option paths(const Row& row, const char* metavar, Get get) {
-  Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
-  option.apply = [=](Arguments& arguments, const std::string& word) {
-    get(arguments).emplace_back(word);
-    return !word.empty();
-  };
-  option.show = [=](const Arguments& arguments) {
-    const auto& all = get(arguments);
-    return std::vector<std::string>(all.begin(), all.end());
-  };
-  return option;
-}
 
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
