@@ -55,38 +55,28 @@ struct PathTracer::Vertex {
 };
 
 PathTracer::PathTracer(const Scene& scene, const RenderSettings& settings)
-    : scene_(scene),
+    : PixelTracer(scene, settings),
       settings_(settings),
-      sampler_(settings.sampler, settings.seed, settings.sampleCount),
-      camera_(*scene.camera, settings),
       background_(scene),
-      tracing_(scene, settings),
       lights_(scene, settings) {
   for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
-dvec3 PathTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                         PathRecord* record) const {
-  SampleNumbers numbers(sampler_, x, y, sampleIndex);
-  const Ray ray = camera_.generate(x, y, numbers);
-  ++counters.samples;
-  ++counters.cameraRays;
-  return radiance(ray, numbers, counters, record);
-}
-
-dvec3 PathTracer::radiance(Ray ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters,
+                           PathRecord* record) const {
+  Ray ray = cameraRay;
   dvec3 radiance(0);
   dvec3 beta(1);
   std::optional<double> pdf;
   VertexRecord unrecorded;
   for (std::uint32_t depth = 1;; ++depth) {
-    const Hit hit = tracing_.closest(ray, counters);
+    const Hit hit = tracing().closest(ray, counters);
     VertexRecord& vertexRecord = nextVertex(record, unrecorded);
     vertexRecord.primitive = hit.primitive;
     if (!hit) return radiance + beta * background_.radiance(ray.direction);
 
     ++counters.vertices;
-    const Surface surface = surfaceAt(scene_, ray, hit);
+    const Surface surface = surfaceAt(scene(), ray, hit);
     radiance += beta * emission(ray, hit.distance, surface, pdf);
     if (depth == settings_.maxDepth) return radiance;
 
@@ -113,9 +103,9 @@ dvec3 PathTracer::radiance(Ray ray, SampleNumbers& numbers, Counters& counters, 
 }
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf) const {
-  const Material& material = scene_.materials[surface.material];
+  const Material& material = scene().materials[surface.material];
   if (!isEmissive(material)) return dvec3(0);
-  const bool isTriangle = scene_.primitives[surface.primitive].kind == PrimitiveKind::triangle;
+  const bool isTriangle = scene().primitives[surface.primitive].kind == PrimitiveKind::triangle;
   if (settings_.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
   if (!pdf) return material.emission;
   return powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) * dvec3(material.emission);
@@ -130,7 +120,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   if (bsdf.f == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
-  const bool occluded = tracing_.isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters);
+  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters);
   record.shadow = occluded ? ShadowOutcome::occluded : ShadowOutcome::visible;
   if (occluded) return dvec3(0);
 

@@ -5,10 +5,8 @@
 
 #include "host/reference/background.h"
 #include "host/reference/bsdf.h"
-#include "host/reference/camera.h"
 #include "host/reference/lights.h"
 #include "host/reference/pixel_tracer.h"
-#include "host/reference/sampler.h"
 #include "host/reference/surface.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
@@ -19,10 +17,6 @@ class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const Scene& scene, const RenderSettings& settings);
-
-  dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-               PathRecord* record) const override;
-  const Tracing& tracing() const override { return tracing_; }
 
  private:
   /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.
@@ -37,18 +31,14 @@ class PathTracer final : public PixelTracer {
     std::optional<double> pdf;
   };
 
-  dvec3 radiance(Ray ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
   dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, VertexRecord& record) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u) const;
   Scattering scatterSmooth(const Vertex& vertex, Lobe lobe, VertexNumbers u) const;
 
-  const Scene& scene_;
   RenderSettings settings_;
-  Sampler sampler_;
-  CameraRays camera_;
   Background background_;
-  Tracing tracing_;
   LightTable lights_;
   std::vector<Bsdf> bsdfs_;  ///< by material
 };

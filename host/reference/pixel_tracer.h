@@ -1,22 +1,40 @@
-// What the renderer asks of an integrator: the samples of pixels.
+// What all integrators share: a camera ray for each sample of each pixel, and what it is traced through.
 #pragma once
 #include <cstdint>
-#include <glm/glm.hpp>
 
+#include "host/reference/camera.h"
+#include "host/reference/ray.h"
+#include "host/reference/sampler.h"
 #include "host/reference/tracing.h"
 #include "host/render/path_record.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
 
 namespace candela::reference {
 
 /// A scene made ready to be rendered by one integrator. Threads share it.
 class PixelTracer {
  public:
+  /// The scene, which has a camera, must outlive the object.
+  PixelTracer(const Scene& scene, const RenderSettings& settings);
   virtual ~PixelTracer() = default;
 
   /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path or tree decided.
-  virtual glm::dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                            PathRecord* record) const = 0;
-  virtual const Tracing& tracing() const = 0;
+  dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+               PathRecord* record) const;
+  const Tracing& tracing() const { return tracing_; }
+
+ protected:
+  const Scene& scene() const { return scene_; }
+
+ private:
+  /// What the integrator makes of a sample whose camera ray is `ray`.
+  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const = 0;
+
+  const Scene& scene_;
+  Sampler sampler_;
+  CameraRays camera_;
+  Tracing tracing_;
 };
 
 }  // namespace candela::reference

@@ -26,23 +26,15 @@ dvec3 ownShadingNormal(const Surface& surface) {
 }  // namespace
 
 ViewTracer::ViewTracer(const Scene& scene, const RenderSettings& settings)
-    : scene_(scene),
+    : PixelTracer(scene, settings),
       view_(settings.integrator),
-      aoDistance_(aoDistanceOf(*scene.camera, settings)),
-      sampler_(settings.sampler, settings.seed, settings.sampleCount),
-      camera_(*scene.camera, settings),
-      tracing_(scene, settings) {
+      aoDistance_(aoDistanceOf(*scene.camera, settings)) {
   for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
-dvec3 ViewTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                         PathRecord* record) const {
-  SampleNumbers numbers(sampler_, x, y, sampleIndex);
-  const Ray ray = camera_.generate(x, y, numbers);
-  ++counters.samples;
-  ++counters.cameraRays;
+dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
   const std::uint64_t stepsBefore = counters.traversalSteps;
-  const Hit hit = tracing_.closest(ray, counters);
+  const Hit hit = tracing().closest(ray, counters);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
   if (hit) ++counters.vertices;
 
@@ -51,7 +43,7 @@ dvec3 ViewTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleI
   if (view_ == Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
-    value = valueAt(hit, surfaceAt(scene_, ray, hit), numbers, counters, vertex);
+    value = valueAt(hit, surfaceAt(scene(), ray, hit), numbers, counters, vertex);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
@@ -77,7 +69,7 @@ bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters
 
   ++counters.shadowRays;
   const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
-  const bool blocked = tracing_.isOccluded(ray, aoDistance_, kNoPrimitive, counters);
+  const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters);
   record.shadow = blocked ? ShadowOutcome::occluded : ShadowOutcome::visible;
   return !blocked;
 }

@@ -40,13 +40,10 @@ struct WhittedTracer::Node {
 };
 
 WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
-    : scene_(scene),
+    : PixelTracer(scene, settings),
       maxDepth_(settings.maxDepth),
       lightSize_(settings.lightSize),
-      sampler_(settings.sampler, settings.seed, settings.sampleCount),
-      camera_(*scene.camera, settings),
-      background_(scene),
-      tracing_(scene, settings) {
+      background_(scene) {
   for (const PointLight& light : scene.pointLights) {
     const dvec3 position(light.position);
     const dvec3 towards = dvec3(scene.camera->at) - position;
@@ -55,17 +52,13 @@ WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
   }
 }
 
-dvec3 WhittedTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                            PathRecord* record) const {
-  SampleNumbers numbers(sampler_, x, y, sampleIndex);
-  ++counters.samples;
-  ++counters.cameraRays;
+dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
   SampleState state{numbers, counters, record};
-  return radiance({camera_.generate(x, y, numbers)}, state);
+  return radianceAt({ray}, state);
 }
 
-dvec3 WhittedTracer::radiance(const Node& node, SampleState& state) const {
-  const Hit hit = tracing_.closest(node.ray, state.counters);
+dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
+  const Hit hit = tracing().closest(node.ray, state.counters);
   VertexRecord record{.primitive = hit.primitive};
   if (!hit) {
     state.keep(record);
@@ -73,8 +66,8 @@ dvec3 WhittedTracer::radiance(const Node& node, SampleState& state) const {
   }
   ++state.counters.vertices;
   if (node.depth == 1) ++state.counters.cameraHits;
-  const Surface surface = surfaceAt(scene_, node.ray, hit);
-  const Material& material = scene_.materials[surface.material];
+  const Surface surface = surfaceAt(scene(), node.ray, hit);
+  const Material& material = scene().materials[surface.material];
   dvec3 sum = dvec3(material.emission) + double{material.ka} * dvec3(material.diffuse);
   sum += direct(node, surface, state, record);
   const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -node.ray.direction) : Branches{};
@@ -87,18 +80,18 @@ dvec3 WhittedTracer::radiance(const Node& node, SampleState& state) const {
   if (branches.reflected.factor > 0) {
     ++state.counters.bounceRays;
     ++state.counters.reflectedRays;
-    sum += branches.reflected.factor * radiance(node.reflected(rayTowards(branches.reflected.direction)), state);
+    sum += branches.reflected.factor * radianceAt(node.reflected(rayTowards(branches.reflected.direction)), state);
   }
   if (branches.refracted.factor > 0) {
     ++state.counters.bounceRays;
     ++state.counters.refractedRays;
-    sum += branches.refracted.factor * radiance(node.refracted(rayTowards(branches.refracted.direction)), state);
+    sum += branches.refracted.factor * radianceAt(node.refracted(rayTowards(branches.refracted.direction)), state);
   }
   return sum;
 }
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const {
-  const Material& material = scene_.materials[surface.material];
+  const Material& material = scene().materials[surface.material];
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
@@ -110,7 +103,7 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
 
     ++state.counters.shadowRays;
     const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
-    const bool occluded = tracing_.isOccluded(ray, distance, kNoPrimitive, state.counters);
+    const bool occluded = tracing().isOccluded(ray, distance, kNoPrimitive, state.counters);
     if (occluded) {
       record.shadow = ShadowOutcome::occluded;
       continue;
@@ -133,7 +126,7 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
 }
 
 WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo) const {
-  const Material& material = scene_.materials[surface.material];
+  const Material& material = scene().materials[surface.material];
   if (!isMirror(material) && !isGlass(material)) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);

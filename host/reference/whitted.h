@@ -3,9 +3,7 @@
 #include <vector>
 
 #include "host/reference/background.h"
-#include "host/reference/camera.h"
 #include "host/reference/pixel_tracer.h"
-#include "host/reference/sampler.h"
 #include "host/reference/sampling.h"
 #include "host/reference/surface.h"
 #include "host/render/settings.h"
@@ -17,10 +15,6 @@ class WhittedTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object. `settings.maxDepth` is at most kMaxTreeDepth.
   WhittedTracer(const Scene& scene, const RenderSettings& settings);
-
-  dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-               PathRecord* record) const override;
-  const Tracing& tracing() const override { return tracing_; }
 
  private:
   /// What all rays of one sample share.
@@ -44,18 +38,15 @@ class WhittedTracer final : public PixelTracer {
     Frame frame;
   };
 
-  dvec3 radiance(const Node& node, SampleState& state) const;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
+  dvec3 radianceAt(const Node& node, SampleState& state) const;
   dvec3 direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const;
   dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;
   Branches branchesAt(const Surface& surface, const dvec3& wo) const;
 
-  const Scene& scene_;
   std::uint32_t maxDepth_;
   double lightSize_;
-  Sampler sampler_;
-  CameraRays camera_;
   Background background_;
-  Tracing tracing_;
   std::vector<Light> lights_;
 };
 

@@ -1,0 +1,20 @@
+#include "host/reference/pixel_tracer.h"
+
+namespace candela::reference {
+
+PixelTracer::PixelTracer(const Scene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      sampler_(settings.sampler, settings.seed, settings.sampleCount),
+      camera_(*scene.camera, settings),
+      tracing_(scene, settings) {}
+
+dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
+                          PathRecord* record) const {
+  SampleNumbers numbers(sampler_, x, y, sampleIndex);
+  const Ray ray = camera_.generate(x, y, numbers);
+  ++counters.samples;
+  ++counters.cameraRays;
+  return radiance(ray, numbers, counters, record);
+}
+
+}  // namespace candela::reference
