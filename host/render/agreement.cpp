@@ -71,22 +71,44 @@ PixelAgreement comparePixels(const RenderResult& device, const RenderResult& ref
   return result;
 }
 
+std::optional<PixelAgreement> comparePaths(const Scene& scene, const RenderSettings& settings, Renderer& device,
+                                           Renderer& reference, const RenderControl& control) {
+  RenderSettings single = settings;
+  single.sampleCount = 1;
+  single.recordPaths = true;
+  const RenderResult a = device.render(scene, single, control);
+  const RenderResult b = reference.render(scene, single, control);
+  return a.interrupted || b.interrupted ? std::nullopt : std::optional(comparePixels(a, b));
+}
+
+std::string PixelAgreement::causesText() const {
+  std::string text;
+  for (std::size_t i = 0; i < causes.size(); ++i) text += fmt::format(" {} {}", kCauseNames[i], causes[i]);
+  if (worst > 0) text += fmt::format("; largest {:.6g} at {},{}", worst, worstX, worstY);
+  return text;
+}
+
+nlohmann::ordered_json PixelAgreement::causesJson() const {
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < causes.size(); ++i) json[kCauseNames[i]] = causes[i];
+  return json;
+}
+
+nlohmann::ordered_json PixelAgreement::worstJson() const {
+  return {{"difference", worst}, {"x", worstX}, {"y", worstY}};
+}
+
 AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
                                const RenderControl& control) {
   AgreementReport report;
   report.scene = scene.name;
-  RenderSettings single = settings;
-  single.sampleCount = 1;
-  single.recordPaths = true;
-  const RenderResult deviceSingle = device.render(scene, single, control);
-  const RenderResult referenceSingle = reference.render(scene, single, control);
-  report.pixels = comparePixels(deviceSingle, referenceSingle);
+  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, control);
+  report.pixels = pixels.value_or(PixelAgreement{});
   const RenderResult deviceMany = device.render(scene, settings, control);
   const RenderResult referenceMany = reference.render(scene, settings, control);
   report.mean = {settings.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
-  report.interrupted = deviceSingle.interrupted || referenceSingle.interrupted || deviceMany.interrupted ||
-                       referenceMany.interrupted;
+  report.interrupted = !pixels || deviceMany.interrupted || referenceMany.interrupted;
   return report;
 }
 
@@ -95,9 +117,7 @@ std::string AgreementReport::toText() const {
   text += fmt::format("  1 sample: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at least {} %)\n",
                       100 * pixels.share(), pixels.pixels, 100 * kRequiredShare, 100 * pixels.litShare(), pixels.lit,
                       100 * kRequiredLitShare);
-  text += "  first difference of the others:";
-  for (std::size_t i = 0; i < pixels.causes.size(); ++i) text += fmt::format(" {} {}", kCauseNames[i], pixels.causes[i]);
-  if (pixels.worst > 0) text += fmt::format("; largest {:.6g} at {},{}", pixels.worst, pixels.worstX, pixels.worstY);
+  text += "  first difference of the others:" + pixels.causesText();
   text += fmt::format("\n  {} samples: mean {:.8g} against {:.8g}, {:.2e} apart (at most {:.0e})\n", mean.samples,
                       mean.device, mean.reference, mean.relativeDifference(), kMeanTolerance);
   text += interrupted ? "  interrupted: no verdict\n" : agree() ? "  they agree\n" : "  they DIFFER\n";
@@ -105,8 +125,6 @@ std::string AgreementReport::toText() const {
 }
 
 nlohmann::json AgreementReport::toJson() const {
-  nlohmann::json causes;
-  for (std::size_t i = 0; i < pixels.causes.size(); ++i) causes[kCauseNames[i]] = pixels.causes[i];
   return {{"scene", scene},
           {"device", deviceStatistics.device},
           {"driver", deviceStatistics.driver},
@@ -119,8 +137,8 @@ nlohmann::json AgreementReport::toJson() const {
             {"lit", pixels.lit},
             {"litEqual", pixels.litEqual},
             {"litShare", pixels.litShare()},
-            {"causes", causes},
-            {"worst", {{"difference", pixels.worst}, {"x", pixels.worstX}, {"y", pixels.worstY}}}}},
+            {"causes", pixels.causesJson()},
+            {"worst", pixels.worstJson()}}},
           {"mean",
            {{"samples", mean.samples},
             {"device", mean.device},

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "host/render/renderer.h"
@@ -35,6 +36,10 @@ struct PixelAgreement {
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
   bool agree() const { return share() >= kRequiredShare && litShare() >= kRequiredLitShare; }
+  /// The causes with their counts, and where the largest difference is.
+  std::string causesText() const;
+  nlohmann::ordered_json causesJson() const;
+  nlohmann::ordered_json worstJson() const;
 };
 
 /// Means (luminance) of pictures of `samples` samples per pixel.
@@ -64,6 +69,10 @@ struct AgreementReport {
 Cause causeOf(const PathRecord& device, const PathRecord& reference);
 /// Compares one-sample results that carry path records.
 PixelAgreement comparePixels(const RenderResult& device, const RenderResult& reference);
+
+/// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early.
+std::optional<PixelAgreement> comparePaths(const Scene& scene, const RenderSettings& settings, Renderer& device,
+                                           Renderer& reference, const RenderControl& control);
 
 /// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.sampleCount` for the means.
 AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,

@@ -41,17 +41,6 @@ ExactTest testExact(const ExactMean& exact, const LightTestResult& light, double
   return test;
 }
 
-PixelAgreement comparePaths(const Scene& scene, RenderSettings settings, Renderer& device, Renderer& reference,
-                            const RenderControl& control, bool& interrupted) {
-  settings.sampleCount = 1;
-  settings.recordPaths = true;
-  const RenderResult a = device.render(scene, settings, control);
-  if (a.interrupted) return interrupted = true, PixelAgreement{};
-  const RenderResult b = reference.render(scene, settings, control);
-  if (b.interrupted) return interrupted = true, PixelAgreement{};
-  return comparePixels(a, b);
-}
-
 }  // namespace
 
 VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
@@ -60,8 +49,10 @@ VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Ren
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  report.paths = comparePaths(scene, settings, device, reference, control, report.interrupted);
+  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, control);
+  report.interrupted = !paths;
   if (report.interrupted) return report;
+  report.paths = *paths;
 
   // A stated answer is a test of its own: the run's false alarms are shared evenly.
   LightTestOptions own = options;

@@ -47,10 +47,7 @@ std::string pathsText(const VerifyReport& report) {
       "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit ones (at least {} %)\n",
       paths.agree() ? "yes" : "NO", 100 * paths.share(), paths.pixels, 100 * kRequiredShare, 100 * paths.litShare(),
       paths.lit, 100 * kRequiredLitShare);
-  text += "                             first difference of the others:";
-  for (std::size_t i = 0; i < paths.causes.size(); ++i) text += fmt::format(" {} {}", kCauseNames[i], paths.causes[i]);
-  if (paths.worst > 0) text += fmt::format("; largest {:.6g} at {},{}", paths.worst, paths.worstX, paths.worstY);
-  return text + "\n";
+  return text + "                             first difference of the others:" + paths.causesText() + "\n";
 }
 
 std::string lightText(const VerifyReport& report) {
@@ -109,11 +106,9 @@ ordered_json regionJson(const RegionResult& result) {
 }
 
 ordered_json pathsJson(const PixelAgreement& paths) {
-  ordered_json causes;
-  for (std::size_t i = 0; i < paths.causes.size(); ++i) causes[kCauseNames[i]] = paths.causes[i];
   return {{"agree", paths.agree()},   {"pixels", paths.pixels},     {"share", paths.share()},
-          {"lit", paths.lit},         {"litShare", paths.litShare()}, {"causes", causes},
-          {"worst", {{"difference", paths.worst}, {"x", paths.worstX}, {"y", paths.worstY}}}};
+          {"lit", paths.lit},         {"litShare", paths.litShare()}, {"causes", paths.causesJson()},
+          {"worst", paths.worstJson()}};
 }
 
 ordered_json lightJson(const LightTestResult& light) {
