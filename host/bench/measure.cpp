@@ -12,11 +12,10 @@ void insertAscending(std::vector<double>& values, double value) {
   values.insert(std::upper_bound(values.begin(), values.end(), value), value);
 }
 
-void addRun(RenderResult result, Measurement& measurement) {
-  const std::uint64_t hash = result.film.hash();
+void addRun(RenderStatistics statistics, std::uint64_t hash, Measurement& measurement) {
   measurement.agrees &= measurement.traceSeconds.empty() || hash == measurement.filmHash;
   measurement.filmHash = hash;
-  measurement.statistics = std::move(result.statistics);
+  measurement.statistics = std::move(statistics);
   measurement.agrees &= measurement.statistics.truncated == 0;
   insertAscending(measurement.traceSeconds, measurement.statistics.seconds["trace"]);
   insertAscending(measurement.buildSeconds, measurement.statistics.seconds["structure"]);
@@ -77,8 +76,9 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
         renderer.render(scene, measurement.variant.settings, shareOf(control, run, runs, samples));
     if (result.interrupted) return {};
     samples += result.statistics.samples;
-    ++runsByHash[result.film.hash()];
-    addRun(std::move(result), measurement);
+    const std::uint64_t hash = result.film.hash();
+    ++runsByHash[hash];
+    addRun(std::move(result.statistics), hash, measurement);
   }
   const std::uint64_t common = commonHash(runsByHash, runs);
   for (Measurement& measurement : measurements) measurement.agrees &= measurement.filmHash == common;

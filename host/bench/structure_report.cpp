@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/bench/text_table.h"
+#include "host/core/hash_text.h"
 #include "host/core/version.h"
 
 namespace candela::bench {
@@ -68,14 +69,12 @@ std::string headline(const StructureReport& report) {
                      report.repeats);
 }
 
-std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
-
 ordered_json rowJson(const StructureRow& row) {
   const Measurement& m = row.measurement;
   ordered_json json;
   json["scene"] = row.scene;
-  json["sceneHash"] = fmt::format("{:016x}", row.sceneHash);
-  json["filmHash"] = fmt::format("{:016x}", m.filmHash);
+  json["sceneHash"] = hashText(row.sceneHash);
+  json["filmHash"] = hashText(m.filmHash);
   json["sameImage"] = m.agrees;
   json["variant"] = m.variant.name;
   json["structure"] = m.statistics.structure;

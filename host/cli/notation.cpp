@@ -43,8 +43,7 @@ Notation<Extent> extent(std::string metavar, std::uint32_t highest) {
     if (!width || !height) return std::nullopt;
     return Extent{*width, *height};
   };
-  const auto print = [](const Extent& value) { return fmt::format("{}x{}", value.width, value.height); };
-  return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, print};
+  return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, extentText};
 }
 
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {

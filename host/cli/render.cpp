@@ -13,6 +13,7 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/cli/statistics_report.h"
+#include "host/core/hash_text.h"
 #include "host/core/progress.h"
 #include "host/core/version.h"
 #include "host/image/false_colour.h"

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/option_table.h"
+#include "host/core/hash_text.h"
 #include "host/core/version.h"
 
 namespace candela::cli {
@@ -86,8 +87,6 @@ ordered_json raysJson(const RenderStatistics& statistics) {
   return rays;
 }
 
-std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
-
 // Leaves of nested objects as "seconds.trace".
 void appendRows(const ordered_json& object, const std::string& prefix, std::string& out) {
   for (const auto& [key, value] : object.items()) {
@@ -103,8 +102,6 @@ void appendRows(const ordered_json& object, const std::string& prefix, std::stri
 }
 
 }  // namespace
-
-std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 ordered_json toJson(const RenderReport& report) {
   const RenderStatistics& statistics = report.result.statistics;
@@ -134,7 +131,7 @@ ordered_json toJson(const RenderReport& report) {
   json["traversalSteps"] = statistics.traversalSteps;
   json["verticesPerSample"] = ratio(static_cast<double>(statistics.vertices), static_cast<double>(statistics.samples));
   json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
-  json["mraysPerSecond"] = ratio(json["rays"]["total"].get<double>() / 1e6, traceSeconds);
+  json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
   json["badSamples"] = statistics.badSamples;
   json["dispatch"] = dispatchJson(statistics.dispatchSeconds);

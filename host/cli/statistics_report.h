@@ -19,7 +19,4 @@ nlohmann::ordered_json toJson(const RenderReport& report);
 /// The same as a table.
 std::string toText(const RenderReport& report);
 
-/// The hash of a scene or a film as reports write it: 16 hexadecimal digits.
-std::string hashText(std::uint64_t hash);
-
 }  // namespace candela::cli

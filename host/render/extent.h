@@ -1,6 +1,9 @@
 // A size in pixels or lanes.
 #pragma once
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <string>
 
 namespace candela {
 
@@ -8,5 +11,8 @@ struct Extent {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 };
+
+/// E.g. "512x384".
+inline std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
 
 }  // namespace candela

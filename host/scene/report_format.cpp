@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/core/hash_text.h"
 #include "host/scene/report.h"
 
 namespace candela {
@@ -36,7 +37,6 @@ std::string statementsText(const StatementCounts& counts) {
   return text.empty() ? "none" : text;
 }
 
-std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace
 

@@ -1,0 +1,13 @@
+// Hashes as reports write them.
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+namespace candela {
+
+/// 16 hexadecimal digits.
+inline std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace candela
