@@ -29,6 +29,11 @@ layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
+layout(constant_id = kSpecUniformPlanes) const bool kUniformPlanes = false;
+layout(constant_id = kSpecUniformKinds0) const uint kUniformKinds0 = 0u;
+layout(constant_id = kSpecUniformKinds1) const uint kUniformKinds1 = 0u;
+layout(constant_id = kSpecUniformKinds2) const uint kUniformKinds2 = 0u;
+layout(constant_id = kSpecUniformKinds3) const uint kUniformKinds3 = 0u;
 layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
 layout(constant_id = kSpecView) const uint kView = kViewNone;
@@ -39,6 +44,7 @@ const uint kKindCount = uint(kHasSpheres) + uint(kHasTriangles) + uint(kHasBoxes
 const uint kOnlyKind = kKindCount != 1u ? kManyKinds
                        : kHasSpheres ? kKindSphere
                        : kHasTriangles ? kKindTriangle : kHasBoxes ? kKindBox : kHasCones ? kKindCone : kKindPlane;
+const bool kLoopsOverPlanes = kHasPlanes && !kUniformPlanes;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;
 const bool kHasLights = kHasSampledEmitters || kHasPointLights;

@@ -41,8 +41,7 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
   return dot(cross(p1 - p0, p2 - p0), ray.direction) > 0.0;
 }
 
-PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3]) {
-  uint kind = rows[2].w;
+PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
   float t = hitDistance(ray, rows, kind, leaves(ray, slot), (ray.leaving & kLeavingInward) != 0u);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
@@ -50,7 +49,8 @@ PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3]) {
 
 PrimitiveHit hitPrimitive(Ray ray, uint slot) {
   uint row = primitiveRow(slot);
-  return hitRows(ray, slot, uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u)));
+  uvec4 last = sceneRow(row + 2u);
+  return hitRows(ray, slot, uvec4[3](sceneRow(row), sceneRow(row + 1u), last), last.w);
 }
 
 // Where a ray met a surface, all in world space.

@@ -49,10 +49,17 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
 
 // Of a handful of primitives all are tested, from the uniform buffer, in loops that compilers unroll (the bound is a
 // literal for their sake): then each value is loaded once for all lanes, where a row that is looked up costs every lane
-// a load of its own.
+// a load of its own. Kinds are known when the kernel is compiled: a slot pays for its own kind's test alone, and no branch
+// hangs on a uniform value, for which lavapipe would compile the kernel anew at every dispatch (docs/performance.md).
+uint uniformKind(uint slot) {
+  uint four = slot < 4u ? kUniformKinds0 : slot < 8u ? kUniformKinds1 : slot < 12u ? kUniformKinds2 : kUniformKinds3;
+  return (four >> (8u * (slot & 3u))) & 255u;
+}
+
 PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
   uint row = slot * kPrimitiveRows;
-  return hitRows(ray, slot, uvec4[3](constants.slotRows[row], constants.slotRows[row + 1u], constants.slotRows[row + 2u]));
+  uvec4 rows[3] = uvec4[3](constants.slotRows[row], constants.slotRows[row + 1u], constants.slotRows[row + 2u]);
+  return hitRows(ray, slot, rows, uniformKind(slot));
 }
 
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
@@ -86,13 +93,15 @@ Hit traceClosest(Ray ray, inout Work work) {
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
   else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
-  if (kHasPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
+  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
   return hit;
 }
 
 // True if something but `ignored` is hit before `limit`.
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
-  if (kHasPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) return true;
+  if (kLoopsOverPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) {
+    return true;
+  }
   if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);

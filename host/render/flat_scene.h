@@ -1,6 +1,7 @@
 // The scene as the device reads it: one array of 16-byte rows (shaders/shared/scene_rows.h), the constants that tell
 // where its sections start, and which features it uses.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -32,7 +33,9 @@ struct FlatScene {
   SceneFeatures features;
   std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
   std::uint32_t stackSize = 1;      ///< entries that the traversal of a BVH needs
-  std::uint32_t uniformSlots = 0;   ///< finite primitives whose rows are in the constants too; 0: none
+  std::uint32_t uniformSlots = 0;   ///< primitives whose rows are in the constants too; 0: none
+  bool uniformPlanes = false;       ///< infinite planes are among them
+  std::array<std::uint32_t, gpu::kMaxUniformSlots / 4> uniformKinds{};  ///< kind and flags of each, a byte a slot
   std::uint32_t slotCount = 0;      ///< primitives, planes included
   double structureSeconds = 0;      ///< that building the search structure took
   std::map<std::string, double> structureQuality;

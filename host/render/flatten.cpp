@@ -115,11 +115,17 @@ void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, 
   flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
 }
 
+// A handful of primitives: with the infinite planes if these find room.
 void copyToConstants(std::uint32_t finiteCount, FlatScene& flat) {
   if (flat.structure != gpu::kStructureNone || finiteCount > gpu::kMaxUniformSlots) return;
-  flat.uniformSlots = finiteCount;
+  flat.uniformPlanes = flat.slotCount <= gpu::kMaxUniformSlots;
+  flat.uniformSlots = flat.uniformPlanes ? flat.slotCount : finiteCount;
   const auto first = flat.rows.begin() + flat.constants.sections.y;
-  std::copy_n(first, finiteCount * gpu::kPrimitiveRows, flat.constants.slotRows);
+  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.constants.slotRows);
+  for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
+    const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
+    flat.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
+  }
 }
 
 // n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.

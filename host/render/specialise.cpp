@@ -70,6 +70,11 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
           {gpu::kSpecUniformSlots, flat.uniformSlots},
+          {gpu::kSpecUniformPlanes, flat.uniformPlanes},
+          {gpu::kSpecUniformKinds0, flat.uniformKinds[0]},
+          {gpu::kSpecUniformKinds1, flat.uniformKinds[1]},
+          {gpu::kSpecUniformKinds2, flat.uniformKinds[2]},
+          {gpu::kSpecUniformKinds3, flat.uniformKinds[3]},
           {gpu::kSpecAreaLights, settings.lightSize > 0},
           {gpu::kSpecView, viewOf(settings.integrator)}};
 }
