@@ -60,7 +60,7 @@ TEST_CASE("the tile does not change the image") {
 }
 
 TEST_CASE("structure and scene loads do not change the image") {
-  for (const char* name : {"primitives.p3f", "cornell.p3f", "smallpt.p3f"}) {
+  for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
     const Scene scene = loadTestScene(name);
     RenderSettings settings = baseSettings();
     settings.sceneLoads = SceneLoads::texel;

@@ -34,10 +34,16 @@ void requireSameMean(const Scene& scene, const RenderSettings& settings) {
 
 }  // namespace
 
-TEST_CASE("every scene has the reference's pixels at one sample, with light sampling and without") {
+TEST_CASE("every scene has the reference's pixels at one sample, with light sampling") {
   for (const auto& file : sceneFiles()) {
     const Scene scene = loadScene(file).scene;
     requireSamePixels(scene, settingsFor(scene, 256, true));
+  }
+}
+
+TEST_CASE("every scene has the reference's pixels at one sample, without light sampling") {
+  for (const auto& file : sceneFiles()) {
+    const Scene scene = loadScene(file).scene;
     requireSamePixels(scene, settingsFor(scene, 256, false));
   }
 }
@@ -54,11 +60,20 @@ TEST_CASE("every scene has the reference's mean at 64 samples, with light sampli
 }
 
 TEST_CASE("samplers, filters and lenses agree with the reference") {
+  using enum SamplerKind;
+  using enum FilterKind;
+  using enum LensKind;
+  // Every filter with every lens, every sampler at least once.
+  const auto [sampler, filter, lens] =
+      GENERATE(table<SamplerKind, FilterKind, LensKind>({{independent, box, square},
+                                                         {stratified, tent, disc},
+                                                         {sobol, box, disc},
+                                                         {sobol, tent, square}}));
   const Scene scene = loadTestScene("depth_of_field.p3f");
   RenderSettings settings = squareSettings(64, 1);
-  settings.sampler = GENERATE(SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol);
-  settings.filter = GENERATE(FilterKind::box, FilterKind::tent);
-  settings.lens = GENERATE(LensKind::disc, LensKind::square);
+  settings.sampler = sampler;
+  settings.filter = filter;
+  settings.lens = lens;
   requireSamePixels(scene, settings);
 }
 
@@ -70,26 +85,48 @@ TEST_CASE("depth limit and roulette agree with the reference") {
   requireSamePixels(scene, settings);
 }
 
+// A row of objects on a floor: a sphere that is seen from inside only, with the camera outside; a flat box of glass; a
+// box so thin that it is flat at its distance; a lamp that lets light through; and a capped mixture in white light.
+const char* const kSeldomMet = R"(
+b 0.3 0.4 0.5
+v
+from 0.3 -14 5
+at 0 0 0
+up 0 0 1
+angle 40
+hither 0
+resolution 8 8
+l 3 -3 4 1 1 1
+f 0.7 0.6 0.5 1 0 0 0 0 1 0 1 0 0 0
+pl 0 0 -1 1 0 -1 0 1 -1
+s -4.4 0 0 -1
+f 0.9 0.9 0.9 0 0 0 0 0 1 1 1.5 0 0 0
+box -3.2 -0.5 0 -1.2 0.5 0
+f 0.9 0.9 0.9 1 0 0 0 0 1 0 1 0 0 0
+box -1 -0.5 0.2 1 0.5 0.2000001
+f 0.5 0.5 0.5 0.5 1 1 1 0.2 20 0.3 1.4 3 2 1
+p 3
+1.2 0 -0.5
+2.2 1 1
+3.2 0 -0.5
+f 0.8 0.8 0.8 0 1 1 1 0.5 50 0.5 1.3 0 0 0
+c
+4.4 0 -1 0.8
+4.4 0 1 0.2
+)";
+
 TEST_CASE("rules that scenes seldom meet agree with the reference") {
-  const std::string view = "b 0.3 0.4 0.5\nv\nfrom 0.3 -6 2\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 8 8\n";
-  const std::string floor = "f 0.7 0.6 0.5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 -1 1 0 -1 0 1 -1\n";
-  const std::string object = GENERATE(
-      as<std::string>(), "s 0 0 0 -1\n",                                             // from inside only, camera outside
-      "f 0.9 0.9 0.9 0 0 0 0 0 1 1 1.5 0 0 0\nbox -1 -0.5 0 1 0.5 0\n",               // flat glass box
-      "f 0.9 0.9 0.9 1 0 0 0 0 1 0 1 0 0 0\nbox -1 -0.5 0.2 1 0.5 0.2000001\n",       // thin box, far away for its size
-      "f 0.5 0.5 0.5 0.5 1 1 1 0.2 20 0.3 1.4 3 2 1\np 3 -1 0 -0.5 0 1 1 1 0 -0.5\n",  // lamp that lets light through
-      "f 0.8 0.8 0.8 0 1 1 1 0.5 50 0.5 1.3 0 0 0\nc 0 0 -1 0.8 0 0 1 0.2\nl 3 -3 4 1 1 1\n");
-  const Scene scene = sceneFromText(view + floor + object);
-  RenderSettings settings = squareSettings(64, 1);
+  const Scene scene = sceneFromText(kSeldomMet);
+  RenderSettings settings = squareSettings(128, 1);
   settings.nextEventEstimation = GENERATE(true, false);
   settings.oneSided = GENERATE(false, true);
-  CAPTURE(object, settings.oneSided);
+  CAPTURE(settings.oneSided);
   requireSamePixels(scene, settings);
 }
 
 TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
   const Scene scene = loadTestScene("smallpt.p3f");
-  RenderSettings settings = squareSettings(96, 16);
+  RenderSettings settings = squareSettings(96, 4);
   settings.nextEventEstimation = GENERATE(true, false);
   const Film device = renderOnDevice(scene, settings).film;
   const Film reference = renderOnReference(scene, settings).film;
