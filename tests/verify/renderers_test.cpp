@@ -1,0 +1,65 @@
+// The verdict on the two tracers themselves, over many runs with fresh seeds: its false alarms and its power.
+#include <catch2/catch.hpp>
+
+#include "host/verify/light_test.h"
+#include "tests/render/render_support.h"
+
+namespace candela::verify {
+namespace {
+
+constexpr int kRuns = 200;
+constexpr double kBias = 0.05;  // as large as keeps 600 runs short; the number of samples is in proportion to 1 / bias^2
+
+// A plane under a sphere lamp, partly in the shadow of a ball, by direct light alone: the image is in proportion to the
+// plane's and the ball's albedo, which are one material's.
+Scene shadowedPlane(float albedo) {
+  Scene scene = sceneFromText(
+      "v\nfrom 4 0 2.5\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
+      "f .5 .5 .5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\ns .4 .5 .4 .4\n"
+      "f 0 0 0 1 0 0 0 0 1 0 1 8 8 8\ns 0 0 2 .5\n");
+  scene.materials[0].diffuse = glm::vec3(albedo);
+  return scene;
+}
+
+// Renders another scene than it is asked to: the side that has changed.
+class ChangedRenderer : public Renderer {
+ public:
+  ChangedRenderer(Renderer& renderer, const Scene& scene) : renderer_(renderer), scene_(scene) {}
+  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+    return renderer_.render(scene_, settings, control);
+  }
+
+ private:
+  Renderer& renderer_;
+  const Scene& scene_;
+};
+
+int alarmsOf(float deviceAlbedo, double alpha) {
+  const Scene scene = shadowedPlane(0.5f);
+  const Scene changed = shadowedPlane(deviceAlbedo);
+  ChangedRenderer device(testRenderer(), changed);
+  const auto reference = makeReferenceRenderer();
+  RenderSettings settings = squareSettings(16, 1);
+  settings.maxDepth = 2;
+  int alarms = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    settings.seed = static_cast<std::uint32_t>(run);
+    const LightTestOptions options{.alpha = alpha, .bias = kBias};
+    alarms += testLight(scene, settings, device, *reference, options, {}).differs() ? 1 : 0;
+  }
+  return alarms;
+}
+
+TEST_CASE("device and reference raise no false alarm in 200 runs, and at alpha 0.05 about as many as asked for", "[slow]") {
+  CHECK(alarmsOf(0.5f, 1e-4) == 0);
+  const int alarms = alarmsOf(0.5f, 0.05);
+  CHECK(alarms >= 2);
+  CHECK(alarms <= 21);
+}
+
+TEST_CASE("an albedo that is higher on one side by the promised bias is seen in 198 of 200 runs", "[slow]") {
+  CHECK(alarmsOf(0.5f * static_cast<float>(1 + kBias), 1e-4) >= 198);
+}
+
+}  // namespace
+}  // namespace candela::verify
