@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <iterator>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -165,7 +167,7 @@ TEST_CASE("the page on continuous integration has the program's exit codes, and 
   const std::string help = cli::helpText(std::nullopt);
   CHECK(captured(page.prose, "\\| ([0-9]+) \\|.*") == captured(help.substr(help.find("Exit codes:")), " +([0-9]+)  .*"));
 
-  const std::regex option("`[^`]*(--[a-z-]+)");
+  const std::regex option("`[^`]*(--[a-z][a-z-]*)");
   const auto& table = cli::optionTable();
   for (auto it = std::sregex_iterator(page.prose.begin(), page.prose.end(), option); it != std::sregex_iterator(); ++it) {
     const std::string name = (*it)[1];
