@@ -51,6 +51,7 @@ struct Arguments {
 
   std::string json;  ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;
+  bool strict = false;  ///< bad samples fail a run
   bool quiet = false;
   bool verbose = false;
   bool help = false;

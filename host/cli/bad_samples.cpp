@@ -1,56 +1,101 @@
-// Finds bad samples in the film's counts.
 #include "host/cli/bad_samples.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "host/cli/option_table.h"
 
 namespace candela::cli {
 namespace {
 
-constexpr std::size_t kPixelsShown = 5;
+using nlohmann::ordered_json;
 
-// A sample depends on those before it in nothing but the film, so the replay ends with it. Strata depend on the number
-// of samples: there all are replayed. A single sample may be one that is not jittered.
-std::string replayCommand(const RenderJob& job, std::uint32_t sample) {
-  Arguments replay = job.arguments;
-  const std::uint32_t fewest = job.settings.integrator != Integrator::path && job.settings.jittersPixels() ? 2 : 1;
-  if (job.settings.sampler != SamplerKind::stratified) replay.sampleCount = std::max(sample + 1, fewest);
-  std::string command = "candela render " + shellQuoted(job.arguments.files.front());
+// Without one that states it, the number of samples could be the file's, of which the sample need not be one.
+std::string sceneAndOptions(const BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
+  arguments.sampleCount.reset();
+  arguments.settings.seed = pixel.seed;
+  std::string words = shellQuoted(arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {
-    const std::string options = commandLineOf(replay, group, true);
-    if (!options.empty()) command += " " + options;
+    const std::string options = commandLineOf(arguments, group, true);
+    if (!options.empty()) words += " " + options;
   }
-  return command + " -o replay.exr";
+  return fmt::format("{} --spp {}", words, sampleCount);
 }
 
-std::string pixelLine(const RenderJob& job, std::uint32_t x, std::uint32_t y, const FilmPixel& pixel) {
-  const std::uint32_t sample = pixel.firstBadSample - 1;
-  return fmt::format("pixel ({}, {}): {} bad, the first is sample {}; replay: {}", x, y, pixel.badCount, sample,
-                     replayCommand(job, sample));
+// A sample depends on those before it in nothing but the film, so the picture ends with it. Strata depend on the number
+// of samples: there all are drawn. A single sample may be one that is not jittered.
+std::uint32_t samplesToRepeat(const BadPixel& pixel, const RenderSettings& settings) {
+  if (settings.sampler == SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
+  return std::max(pixel.firstSample + 1, 2u);
+}
+
+std::string renderAgain(const BadPixel& pixel, const RenderJob& job) {
+  const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings);
+  return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
+}
+
+// `explain` holds a device against the reference; it has no use for being told of the latter.
+std::string explainPath(const BadPixel& pixel, const RenderJob& job) {
+  Arguments arguments = job.arguments;
+  if (arguments.device == "cpu") arguments.device.clear();
+  return fmt::format("candela explain {} --pixel {},{} --sample {}",
+                     sceneAndOptions(pixel, pixel.sampleCount, std::move(arguments)), pixel.x, pixel.y,
+                     pixel.firstSample);
+}
+
+std::string pixelLine(const BadPixel& pixel, const RenderJob& job) {
+  return fmt::format("pixel ({}, {}): {} bad, the first is sample {}; replay: {}", pixel.x, pixel.y, pixel.badCount,
+                     pixel.firstSample, replayCommand(pixel, job));
+}
+
+ordered_json sideJson(const BadSampleTally& tally, const RenderJob& job) {
+  return {{"samples", tally.samples()}, {"pixels", tally.pixels()}, {"firstPixels", firstPixelsJson(tally, job)}};
 }
 
 }  // namespace
 
-std::vector<std::string> badSampleReport(const Film& film, const RenderJob& job) {
-  std::uint64_t total = 0;
-  std::uint64_t pixelCount = 0;
-  std::vector<std::string> lines(1);
-  for (std::uint32_t y = 0; y < film.height(); ++y) {
-    for (std::uint32_t x = 0; x < film.width(); ++x) {
-      const FilmPixel& pixel = film.at(x, y);
-      if (pixel.badCount == 0) continue;
-      total += pixel.badCount;
-      ++pixelCount;
-      if (lines.size() <= kPixelsShown) lines.push_back(pixelLine(job, x, y, pixel));
-    }
-  }
-  if (total == 0) return {};
-  lines[0] = fmt::format("{} samples in {} pixels were not finite (they count as 0) or too bright (they are clamped)",
-                         total, pixelCount);
+std::string replayCommand(const BadPixel& pixel, const RenderJob& job) {
+  return job.settings.integrator == Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
+}
+
+std::vector<std::string> badSampleLines(const BadSampleTally& tally, const RenderJob& job) {
+  if (tally.samples() == 0) return {};
+  std::vector<std::string> lines{fmt::format(
+      "{} samples in {} pixels were not finite or negative (they count as 0) or too bright (they are clamped)",
+      tally.samples(), tally.pixels())};
+  for (const BadPixel& pixel : tally.firstPixels()) lines.push_back(pixelLine(pixel, job));
   return lines;
+}
+
+ordered_json firstPixelsJson(const BadSampleTally& tally, const RenderJob& job) {
+  ordered_json pixels = ordered_json::array();
+  for (const BadPixel& pixel : tally.firstPixels()) {
+    pixels.push_back({{"x", pixel.x},
+                      {"y", pixel.y},
+                      {"badSamples", pixel.badCount},
+                      {"firstSample", pixel.firstSample},
+                      {"replay", replayCommand(pixel, job)}});
+  }
+  return pixels;
+}
+
+ordered_json badSamplesJson(const BadSampleTally& device, const BadSampleTally& reference, const RenderJob& job) {
+  return {{"device", sideJson(device, job)}, {"reference", sideJson(reference, job)}};
+}
+
+void reportBadSamples(const BadSampleTally& device, const BadSampleTally& reference, const RenderJob& job,
+                      const Log& log) {
+  for (const std::string& line : badSampleLines(device, job)) log.problem("device: " + line);
+  for (const std::string& line : badSampleLines(reference, job)) log.problem("reference: " + line);
+}
+
+ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {
+  if (!arguments.strict || badSamples == 0) return code;
+  log.problem(fmt::format("--strict: {} bad samples, so this run has failed; what it wrote shows where they are",
+                          badSamples));
+  return code == ExitCode::done ? ExitCode::differ : code;
 }
 
 }  // namespace candela::cli

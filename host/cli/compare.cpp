@@ -5,7 +5,7 @@
 namespace candela::cli {
 
 ExitCode runCompare(const Arguments& arguments, const Log& log) {
-  return arguments.files.size() == 2 ? compareImageFiles(arguments) : compareTracersOnScene(arguments, log);
+  return arguments.files.size() == 2 ? compareImageFiles(arguments, log) : compareTracersOnScene(arguments, log);
 }
 
 }  // namespace candela::cli

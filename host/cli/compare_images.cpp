@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
@@ -36,7 +37,7 @@ void writePictures(const Arguments& arguments, const Image& a, const Image& refe
 
 }  // namespace
 
-ExitCode compareImageFiles(const Arguments& arguments) {
+ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   for (const auto& file : {arguments.differenceFile, arguments.flipFile}) {
     if (!file.empty()) requireWritableImage(file);
   }
@@ -56,9 +57,12 @@ ExitCode compareImageFiles(const Arguments& arguments) {
   nlohmann::ordered_json json = toJson(comparison);
   json["flipMean"] = flip.mean;
   json["flipMaximum"] = flip.maximum;
+  const std::uint64_t badSamples = badSampleCount(a) + badSampleCount(reference);
+  json["badSamples"] = badSamples;
   if (verdict != Verdict::none) json["pass"] = verdict == Verdict::pass;
   writeJson(arguments.json, json);
-  return verdict == Verdict::fail ? ExitCode::differ : ExitCode::done;
+  if (badSamples > 0) log.problem(fmt::format("the files tell of {} bad samples", badSamples));
+  return strictly(verdict == Verdict::fail ? ExitCode::differ : ExitCode::done, badSamples, arguments, log);
 }
 
 }  // namespace candela::cli

@@ -1,6 +1,7 @@
 // `candela compare SCENE`: does the device compute what the reference computes?
 #include <iostream>
 
+#include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
@@ -26,9 +27,13 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   }();
   requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;
-  writeJson(arguments.json, report.toJson());
-  if (report.interrupted) return ExitCode::interrupted;
-  return report.agree() ? ExitCode::done : ExitCode::differ;
+  reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
+  nlohmann::ordered_json json = report.toJson();
+  json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
+  writeJson(arguments.json, json);
+  const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
+  const std::uint64_t badSamples = report.deviceBadSamples.samples() + report.referenceBadSamples.samples();
+  return strictly(report.interrupted ? ExitCode::interrupted : code, badSamples, arguments, log);
 }
 
 }  // namespace candela::cli

@@ -7,7 +7,7 @@
 namespace candela::cli {
 
 /// Two image files: figures, pictures of the differences, and a verdict if a tolerance was given.
-ExitCode compareImageFiles(const Arguments& arguments);
+ExitCode compareImageFiles(const Arguments& arguments, const Log& log);
 /// One scene: the device's image against the reference's, from equal random numbers.
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log);
 

@@ -42,7 +42,7 @@ constexpr std::array kExitCodeTexts{
     ExitCodeText{ExitCode::done, "done"},
     ExitCodeText{ExitCode::usage, "wrong usage"},
     ExitCodeText{ExitCode::file, "a scene, image or file is wrong, or a size beyond the limits"},
-    ExitCodeText{ExitCode::differ, "the images differ"},
+    ExitCodeText{ExitCode::differ, "the images differ, a device did not pass, or --strict met bad samples"},
     ExitCodeText{ExitCode::noDevice, "no usable device"},
     ExitCodeText{ExitCode::deviceLost, "the device was lost"},
     ExitCodeText{ExitCode::outOfMemory, "out of memory"},

@@ -187,6 +187,8 @@ std::vector<Option> generalOptions() {
     flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
     valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
+    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample was not finite, negative or too bright; files are written all the same"},
+         [](auto& a) -> auto& { return a.strict; }),
     flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
     flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
     flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),

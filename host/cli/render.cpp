@@ -82,12 +82,14 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   const double writeStart = monotonicSeconds();
   writeImages(job, result, log);
   const double end = monotonicSeconds();
-  const RenderReport report{job, result, end - writeStart, end - start};
-  for (const std::string& line : badSampleReport(result.film, job)) log.problem(line);
+  RenderReport report{job, result, end - writeStart, end - start};
+  report.badSamples.add(result.film, job.settings);
+  for (const std::string& line : badSampleLines(report.badSamples, job)) log.problem(line);
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
-  return result.interrupted ? ExitCode::interrupted : ExitCode::done;
+  const ExitCode code = result.interrupted ? ExitCode::interrupted : ExitCode::done;
+  return strictly(code, result.statistics.badSamples, arguments, log);
 }
 
 }  // namespace candela::cli

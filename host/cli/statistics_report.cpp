@@ -7,6 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/bad_samples.h"
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
@@ -134,6 +135,8 @@ ordered_json toJson(const RenderReport& report) {
   json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
   json["badSamples"] = statistics.badSamples;
+  json["badPixels"] = report.badSamples.pixels();
+  json["firstBadPixels"] = firstPixelsJson(report.badSamples, report.job);
   json["dispatch"] = dispatchJson(statistics.dispatchSeconds);
   json["seconds"] = seconds;
   return json;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/cli/render_job.h"
+#include "host/render/bad_sample_tally.h"
 
 namespace candela::cli {
 
@@ -12,6 +13,7 @@ struct RenderReport {
   const RenderResult& result;
   double writeSeconds = 0;
   double totalSeconds = 0;
+  BadSampleTally badSamples{};  ///< of the result's film
 };
 
 /// All figures, keys in lowerCamel. Rates are per second of the phase `trace`.

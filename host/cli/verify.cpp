@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
@@ -28,10 +29,13 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   const verify::VerifyReport report =
       verify::verifyScene(job.scene, job.settings, *device, *reference, arguments.verification, control);
   if (arguments.wantsText() && arguments.junit != "-") std::cout << toText(report) << std::flush;
-  writeText(arguments.junit, toJunit(report));
-  writeJson(arguments.json, toJson(report));
-  if (report.interrupted) return ExitCode::interrupted;
-  return report.agree() ? ExitCode::done : ExitCode::differ;
+  reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
+  writeText(arguments.junit, toJunit(report, arguments.strict));
+  nlohmann::ordered_json json = toJson(report);
+  json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
+  writeJson(arguments.json, json);
+  const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
+  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples(), arguments, log);
 }
 
 }  // namespace candela::cli

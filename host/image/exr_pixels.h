@@ -12,6 +12,7 @@ namespace candela {
 inline constexpr int kNoExrThreads = 0;
 inline constexpr const char* kVarianceChannel = "variance.Y";
 inline constexpr const char* kSamplesChannel = "samples";
+inline constexpr const char* kBadSamplesChannel = "badSamples";
 
 /// Names of string attributes that belong to the format, not to the picture.
 inline bool isExrFormatAttribute(std::string_view name) { return name == "type" || name == "name" || name == "view"; }
@@ -26,6 +27,7 @@ class ExrPixels {
   }
   void addVariance() { add(kVarianceChannel, Imf::FLOAT, image_.luminanceVariance.data(), sizeof(float)); }
   void addSamples() { add(kSamplesChannel, Imf::UINT, image_.sampleCounts.data(), sizeof(std::uint32_t)); }
+  void addBadSamples() { add(kBadSamplesChannel, Imf::UINT, image_.badSampleCounts.data(), sizeof(std::uint32_t)); }
   const Imf::FrameBuffer& frameBuffer() const { return frameBuffer_; }
 
  private:

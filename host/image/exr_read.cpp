@@ -1,4 +1,4 @@
-// OpenEXR files of any compression: colours, and as far as they are there variance, sample counts and metadata.
+// OpenEXR files of any compression: colours, and as far as they are there variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -139,12 +139,14 @@ Image decode(ByteView bytes) {
   image.rgb.resize(pixelCount);
   if (hasChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
   if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
+  if (hasChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
   image.metadata = metadataOf(header);
 
   ExrPixels pixels(image, window);
   addColour(header, pixels);
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
+  if (!image.badSampleCounts.empty()) pixels.addBadSamples();
   file.setFrameBuffer(pixels.frameBuffer());
   file.readPixels(window.min.y, window.max.y);
   if (!hasChannel(header, "R")) {

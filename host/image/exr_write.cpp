@@ -1,4 +1,4 @@
-// OpenEXR files: linear values with variance, sample counts and metadata.
+// OpenEXR files: linear values with variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -43,6 +43,7 @@ Imf::Header makeHeader(const Image& image) {
   for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
   if (!image.luminanceVariance.empty()) header.channels().insert(kVarianceChannel, Imf::Channel(Imf::FLOAT));
   if (!image.sampleCounts.empty()) header.channels().insert(kSamplesChannel, Imf::Channel(Imf::UINT));
+  if (!image.badSampleCounts.empty()) header.channels().insert(kBadSamplesChannel, Imf::Channel(Imf::UINT));
   for (const auto& [name, value] : image.metadata) {
     if (isExrFormatAttribute(name) || header.find(name.c_str()) != header.end()) {
       throw FileError(fmt::format("EXR files reserve the metadata name \"{}\"", name));
@@ -60,6 +61,7 @@ Bytes encode(const Image& image) {
   pixels.addRgb("B", 2);
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
+  if (!image.badSampleCounts.empty()) pixels.addBadSamples();
   MemoryOutput output;
   {
     Imf::OutputFile file(output, header, kNoExrThreads);  // its destructor writes the table of offsets

@@ -127,7 +127,7 @@ glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
 Image decodeHdr(ByteView file) {
   ByteCursor cursor(file);
   const Header header = takeHeader(cursor);
-  Image image{header.width, header.height, {}, {}, {}, {}};
+  Image image{header.width, header.height, {}, {}, {}, {}, {}};
   std::vector<Rgbe> row(header.width);
   for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with what the file really holds
     takeRow(cursor, row);

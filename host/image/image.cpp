@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <numeric>
 
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
@@ -47,7 +48,7 @@ Format formatByContent(ByteView bytes) {
 }
 
 Bytes readFile(const fs::path& file) {
-  constexpr std::uintmax_t kMaximumSize = 20 * kMaximumImagePixels;  // all channels of the largest EXR, uncompressed
+  constexpr std::uintmax_t kMaximumSize = 24 * kMaximumImagePixels;  // all channels of the largest EXR, uncompressed
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) failReading(file, error.message());
@@ -131,17 +132,25 @@ Image toImage(const Film& film) {
   Image image;
   image.width = film.width();
   image.height = film.height();
-  std::uint64_t badCount = 0;
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
       image.rgb.emplace_back(film.mean(x, y));
       image.luminanceVariance.push_back(static_cast<float>(film.luminanceVariance(x, y)));
       image.sampleCounts.push_back(film.at(x, y).sampleCount);
-      badCount += film.at(x, y).badCount;
+      image.badSampleCounts.push_back(film.at(x, y).badCount);
     }
   }
-  if (badCount > 0) image.metadata["candela.badSamples"] = std::to_string(badCount);
+  const std::uint64_t badCount = badSampleCount(image);
+  if (badCount > 0) {
+    image.metadata["candela.badSamples"] = std::to_string(badCount);
+  } else {
+    image.badSampleCounts.clear();
+  }
   return image;
+}
+
+std::uint64_t badSampleCount(const Image& image) {
+  return std::accumulate(image.badSampleCounts.begin(), image.badSampleCounts.end(), std::uint64_t{0});
 }
 
 Pixels8 toPixels8(const Image& image, const DisplayTransform& transform) {
@@ -158,7 +167,7 @@ Image toImage(const Pixels8& pixels) {
   std::array<float, 256> linear;
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = static_cast<float>(srgbDecode(static_cast<double>(i) / 255));
-  Image image{pixels.width, pixels.height, {}, {}, {}, {}};
+  Image image{pixels.width, pixels.height, {}, {}, {}, {}, {}};
   image.rgb.reserve(pixels.rgb.size() / 3);
   for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3) {
     image.rgb.emplace_back(linear[pixels.rgb[i]], linear[pixels.rgb[i + 1]], linear[pixels.rgb[i + 2]]);

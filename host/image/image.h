@@ -12,23 +12,26 @@
 
 namespace candela {
 
-/// Linear RGB, row by row from the top. `variance` (of the luminance of one sample) and `sampleCount` have one entry
-/// per pixel, or none where the file did not carry them.
+/// Linear RGB, row by row from the top. The other three (variance of the luminance of one sample, numbers of samples,
+/// and how many of them were bad) have one entry per pixel, or none where the file did not carry them.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<glm::vec3> rgb;
   std::vector<float> luminanceVariance;
   std::vector<std::uint32_t> sampleCounts;
+  std::vector<std::uint32_t> badSampleCounts;  ///< FilmPixel::badCount
   std::map<std::string, std::string> metadata;
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
 };
 
-/// The film's means, rounded once to binary32, with variance and counts. If samples were bad, the metadata entry
-/// "candela.badSamples" says how many.
+/// The film's means, rounded once to binary32, with variance and counts. Only if samples were bad, the image has their
+/// counts, and the metadata entry "candela.badSamples" says how many there are.
 Image toImage(const Film& film);
+/// The sum of `badSampleCounts`.
+std::uint64_t badSampleCount(const Image& image);
 
 enum class ToneMap { none, srgb, aces, agx, neutral, depth, heat };
 
@@ -61,7 +64,7 @@ Image toImage(const Pixels8& pixels);
 
 /// Formats, by extension in any case: .png (8 bit, display transform), .jpg and .jpeg (quality 95), .hdr (Radiance
 /// RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32 linear Rec. 709, ZIP; channels R G
-/// B, `variance.Y`, `samples` as far as the image has them, and the metadata as string attributes). Throws UsageError
+/// B, `variance.Y`, `samples`, `badSamples` as far as the image has them, and the metadata as string attributes). Throws UsageError
 /// for an extension that is not one of them.
 void checkImageFormat(const std::filesystem::path& file);
 /// Whether such a file holds 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
@@ -71,7 +74,8 @@ bool isEightBit(const std::filesystem::path& file);
 /// or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
 /// Reads PNG and JPEG (decoded from sRGB), HDR, PFM and EXR, told apart by their first bytes. Of an EXR file the data
-/// window of the first part is read: R, G and B, or Y alone as grey, `variance.Y`, `samples` and string attributes.
+/// window of the first part is read: R, G and B, or Y alone as grey, `variance.Y`, `samples`, `badSamples` and string
+/// attributes.
 /// HDR pixels are divided by the file's EXPOSURE; the size of PFM's scale is ignored, only its sign counts.
 /// Hostile files give a FileError, never a crash.
 Image readImage(const std::filesystem::path& file);

@@ -49,7 +49,7 @@ Image decodePfm(ByteView file) {
 
   const std::size_t pixelBytes = grey ? 4 : 12;
   const ByteView data = cursor.take(pixelBytes * width * height);
-  Image image{width, height, std::vector<glm::vec3>(std::size_t{width} * height), {}, {}, {}};
+  Image image{width, height, std::vector<glm::vec3>(std::size_t{width} * height), {}, {}, {}, {}};
   const bool littleEndian = scale < 0;
   for (std::uint32_t row = 0; row < height; ++row) {
     for (std::uint32_t x = 0; x < width; ++x) {

@@ -102,10 +102,12 @@ AgreementReport compareTracers(const Scene& scene, const RenderSettings& setting
                                const RenderControl& control) {
   AgreementReport report;
   report.scene = scene.name;
-  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, control);
+  TalliedRenderer talliedDevice(device, report.deviceBadSamples);
+  TalliedRenderer talliedReference(reference, report.referenceBadSamples);
+  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, talliedDevice, talliedReference, control);
   report.pixels = pixels.value_or(PixelAgreement{});
-  const RenderResult deviceMany = device.render(scene, settings, control);
-  const RenderResult referenceMany = reference.render(scene, settings, control);
+  const RenderResult deviceMany = talliedDevice.render(scene, settings, control);
+  const RenderResult referenceMany = talliedReference.render(scene, settings, control);
   report.mean = {settings.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
   report.interrupted = !pixels || deviceMany.interrupted || referenceMany.interrupted;

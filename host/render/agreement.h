@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/render/bad_sample_tally.h"
 #include "host/render/renderer.h"
 
 namespace candela {
@@ -58,6 +59,7 @@ struct AgreementReport {
   RenderStatistics deviceStatistics;
   PixelAgreement pixels;
   MeanAgreement mean;
+  BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }

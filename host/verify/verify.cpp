@@ -49,7 +49,9 @@ VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Ren
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, control);
+  TalliedRenderer talliedDevice(device, report.deviceBadSamples);
+  TalliedRenderer talliedReference(reference, report.referenceBadSamples);
+  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, talliedDevice, talliedReference, control);
   report.interrupted = !paths;
   if (report.interrupted) return report;
   report.paths = *paths;
@@ -58,7 +60,7 @@ VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Ren
   LightTestOptions own = options;
   own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
   if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.size);
-  report.light = testLight(scene, settings, device, reference, own, control);
+  report.light = testLight(scene, settings, talliedDevice, talliedReference, own, control);
   report.interrupted = report.light.interrupted;
   if (scene.exactMean && !report.interrupted) report.exact = testExact(*scene.exactMean, report.light, own.alpha);
   report.seconds = watch.lap();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/render/agreement.h"
+#include "host/render/bad_sample_tally.h"
 #include "host/verify/light_test.h"
 
 namespace candela::verify {
@@ -27,8 +28,10 @@ struct VerifyReport {
   LightTestResult light;          ///< 2: same light?
   std::optional<ExactTest> exact; ///< 3: right light? Only for scenes that state their answer
   double seconds = 0;
+  BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
   bool interrupted = false;
 
+  std::uint64_t badSamples() const { return deviceBadSamples.samples() + referenceBadSamples.samples(); }
   bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
   /// One sentence that says what was found, and how sure that is.
   std::string verdict() const;
@@ -41,7 +44,8 @@ VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Ren
 
 std::string toText(const VerifyReport& report);
 nlohmann::ordered_json toJson(const VerifyReport& report);
-/// A test suite of three cases, as continuous integration servers read it.
-std::string toJunit(const VerifyReport& report);
+/// A test suite with a case for each question, as continuous integration servers read it; `strict` adds that no sample
+/// was bad.
+std::string toJunit(const VerifyReport& report, bool strict);
 
 }  // namespace candela::verify

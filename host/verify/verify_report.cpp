@@ -1,9 +1,11 @@
 // The verdict for people, for programs and for continuous integration servers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "host/core/version.h"
 #include "host/verify/verify.h"
@@ -138,10 +140,16 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string junitCase(const std::string& name, bool passed, const std::string& text) {
-  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"", escaped(name));
-  if (passed) return head + "/>\n";
-  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, escaped(text));
+struct JunitCase {
+  std::string name;
+  bool passed;
+  std::string text;  ///< of a failure
+};
+
+std::string toXml(const JunitCase& junitCase) {
+  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"", escaped(junitCase.name));
+  if (junitCase.passed) return head + "/>\n";
+  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, escaped(junitCase.text));
 }
 
 }  // namespace
@@ -190,16 +198,19 @@ ordered_json toJson(const VerifyReport& report) {
   return json;
 }
 
-std::string toJunit(const VerifyReport& report) {
-  const bool light = !report.interrupted && !report.light.differs();
-  const bool right = !report.exact || report.exact->isMet();
-  const int failures = (report.paths.agree() ? 0 : 1) + (light ? 0 : 1) + (right ? 0 : 1);
+std::string toJunit(const VerifyReport& report, bool strict) {
+  std::vector<JunitCase> cases{
+      {"same numbers, same paths", report.paths.agree(), report.interrupted ? report.verdict() : pathsText(report)},
+      {"same light", !report.interrupted && !report.light.differs(), report.verdict()}};
+  if (report.exact) cases.push_back({"right light", report.exact->isMet(), exactText(report)});
+  if (strict) {
+    cases.push_back({"no bad samples", report.badSamples() == 0, fmt::format("{} bad samples", report.badSamples())});
+  }
+  const auto failures = std::count_if(cases.begin(), cases.end(), [](const JunitCase& c) { return !c.passed; });
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuite name=\"candela verify {}\" tests=\"{}\" failures=\"{}\" time=\"{:.3f}\">\n",
-                     escaped(report.scene), report.exact ? 3 : 2, failures, report.seconds);
-  xml += junitCase("same numbers, same paths", report.paths.agree(), report.interrupted ? report.verdict() : pathsText(report));
-  xml += junitCase("same light", light, report.verdict());
-  if (report.exact) xml += junitCase("right light", right, exactText(report));
+                     escaped(report.scene), cases.size(), failures, report.seconds);
+  for (const JunitCase& junitCase : cases) xml += toXml(junitCase);
   return xml + "</testsuite>\n";
 }
 

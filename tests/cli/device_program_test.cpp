@@ -139,6 +139,34 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
   CHECK(contains(result.out, "NOT with the answer that the scene states"));
 }
 
+TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "bright.p3f",
+      "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\nf 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
+  const std::string junit = folder.path("verdict.xml");
+  const ProgramResult compared = runOnDevice({"compare", scene, "--spp", "4", "--json", "-", "--strict"});
+  const ProgramResult verified = runOnDevice({"verify", scene, "--bias", "5%", "--json", "-", "--junit", junit, "--strict"});
+  for (const ProgramResult& result : {compared, verified}) {
+    INFO(result.out << result.err);
+    REQUIRE(result.exitCode == 3);
+    const json report = json::parse(result.out);
+    CHECK(report["agree"] == true);
+    CHECK(report["badSamples"]["device"]["samples"] > 0);
+    CHECK(report["badSamples"]["device"]["pixels"] == report["badSamples"]["reference"]["pixels"]);
+    CHECK(contains(result.err, "device: "));
+    CHECK(contains(result.err, "replay: candela explain "));
+    CHECK(contains(result.err, "--strict: "));
+  }
+  const json counts = json::parse(compared.out)["badSamples"];
+  CHECK(counts["device"]["samples"] == counts["reference"]["samples"]);
+  CHECK(contains(readFile(junit), "failures=\"1\""));
+
+  const std::string exr = folder.path("a.exr");
+  CHECK(runOnDevice({scene, "-o", exr, "--spp", "4", "--strict"}).exitCode == 3);
+  CHECK(badSampleCount(readImage(exr)) > 0);
+}
+
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

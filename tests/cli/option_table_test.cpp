@@ -85,6 +85,7 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--depth", "N", "all", Command::boxes},
                                       {"--stats", "", ""},
                                       {"--json", "FILE", ""},
+                                      {"--strict", "", ""},
                                       {"-q,--quiet", "", ""},
                                       {"-v,--verbose", "", ""},
                                       {"--version", "", ""},

@@ -4,8 +4,6 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "host/cli/bad_samples.h"
-
 namespace candela::cli {
 namespace {
 
@@ -77,35 +75,6 @@ TEST_CASE("a file may ask for each of the structures") {
     CHECK(arguments.settings.accel == accel);
   }
   CHECK(sink.str().empty());
-}
-
-TEST_CASE("bad samples are told with the command that replays the first of a pixel") {
-  RenderJob job;
-  job.arguments.files = {"a scene.p3f"};
-  job.arguments.sampleCount = 64;
-  job.arguments.settings.seed = 9;
-  Film film(3, 2);
-  CHECK(badSampleReport(film, job).empty());
-
-  FilmPixel& pixel = film.at(2, 1);
-  pixel.badCount = 2;
-  pixel.firstBadSample = 6;  // 1 + index
-  const std::vector<std::string> lines = badSampleReport(film, job);
-  REQUIRE(lines.size() == 2);
-  CHECK(lines[0] == "2 samples in 1 pixels were not finite (they count as 0) or too bright (they are clamped)");
-  CHECK(lines[1] ==
-        "pixel (2, 1): 2 bad, the first is sample 5; replay: candela render 'a scene.p3f' --spp 6 --seed 9 -o "
-        "replay.exr");
-
-  // A single sample of Whitted's would not be jittered.
-  pixel.firstBadSample = 1;
-  job.arguments.settings.integrator = job.settings.integrator = Integrator::whitted;
-  job.settings.sampleCount = 64;
-  CHECK(badSampleReport(film, job)[1].find("--spp 2 --seed 9 --integrator whitted") != std::string::npos);
-  job.arguments.settings.integrator = job.settings.integrator = Integrator::path;
-
-  job.arguments.settings.sampler = job.settings.sampler = SamplerKind::stratified;
-  CHECK(badSampleReport(film, job)[1].find("--spp 64 --seed 9 --sampler stratified") != std::string::npos);
 }
 
 }  // namespace candela::cli

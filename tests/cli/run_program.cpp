@@ -26,10 +26,9 @@ void append(std::vector<char*>& pointers, const std::vector<std::string>& words)
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
 }
 
-pid_t spawn(const std::vector<std::string>& words, const std::vector<std::string>& added, const std::string& out,
-            const std::string& err) {
-  std::string program = CANDELA_PROGRAM;
-  std::vector<char*> arguments{program.data()};
+pid_t spawn(const std::string& program, const std::vector<std::string>& words, const std::vector<std::string>& added,
+            const std::string& out, const std::string& err) {
+  std::vector<char*> arguments{const_cast<char*>(program.c_str())};
   append(arguments, words);
   arguments.push_back(nullptr);
   std::vector<char*> environment;
@@ -43,9 +42,9 @@ pid_t spawn(const std::vector<std::string>& words, const std::vector<std::string
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   pid_t child = 0;
-  const int failure = posix_spawn(&child, CANDELA_PROGRAM, &actions, nullptr, arguments.data(), environment.data());
+  const int failure = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw std::runtime_error("cannot start " CANDELA_PROGRAM);
+  if (failure != 0) throw std::runtime_error("cannot start " + program);
   return child;
 }
 
@@ -62,7 +61,7 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
     if (elapsed > kLongestRun) {
       kill(child, SIGKILL);
       waitpid(child, &status, 0);
-      throw std::runtime_error("candela took too long");
+      throw std::runtime_error("a program took too long");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
@@ -72,9 +71,14 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
 }  // namespace
 
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings) {
+  return runProgram(CANDELA_PROGRAM, words, surroundings);
+}
+
+ProgramResult runProgram(const std::string& program, const std::vector<std::string>& words,
+                         const Surroundings& surroundings) {
   const TemporaryFolder folder;
   const std::string out = surroundings.standardOutput.empty() ? folder.path("out") : surroundings.standardOutput;
-  const pid_t child = spawn(words, surroundings.environment, out, folder.path("err"));
+  const pid_t child = spawn(program, words, surroundings.environment, out, folder.path("err"));
   ProgramResult result;
   result.exitCode = waitFor(child, surroundings);
   result.out = readFile(folder.path("out"));

@@ -25,6 +25,10 @@ struct Surroundings {
 /// minutes.
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
+/// The same for another program, given by its path.
+ProgramResult runProgram(const std::string& program, const std::vector<std::string>& words,
+                         const Surroundings& surroundings = {});
+
 /// A folder of its own, removed at the end.
 class TemporaryFolder {
  public:

@@ -14,7 +14,7 @@ using namespace candela;
 namespace {
 
 Image solid(const glm::vec3& colour, std::uint32_t width = 8, std::uint32_t height = 6) {
-  return {width, height, std::vector<glm::vec3>(std::size_t{width} * height, colour), {}, {}, {}};
+  return {width, height, std::vector<glm::vec3>(std::size_t{width} * height, colour), {}, {}, {}, {}};
 }
 
 double solidFlip(const glm::vec3& test, const glm::vec3& reference) {

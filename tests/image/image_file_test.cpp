@@ -22,9 +22,18 @@ TEST_CASE("an image of a film has its means, variances and counts") {
   CHECK(image.luminanceVariance[0] == Approx(0.1364 * 0.1364 / 2).epsilon(1e-6));
   CHECK(image.sampleCounts == std::vector<std::uint32_t>{2, 0});
   CHECK(image.metadata.empty());
+  CHECK(image.badSampleCounts.empty());
+}
 
+TEST_CASE("an image of a film with bad samples says how many there are in each pixel") {
+  Film film(2, 1);
+  film.addSample(0, 0, {1, 2, 4}, 0);
   film.addSample(1, 0, {-1, 0, 0}, 0);
-  CHECK(toImage(film).metadata.at("candela.badSamples") == "1");
+  film.addSample(1, 0, {0, 1e9, 0}, 1);
+  const Image image = toImage(film);
+  CHECK(image.badSampleCounts == std::vector<std::uint32_t>{0, 2});
+  CHECK(badSampleCount(image) == 2);
+  CHECK(image.metadata.at("candela.badSamples") == "2");
 }
 
 TEST_CASE("EXR files keep every bit of an image") {
@@ -37,6 +46,7 @@ TEST_CASE("EXR files keep every bit of an image") {
   CHECK(back.rgb == image.rgb);
   CHECK(back.luminanceVariance == image.luminanceVariance);
   CHECK(back.sampleCounts == image.sampleCounts);
+  CHECK(back.badSampleCounts == image.badSampleCounts);
   CHECK(back.metadata == image.metadata);
 }
 
@@ -105,7 +115,7 @@ TEST_CASE("HDR files keep colours to one part in 128 of the largest channel") {
 
 TEST_CASE("HDR files hold extremes without wrapping") {
   TemporaryFolder folder;
-  Image image{8, 1, std::vector<glm::vec3>(8, glm::vec3(1)), {}, {}, {}};
+  Image image{8, 1, std::vector<glm::vec3>(8, glm::vec3(1)), {}, {}, {}, {}};
   image.rgb[0] = glm::vec3(-1, std::nanf(""), 0);
   image.rgb[1] = glm::vec3(INFINITY, 1, 0);
   image.rgb[2] = glm::vec3(3e38f, 3e38f, 0);

@@ -15,7 +15,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 Image row(const std::vector<glm::vec3>& pixels) {
-  return {static_cast<std::uint32_t>(pixels.size()), 1, pixels, {}, {}, {}};
+  return {static_cast<std::uint32_t>(pixels.size()), 1, pixels, {}, {}, {}, {}};
 }
 
 }  // namespace

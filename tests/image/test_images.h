@@ -10,11 +10,12 @@
 inline candela::Image testImage(std::uint32_t width, std::uint32_t height) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> exponent(-20, 14);
-  candela::Image image{width, height, {}, {}, {}, {}};
+  candela::Image image{width, height, {}, {}, {}, {}, {}};
   for (std::uint32_t i = 0; i < width * height; ++i) {
     image.rgb.emplace_back(std::exp2(exponent(random)), std::exp2(exponent(random)), std::exp2(exponent(random)));
     image.luminanceVariance.push_back(std::exp2(exponent(random)));
     image.sampleCounts.push_back(static_cast<std::uint32_t>(random()));
+    image.badSampleCounts.push_back(static_cast<std::uint32_t>(random()));
   }
   image.metadata = {{"candela.scene", "balls.p3f"}, {"a name of more than thirty-one characters", "a longer\nvalue"}};
   return image;

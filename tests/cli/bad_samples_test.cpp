@@ -1,0 +1,98 @@
+// What is said of bad samples, and the command that shows one again.
+#include "host/cli/bad_samples.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace candela::cli {
+namespace {
+
+const BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .seed = 9, .sampleCount = 64};
+
+RenderJob jobWith(Integrator integrator, SamplerKind sampler) {
+  RenderJob job;
+  job.arguments.files = {"a scene.p3f"};
+  job.arguments.sampleCount = 64;
+  job.arguments.settings.integrator = job.settings.integrator = integrator;
+  job.arguments.settings.sampler = job.settings.sampler = sampler;
+  return job;
+}
+
+BadSampleTally tallyOfOne() {
+  Film film(3, 2);
+  film.addSample(2, 1, glm::dvec3(1e9), 5);
+  film.addSample(2, 1, glm::dvec3(1e9), 6);
+  RenderSettings settings;
+  settings.seed = 9;
+  settings.sampleCount = 64;
+  BadSampleTally tally;
+  tally.add(film, settings);
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("a path's bad sample is explained, with all that it depends on") {
+  const RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  CHECK(replayCommand(kPixel, job) == "candela explain 'a scene.p3f' --seed 9 --spp 64 --pixel 2,1 --sample 5");
+  const RenderJob strata = jobWith(Integrator::path, SamplerKind::stratified);
+  CHECK(replayCommand(kPixel, strata) ==
+        "candela explain 'a scene.p3f' --seed 9 --sampler stratified --spp 64 --pixel 2,1 --sample 5");
+}
+
+TEST_CASE("a sample of the reference is explained on the default device beside it, another on its own") {
+  RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  job.arguments.device = "cpu";
+  CHECK_THAT(replayCommand(kPixel, job), !Catch::Contains("--device"));
+  job.arguments.device = "llvmpipe";
+  CHECK_THAT(replayCommand(kPixel, job), Catch::Contains("--device llvmpipe"));
+}
+
+TEST_CASE("what is no path is rendered again as far as the bad sample, and jittered as it was") {
+  for (const auto& [integrator, name] : {std::pair(Integrator::whitted, "whitted"), {Integrator::depth, "depth"}}) {
+    const RenderJob job = jobWith(integrator, SamplerKind::sobol);
+    const std::string start = "candela render 'a scene.p3f' --seed 9 --integrator " + std::string(name);
+    CHECK(replayCommand(kPixel, job) == start + " --spp 6 -o replay.exr");
+    BadPixel other = kPixel;
+    other.firstSample = 0;
+    CHECK(replayCommand(other, job) == start + " --spp 2 -o replay.exr");
+    other.sampleCount = 1;
+    CHECK(replayCommand(other, job) == start + " --spp 1 -o replay.exr");
+    CHECK(replayCommand(kPixel, jobWith(integrator, SamplerKind::stratified)) ==
+          start + " --sampler stratified --spp 64 -o replay.exr");
+  }
+}
+
+TEST_CASE("bad samples are told with their number, their pixels and a replay") {
+  const RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  CHECK(badSampleLines({}, job).empty());
+  const std::vector<std::string> lines = badSampleLines(tallyOfOne(), job);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0] ==
+        "2 samples in 1 pixels were not finite or negative (they count as 0) or too bright (they are clamped)");
+  CHECK(lines[1] == "pixel (2, 1): 2 bad, the first is sample 5; replay: " + replayCommand(kPixel, job));
+
+  const nlohmann::ordered_json json = badSamplesJson(tallyOfOne(), {}, job);
+  CHECK(json["device"]["samples"] == 2);
+  CHECK(json["device"]["pixels"] == 1);
+  CHECK(json["device"]["firstPixels"][0]["firstSample"] == 5);
+  CHECK(json["device"]["firstPixels"][0]["replay"] == replayCommand(kPixel, job));
+  CHECK(json["reference"]["samples"] == 0);
+  CHECK(json["reference"]["firstPixels"].empty());
+}
+
+TEST_CASE("--strict turns success with bad samples into a difference, and leaves other ends as they are") {
+  std::ostringstream sink;
+  const Log log(sink, Verbosity::quiet);
+  Arguments arguments;
+  CHECK(strictly(ExitCode::done, 4, arguments, log) == ExitCode::done);
+  arguments.strict = true;
+  CHECK(strictly(ExitCode::done, 0, arguments, log) == ExitCode::done);
+  CHECK(sink.str().empty());
+  CHECK(strictly(ExitCode::done, 4, arguments, log) == ExitCode::differ);
+  CHECK(sink.str() == "candela: --strict: 4 bad samples, so this run has failed; what it wrote shows where they are\n");
+  CHECK(strictly(ExitCode::interrupted, 4, arguments, log) == ExitCode::interrupted);
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,77 @@
+// The tally of bad samples over several renders.
+#include "host/render/bad_sample_tally.h"
+
+#include <catch2/catch.hpp>
+
+using namespace candela;
+
+namespace {
+
+const glm::dvec3 kTooBright(1e9);
+
+RenderSettings settingsOf(std::uint32_t seed) {
+  RenderSettings settings;
+  settings.size = {4, 3};
+  settings.seed = seed;
+  settings.sampleCount = 8;
+  return settings;
+}
+
+// Its film has one sample, which is bad.
+class BadRenderer final : public Renderer {
+ public:
+  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl&) override {
+    RenderResult result;
+    result.film = Film(settings.size.width, settings.size.height);
+    result.film.addSample(3, 0, kTooBright, 6);
+    result.statistics.device = "bad";
+    return result;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("films without bad samples leave a tally empty") {
+  BadSampleTally tally;
+  Film film(4, 3);
+  film.addSample(0, 0, glm::dvec3(1), 0);
+  tally.add(film, settingsOf(1));
+  CHECK(tally.samples() == 0);
+  CHECK(tally.pixels() == 0);
+  CHECK(tally.firstPixels().empty());
+}
+
+TEST_CASE("a tally adds the samples of all renders, and counts a pixel once with where it was bad first") {
+  BadSampleTally tally;
+  Film first(4, 3);
+  first.addSample(1, 2, kTooBright, 7);
+  first.addSample(1, 2, glm::dvec3(-1), 5);
+  tally.add(first, settingsOf(11));
+  Film second(4, 3);
+  second.addSample(1, 2, kTooBright, 0);
+  second.addSample(3, 0, kTooBright, 4);
+  tally.add(second, settingsOf(12));
+  CHECK(tally.samples() == 4);
+  CHECK(tally.pixels() == 2);
+  CHECK(tally.firstPixels() == std::vector<BadPixel>{{1, 2, 2, 5, 11, 8}, {3, 0, 1, 4, 12, 8}});
+}
+
+TEST_CASE("of many pixels a tally keeps the first, and counts all") {
+  Film film(4, 3);
+  for (std::uint32_t i = 0; i < 12; ++i) film.addSample(i % 4, i / 4, kTooBright, 0);
+  BadSampleTally tally;
+  tally.add(film, settingsOf(0));
+  CHECK(tally.pixels() == 12);
+  REQUIRE(tally.firstPixels().size() == BadSampleTally::kPixelsKept);
+  CHECK(tally.firstPixels().back().x == 0);
+  CHECK(tally.firstPixels().back().y == 1);
+}
+
+TEST_CASE("a tallied renderer gives what the renderer gives, and tells the tally") {
+  BadRenderer renderer;
+  BadSampleTally tally;
+  const RenderResult result = TalliedRenderer(renderer, tally).render({}, settingsOf(9), {});
+  CHECK(result.statistics.device == "bad");
+  CHECK(result.film.at(3, 0).badCount == 1);
+  CHECK(tally.firstPixels() == std::vector<BadPixel>{{3, 0, 1, 6, 9, 8}});
+}
