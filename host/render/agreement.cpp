@@ -104,10 +104,12 @@ AgreementReport compareTracers(const Scene& scene, const RenderSettings& setting
   report.scene = scene.name;
   const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, control);
   report.pixels = pixels.value_or(PixelAgreement{});
-  const RenderResult deviceMany = device.render(scene, settings, control);
-  const RenderResult referenceMany = reference.render(scene, settings, control);
+  RenderResult deviceMany = device.render(scene, settings, control);
+  RenderResult referenceMany = reference.render(scene, settings, control);
   report.mean = {settings.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
+  report.deviceFilm = std::move(deviceMany.film);
+  report.referenceFilm = std::move(referenceMany.film);
   report.interrupted = !pixels || deviceMany.interrupted || referenceMany.interrupted;
   return report;
 }

@@ -58,6 +58,7 @@ struct AgreementReport {
   RenderStatistics deviceStatistics;
   PixelAgreement pixels;
   MeanAgreement mean;
+  Film deviceFilm, referenceFilm;  ///< of the many samples
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
