@@ -5,6 +5,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/cli/report_page.h"
 #include "host/render/agreement.h"
 #include "host/render/make_renderer.h"
 
@@ -17,6 +18,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
                      "neither can be wrong; `candela render` shows those of one");
   }
   requireWritableReport(arguments.json);
+  if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
   const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
   const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
@@ -27,6 +29,9 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;
   writeJson(arguments.json, report.toJson());
+  if (!arguments.report.empty() && !report.interrupted) {
+    writeReport(arguments.report, agreementReport(arguments, job, report));
+  }
   if (report.interrupted) return ExitCode::interrupted;
   return report.agree() ? ExitCode::done : ExitCode::differ;
 }
