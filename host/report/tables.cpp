@@ -63,7 +63,7 @@ std::string factTable(const Report& report) {
   for (const Fact& fact : report.facts) rows += row(fact.name, cell(fact.a) + cell(fact.b));
   if (rows.empty()) return "";
   return "<section aria-labelledby=\"sides\">\n<h2 id=\"sides\">What was compared</h2>\n" +
-         scrolling("<table>\n<thead><tr><td></td><th scope=\"col\">A</th><th scope=\"col\">B</th></tr></thead>\n" + rows +
+         scrolling("<table class=\"facts\">\n<thead><tr><td></td><th scope=\"col\">A</th><th scope=\"col\">B</th></tr></thead>\n" + rows +
                    "</table>") +
          "</section>";
 }
