@@ -63,7 +63,7 @@ def pixel_of(pfm, x, y):
 def start_browser(profile):
     options = webdriver.ChromeOptions()
     options.binary_location = os.environ["CANDELA_CHROMIUM"]
-    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1200,1000",
+    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1200,1600",
                  "--force-device-scale-factor=1", "--host-resolver-rules=MAP * ~NOTFOUND", f"--user-data-dir={profile}"):
         options.add_argument(word)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
@@ -86,6 +86,8 @@ class ReportTest(unittest.TestCase):
         cls.addClassCleanup(cls.browser.quit)
 
     def setUp(self):
+        self.browser.get("about:blank")
+        self.browser.get_log("performance")  # what the browser asked of itself at its start
         self.browser.get(self.page.as_uri())
 
     def element(self, selector):
