@@ -49,6 +49,7 @@ struct Arguments {
   std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
   std::string markdown;       ///< as `json`
 
+  std::filesystem::path report;  ///< a page; empty for none
   std::string json;  ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;
   bool strict = false;  ///< bad samples fail a run

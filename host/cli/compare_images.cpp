@@ -6,26 +6,15 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
+#include "host/cli/image_verdict.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/cli/report_page.h"
 #include "host/image/flip.h"
 #include "host/image/metrics.h"
 
 namespace candela::cli {
 namespace {
-
-enum class Verdict { none, pass, fail };
-
-// A value that is not a number has no error to speak of; it fails whatever the tolerance.
-Verdict judge(const ImageComparison& comparison, std::optional<double> tolerance) {
-  if (!tolerance) return Verdict::none;
-  const bool pass = comparison.notFiniteCount == 0 && comparison.relativeMeanSquaredError <= *tolerance;
-  return pass ? Verdict::pass : Verdict::fail;
-}
-
-std::string verdictText(Verdict verdict, double tolerance) {
-  return fmt::format("{}: the tolerance of relMSE is {:g}\n", verdict == Verdict::pass ? "PASS" : "FAIL", tolerance);
-}
 
 void writePictures(const Arguments& arguments, const Image& a, const Image& reference, const FlipResult& flip) {
   constexpr DisplayTransform kAsTheyAre{};  // the pictures are meant for display already
@@ -41,28 +30,31 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   for (const auto& file : {arguments.differenceFile, arguments.flipFile}) {
     if (!file.empty()) requireWritableImage(file);
   }
+  if (!arguments.report.empty()) requireWritableFile(arguments.report);
   requireWritableReport(arguments.json);
   const Image a = readImage(arguments.files[0]);
   const Image reference = readImage(arguments.files[1]);
   const ImageComparison comparison = compareImages(a, reference);
   const FlipResult flip = computeFlip(displayed(a, arguments.display), displayed(reference, arguments.display));
-  const Verdict verdict = judge(comparison, arguments.tolerance);
+  const ImageVerdict verdict = judgeImages(arguments, a, reference, comparison);
 
   writePictures(arguments, a, reference, flip);
   if (arguments.wantsText()) {
-    std::cout << toText(comparison) << fmt::format("FLIP mean {:.6g}, maximum {:.6g}\n", flip.mean, flip.maximum);
-    if (verdict != Verdict::none) std::cout << verdictText(verdict, *arguments.tolerance);
-    std::cout << std::flush;
+    std::cout << toText(comparison) << fmt::format("FLIP mean {:.6g}, maximum {:.6g}\n", flip.mean, flip.maximum)
+              << toText(verdict) << std::flush;
   }
   nlohmann::ordered_json json = toJson(comparison);
   json["flipMean"] = flip.mean;
   json["flipMaximum"] = flip.maximum;
   const std::uint64_t badSamples = badSampleCount(a) + badSampleCount(reference);
   json["badSamples"] = badSamples;
-  if (verdict != Verdict::none) json["pass"] = verdict == Verdict::pass;
+  addToJson(verdict, json);
   writeJson(arguments.json, json);
+  if (!arguments.report.empty()) {
+    writeReport(arguments.report, imageReport(arguments, a, reference, comparison, flip, verdict));
+  }
   if (badSamples > 0) log.problem(fmt::format("the files tell of {} bad samples", badSamples));
-  return strictly(verdict == Verdict::fail ? ExitCode::differ : ExitCode::done, badSamples, arguments, log);
+  return strictly(verdict.passes() ? ExitCode::done : ExitCode::differ, badSamples, arguments, log);
 }
 
 }  // namespace candela::cli

@@ -6,6 +6,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/cli/report_page.h"
 #include "host/render/agreement.h"
 #include "host/render/make_renderer.h"
 
@@ -18,6 +19,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
                      "neither can be wrong; `candela render` shows those of one");
   }
   requireWritableReport(arguments.json);
+  if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
   const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
   const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
@@ -31,6 +33,9 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   nlohmann::ordered_json json = report.toJson();
   json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
   writeJson(arguments.json, json);
+  if (!arguments.report.empty() && !report.interrupted) {
+    writeReport(arguments.report, agreementReport(arguments, job, report));
+  }
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
   const std::uint64_t badSamples = report.deviceBadSamples.samples() + report.referenceBadSamples.samples();
   return strictly(report.interrupted ? ExitCode::interrupted : code, badSamples, arguments, log);

@@ -138,8 +138,10 @@ std::vector<Option> outputOptions() {
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
   return {
-    valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes; absent, no verdict is given"},
+    valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
+    valued({"--alpha", kCompare, kGroup, "probability of a false alarm when the light of two EXR films is tested; without --alpha and --tolerance they are tested where they can be"},
+           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
     path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
   };
@@ -189,6 +191,8 @@ std::vector<Option> generalOptions() {
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
     flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample was not finite, negative or too bright; files are written all the same"},
          [](auto& a) -> auto& { return a.strict; }),
+    path({"--report", kCompare | kVerify, kGroup, "write a page (HTML) with the pictures, maps of their differences, figures and the verdict"}, "FILE",
+         [](auto& a) -> auto& { return a.report; }),
     flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
     flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
     flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),

@@ -17,6 +17,7 @@
 #include "host/core/progress.h"
 #include "host/core/version.h"
 #include "host/image/false_colour.h"
+#include "host/verify/film_test.h"
 
 namespace candela::cli {
 namespace {
@@ -32,7 +33,7 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const Ren
           {"candela.sceneHash", hashText(job.scene.hash)},
           {"candela.filmHash", hashText(result.film.hash())},
           {"candela.samplesPerPixel", fmt::to_string(job.settings.sampleCount)},
-          {"candela.seed", fmt::to_string(job.settings.seed)},
+          {verify::kSeedMetadata, fmt::to_string(job.settings.seed)},
           {"candela.device", statistics.device},
           {"candela.driver", statistics.driver},
           {"candela.settings", settings},

@@ -20,4 +20,11 @@ inline glm::dvec3 magma(double t) {
   return glm::clamp(c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6))))), 0.0, 1.0);
 }
 
+/// A signed strength in [-1, 1] as sRGB signals: black at 0, orange at 1, blue at -1.
+inline glm::dvec3 signedColour(double strength) {
+  constexpr glm::dvec3 kPositive(1, 0.55, 0.1);
+  constexpr glm::dvec3 kNegative(0.15, 0.5, 1);
+  return std::abs(strength) * (strength > 0 ? kPositive : kNegative);
+}
+
 }  // namespace candela

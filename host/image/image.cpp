@@ -163,6 +163,11 @@ Pixels8 toPixels8(const Image& image, const DisplayTransform& transform) {
   return pixels;
 }
 
+std::vector<std::byte> toPng(const Pixels8& pixels) {
+  checkImageSize(pixels.width, pixels.height);
+  return encodePng(pixels);
+}
+
 Image toImage(const Pixels8& pixels) {
   std::array<float, 256> linear;
   for (std::size_t i = 0; i < linear.size(); ++i)

@@ -1,5 +1,6 @@
 // Images in memory and their files.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -59,6 +60,8 @@ struct Pixels8 {
   std::vector<std::uint8_t> rgb;
 };
 Pixels8 toPixels8(const Image& image, const DisplayTransform& transform);
+/// The bytes of a PNG file. Throws FileError for an image without pixels or beyond the limits above.
+std::vector<std::byte> toPng(const Pixels8& pixels);
 /// Decodes sRGB.
 Image toImage(const Pixels8& pixels);
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/core/errors.h"
+#include "host/image/colour_map.h"
 
 namespace candela {
 namespace {
@@ -144,21 +145,23 @@ nlohmann::ordered_json toJson(const ImageComparison& c) {
           {"differingShare", c.differingShare}};
 }
 
+double differenceScale(const Image& a, const Image& reference) {
+  return std::max(0.01 * compareImages(a, reference).referenceMeanLuminance, 1e-30);
+}
+
 Image differencePicture(const Image& a, const Image& reference, double range) {
   requireEqualSizes(a, reference);
   if (!(range > 0)) throw UsageError("the range of a difference picture must be positive");
-  constexpr dvec3 kBrighter(1, 0.55, 0.1);
-  constexpr dvec3 kDarker(0.15, 0.5, 1);
   constexpr dvec3 kNotFinite(1, 0, 1);
-  const double scale = std::max(0.01 * compareImages(a, reference).referenceMeanLuminance, 1e-30);
+  const double scale = differenceScale(a, reference);
 
   Pixels8 picture{a.width, a.height, {}};
   picture.rgb.reserve(3 * a.rgb.size());
   for (std::size_t i = 0; i < a.rgb.size(); ++i) {
     const double expected = luminance(dvec3(reference.rgb[i]));
     const double difference = (luminance(dvec3(a.rgb[i])) - expected) / (expected + scale);
-    const double strength = std::min(std::abs(difference) / range, 1.0);
-    const dvec3 signal = std::isfinite(difference) ? strength * (difference > 0 ? kBrighter : kDarker) : kNotFinite;
+    const double strength = std::clamp(difference / range, -1.0, 1.0);
+    const dvec3 signal = std::isfinite(difference) ? signedColour(strength) : kNotFinite;
     for (int c = 0; c < 3; ++c) picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(255 * signal[c])));
   }
   return toImage(picture);

@@ -53,9 +53,13 @@ std::string toText(const ImageComparison& comparison);
 /// The same numbers under the names of the fields. JSON has no infinity: such numbers are null.
 nlohmann::ordered_json toJson(const ImageComparison& comparison);
 
+/// What is added to the reference's luminance in relative differences of pixels, > 0. Throws UsageError if the sizes
+/// differ.
+double differenceScale(const Image& a, const Image& reference);
+
 /// Signed relative difference of the luminances, d = (a - b) / (b + scale), as colours: black where equal, orange where
 /// a is brighter, blue where it is darker, full strength at |d| >= `range`; magenta where a value is not finite.
-/// `scale` is 1 % of the reference's mean luminance, so that dark pixels do not outshine the rest. Throws UsageError if
+/// `scale` is 1 % of the reference's mean luminance, so that dark pixels do not outshine the rest (differenceScale). Throws UsageError if
 /// the sizes differ or `range` is not positive. Written as PNG with ToneMap::srgb it shows these colours as they are.
 Image differencePicture(const Image& a, const Image& reference, double range = 0.1);
 

@@ -106,10 +106,12 @@ AgreementReport compareTracers(const Scene& scene, const RenderSettings& setting
   TalliedRenderer talliedReference(reference, report.referenceBadSamples);
   const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, talliedDevice, talliedReference, control);
   report.pixels = pixels.value_or(PixelAgreement{});
-  const RenderResult deviceMany = talliedDevice.render(scene, settings, control);
-  const RenderResult referenceMany = talliedReference.render(scene, settings, control);
+  RenderResult deviceMany = talliedDevice.render(scene, settings, control);
+  RenderResult referenceMany = talliedReference.render(scene, settings, control);
   report.mean = {settings.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
+  report.deviceFilm = std::move(deviceMany.film);
+  report.referenceFilm = std::move(referenceMany.film);
   report.interrupted = !pixels || deviceMany.interrupted || referenceMany.interrupted;
   return report;
 }

@@ -60,6 +60,7 @@ struct AgreementReport {
   PixelAgreement pixels;
   MeanAgreement mean;
   BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
+  Film deviceFilm, referenceFilm;  ///< of the many samples
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }

@@ -9,6 +9,16 @@ namespace candela::statistics {
 
 namespace math = boost::math;
 
+namespace {
+
+// Half the variance of the squared error.
+double uncertaintyOf(const Estimate& estimate) {
+  if (estimate.squaredError == 0) return 0;
+  return estimate.squaredError * estimate.squaredError / estimate.degreesOfFreedom;
+}
+
+}  // namespace
+
 Summary summarise(std::span<const double> values) {
   Summary summary;
   double squares = 0;  // of deviations from the mean so far (Welford 1962)
@@ -22,20 +32,23 @@ Summary summarise(std::span<const double> values) {
   return summary;
 }
 
-WelchTest welch(const Summary& a, const Summary& b, double margin) {
+Estimate estimateOf(const Summary& summary) {
+  return {summary.mean, summary.squaredError(), static_cast<double>(summary.count) - 1};
+}
+
+WelchTest welch(const Summary& a, const Summary& b, double margin) { return welch(estimateOf(a), estimateOf(b), margin); }
+
+WelchTest welch(const Estimate& a, const Estimate& b, double margin) {
   WelchTest test;
   test.difference = a.mean - b.mean;
-  const double errorA = a.squaredError();
-  const double errorB = b.squaredError();
-  test.standardError = std::sqrt(errorA + errorB);
+  const double squaredError = a.squaredError + b.squaredError;
+  test.standardError = std::sqrt(squaredError);
   const double excess = std::max(0.0, std::abs(test.difference) - margin);
   if (test.standardError == 0) {
     test.pValue = excess == 0 ? 1 : 0;
     return test;
   }
-  const double freedomA = errorA * errorA / static_cast<double>(a.count - 1);
-  const double freedomB = errorB * errorB / static_cast<double>(b.count - 1);
-  test.degreesOfFreedom = (errorA + errorB) * (errorA + errorB) / (freedomA + freedomB);
+  test.degreesOfFreedom = squaredError * squaredError / (uncertaintyOf(a) + uncertaintyOf(b));
   test.t = excess / test.standardError;
   const math::students_t distribution(test.degreesOfFreedom);
   test.pValue = 2 * math::cdf(math::complement(distribution, test.t));

@@ -15,6 +15,15 @@ struct Summary {
 };
 Summary summarise(std::span<const double> values);
 
+/// A mean, and how well it is known.
+struct Estimate {
+  double mean = 0;
+  double squaredError = 0;      ///< variance of the mean
+  double degreesOfFreedom = 0;  ///< of squaredError, > 0; of no meaning where that is 0
+};
+/// Of a sample of at least two values.
+Estimate estimateOf(const Summary& summary);
+
 struct WelchTest {
   double difference = 0;        ///< mean of a - mean of b
   double standardError = 0;     ///< of the difference
@@ -22,8 +31,9 @@ struct WelchTest {
   double t = 0;                 ///< (|difference| - margin, at least 0) / standardError; 0 where neither sample varies
   double pValue = 1;            ///< two-sided; where neither sample varies 1 for a difference within the margin, else 0
 };
-/// Tests whether the means differ by more than `margin` >= 0. Both samples have at least two values (Welch,
-/// Biometrika 34, 1947).
+/// Tests whether two independent means differ by more than `margin` >= 0 (Welch, Biometrika 34, 1947).
+WelchTest welch(const Estimate& a, const Estimate& b, double margin = 0);
+/// The same of two samples, each of at least two values.
 WelchTest welch(const Summary& a, const Summary& b, double margin = 0);
 
 /// The |t| that is exceeded with probability `pValue` in (0, 1] where both means are equal; `degreesOfFreedom` > 0.

@@ -38,6 +38,7 @@ bool Batches::render(std::uint32_t samples, std::uint32_t look, const RenderCont
     if (statistics_.truncated > 0) {
       throw InternalError(fmt::format("{} loops ended before their work was done", statistics_.truncated));
     }
+    if (!film_.pixels().empty()) film_.merge(result.film);
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       sums_[batch][i] += samples * regionMean(result.film, regions_[i]);
     }

@@ -29,6 +29,9 @@ class Batches {
 
   /// Samples per pixel of each batch so far.
   std::uint64_t samples() const { return samples_; }
+  /// The sum of all batches, from now on; a film of 64 bytes a pixel.
+  void keepFilm(const Extent& size) { film_ = Film(size.width, size.height); }
+  Film takeFilm() { return std::move(film_); }
   /// The batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
   /// Of the last render.
@@ -44,6 +47,7 @@ class Batches {
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   std::uint64_t badSamples_ = 0;
+  Film film_;  ///< empty unless it is kept
   std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
   RenderStatistics statistics_;
 };

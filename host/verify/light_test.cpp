@@ -4,31 +4,16 @@
 #include <cmath>
 
 #include "host/core/stopwatch.h"
-#include "host/render/agreement.h"
 #include "host/statistics/error_rates.h"
 
 namespace candela::verify {
 namespace {
 
+using statistics::estimateOf;
 using statistics::summarise;
-using statistics::welch;
 
 constexpr std::uint32_t kFirstSamples = 1;  // per pixel and batch
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 24;  // per pixel and batch
-
-RegionResult compareRegion(const Region& region, const std::array<double, kBatchCount>& device,
-                           const std::array<double, kBatchCount>& reference, double level) {
-  const statistics::Summary a = summarise(device);
-  const statistics::Summary b = summarise(reference);
-  const double rounding = kRelativeTolerance * std::abs(b.mean) + kAbsoluteTolerance;
-  RegionResult result{region, a.mean, b.mean, welch(a, b, rounding), 0, false};
-  result.differs = result.test.pValue < level;
-  if (result.test.standardError == 0 || b.mean == 0) return result;
-  const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
-  result.detectableBias =
-      (critical + statistics::normalQuantile(kPower)) * result.test.standardError / std::abs(b.mean);
-  return result;
-}
 
 std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {
   if (watched) regions.push_back(*watched);
@@ -44,7 +29,11 @@ class LightTest {
         regions_(withWatched(regionsOf(settings.size), options.watched)),
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         device_(Side::device, device, scene, settings, regions_),
-        reference_(Side::reference, reference, scene, settings, regions_) {}
+        reference_(Side::reference, reference, scene, settings, regions_) {
+    if (!options.keepFilms) return;
+    device_.keepFilm(settings.size);
+    reference_.keepFilm(settings.size);
+  }
 
   LightTestResult run() {
     std::uint64_t samples = kFirstSamples;
@@ -70,10 +59,15 @@ class LightTest {
     return device_.render(more, look, control_) && reference_.render(more, look, control_);
   }
 
+  RegionResult compareMeans(std::size_t region, double level) const {
+    return compareRegion(regions_[region], estimateOf(summarise(device_.means(region))),
+                         estimateOf(summarise(reference_.means(region))), level);
+  }
+
   // The plan is for a test at the level of a single look, which is close to that of the last.
   double informationNow() const {
     const double level = statistics::sidakLevel(options_.alpha, testCount_);
-    const RegionResult image = compareRegion(regions_.front(), device_.means(0), reference_.means(0), level);
+    const RegionResult image = compareMeans(0, level);
     if (image.test.standardError == 0 || image.referenceMean == 0) return 1;
     return informationShare(image.test.standardError, options_.bias * std::abs(image.referenceMean),
                             statistics::criticalT(level, image.test.degreesOfFreedom));
@@ -92,7 +86,7 @@ class LightTest {
     result_.level = level;
     result_.regions.clear();
     for (std::size_t i = 0; i < testCount_; ++i) {
-      result_.regions.push_back(compareRegion(regions_[i], device_.means(i), reference_.means(i), level));
+      result_.regions.push_back(compareMeans(i, level));
     }
   }
 
@@ -100,6 +94,8 @@ class LightTest {
     result_.samplesPerPixel = device_.samples() * kBatchCount;
     result_.badSamples = device_.badSamples() + reference_.badSamples();
     result_.deviceStatistics = device_.statistics();
+    result_.deviceFilm = device_.takeFilm();
+    result_.referenceFilm = reference_.takeFilm();
     if (options_.watched && result_.samplesPerPixel > 0) {
       result_.watchedDevice = summarise(device_.means(testCount_));
       result_.watchedReference = summarise(reference_.means(testCount_));
@@ -138,18 +134,6 @@ std::uint64_t nextSamples(std::uint64_t samples, double information, std::uint32
   const double evenly = std::pow(needed, 1.0 / looksLeft);
   const double growth = std::min(needed, std::max(2.0, evenly));
   return std::max(samples + 1, static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * growth)));
-}
-
-bool LightTestResult::differs() const {
-  return std::any_of(regions.begin(), regions.end(), [](const RegionResult& result) { return result.differs; });
-}
-
-const RegionResult& LightTestResult::mostSignificant() const {
-  if (image().differs) return image();
-  const auto least = std::min_element(regions.begin(), regions.end(), [](const RegionResult& a, const RegionResult& b) {
-    return a.test.pValue < b.test.pValue;
-  });
-  return least->differs ? *least : image();
 }
 
 LightTestResult testLight(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,

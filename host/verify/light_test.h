@@ -16,28 +16,18 @@
 
 #include "host/statistics/welch.h"
 #include "host/verify/batches.h"
-#include "host/verify/regions.h"
+#include "host/verify/region_result.h"
 
 namespace candela::verify {
 
 inline constexpr std::uint32_t kMaxLooks = 8;
-inline constexpr double kPower = 0.99;
 
 struct LightTestOptions {
   double alpha = 1e-4;  ///< probability of a false alarm of a whole run, in (0, 1)
   double bias = 0.005;  ///< share of the image mean that must not stay unseen, > 0
   std::optional<double> timeLimit{};  ///< seconds; after it no further look begins
   std::optional<Region> watched{};    ///< a region whose means are wanted beside the tests
-};
-
-/// One region at the last look.
-struct RegionResult {
-  Region region;
-  double deviceMean = 0;
-  double referenceMean = 0;
-  statistics::WelchTest test;
-  double detectableBias = 0;  ///< relative to the reference's mean: seen with probability kPower; 0 where that is black
-  bool differs = false;
+  bool keepFilms = false;             ///< the pictures are wanted, too
 };
 
 struct LightTestResult {
@@ -51,11 +41,11 @@ struct LightTestResult {
   bool interrupted = false; ///< no verdict
   std::uint64_t badSamples = 0;
   RenderStatistics deviceStatistics;
+  Film deviceFilm, referenceFilm;  ///< of all samples; empty unless they are kept
 
-  bool differs() const;
+  bool differs() const { return anyDiffers(regions); }
   const RegionResult& image() const { return regions.front(); }
-  /// The region that differs most significantly; the image if none differs.
-  const RegionResult& mostSignificant() const;
+  const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }
 };
 
 /// Of `settings` the sample count is not used; the seed gives those of all batches.

@@ -1,6 +1,9 @@
 #include "host/verify/regions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 namespace candela::verify {
 namespace {
@@ -35,6 +38,16 @@ std::vector<Region> regionsOf(const Extent& image) {
   }
   for (const std::uint32_t size : {8u, 16u, 32u}) appendTiles(image, size, regions);
   return regions;
+}
+
+const char* quantityName(Region::Quantity quantity) {
+  constexpr std::array<const char*, 4> kNames{"luminance", "red", "green", "blue"};
+  return kNames[static_cast<std::size_t>(quantity)];
+}
+
+std::string regionText(const Region& region) {
+  if (region.tileSize == 0) return fmt::format("image mean ({})", quantityName(region.quantity));
+  return fmt::format("tile {}x{} at {},{}", region.tileSize, region.tileSize, region.x, region.y);
 }
 
 double regionMean(const Film& film, const Region& region) {

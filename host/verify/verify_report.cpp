@@ -15,28 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, 4> kQuantityNames{"luminance", "red", "green", "blue"};
-
-std::string regionText(const Region& region) {
-  const char* quantity = kQuantityNames[static_cast<std::size_t>(region.quantity)];
-  if (region.tileSize == 0) return fmt::format("image mean ({})", quantity);
-  return fmt::format("tile {}x{} at {},{}", region.tileSize, region.tileSize, region.x, region.y);
-}
-
-// Signed, of the reference's mean; the whole difference where that is black.
-double relativeDifference(const RegionResult& result) {
-  return result.referenceMean == 0 ? result.test.difference : result.test.difference / std::abs(result.referenceMean);
-}
-
-std::string differenceText(const RegionResult& result) {
-  const double relative = relativeDifference(result);
-  const double error = result.referenceMean == 0 ? result.test.standardError
-                                                 : result.test.standardError / std::abs(result.referenceMean);
-  return fmt::format("{}: {:.6g} against {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
-                     regionText(result.region), result.deviceMean, result.referenceMean, 100 * relative, 100 * error,
-                     result.test.pValue);
-}
-
 std::size_t differingTiles(const LightTestResult& light) {
   std::size_t count = 0;
   for (const RegionResult& result : light.regions) count += result.differs && result.region.tileSize > 0 ? 1 : 0;
@@ -78,7 +56,7 @@ std::string differenceVerdict(const VerifyReport& report) {
     const RegionResult& most = report.light.mostSignificant();
     return fmt::format("Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device, which chance "
                        "alone would give once in {:.1e} runs.",
-                       regionText(most.region), 100 * std::abs(relativeDifference(most)),
+                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
                        most.test.difference > 0 ? "brighter" : "darker",
                        most.test.pValue > 0 ? 1 / most.test.pValue : HUGE_VAL);
   }
@@ -87,24 +65,6 @@ std::string differenceVerdict(const VerifyReport& report) {
            "should give equal pixels.";
   }
   return "Device and reference agree with each other, but NOT with the answer that the scene states.";
-}
-
-ordered_json regionJson(const RegionResult& result) {
-  return {{"x", result.region.x},
-          {"y", result.region.y},
-          {"width", result.region.width},
-          {"height", result.region.height},
-          {"tileSize", result.region.tileSize},
-          {"quantity", kQuantityNames[static_cast<std::size_t>(result.region.quantity)]},
-          {"device", result.deviceMean},
-          {"reference", result.referenceMean},
-          {"difference", result.test.difference},
-          {"standardError", result.test.standardError},
-          {"degreesOfFreedom", result.test.degreesOfFreedom},
-          {"t", result.test.t},
-          {"pValue", result.test.pValue},
-          {"detectableBias", result.detectableBias},
-          {"differs", result.differs}};
 }
 
 ordered_json pathsJson(const PixelAgreement& paths) {
@@ -122,7 +82,7 @@ ordered_json lightJson(const LightTestResult& light) {
                     {"level", light.level},
                     {"outOfTime", light.outOfTime},
                     {"badSamples", light.badSamples}};
-  for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result));
+  for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
   return json;
 }
 

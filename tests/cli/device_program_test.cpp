@@ -130,6 +130,24 @@ TEST_CASE("verify finds the same light on both sides, and says so to people, pro
   CHECK(contains(readFile(junit), "failures=\"0\""));
 }
 
+TEST_CASE("compare SCENE and verify write a page that names the device, with pictures, maps and the verdict") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string page = folder.path("report.html");
+  REQUIRE(runOnDevice({"compare", scene, "--report", page, "-q"}).exitCode == 0);
+  const std::string compared = readFile(page);
+  CHECK(contains(compared, "They agree.</strong>"));
+  CHECK(contains(compared, "Device: "));
+  CHECK(contains(compared, "candela compare " + scene));
+  CHECK_FALSE(contains(compared, "map-t8"));
+
+  REQUIRE(runOnDevice({"verify", scene, "--bias", "5%", "--report", page, "-q"}).exitCode == 0);
+  const std::string verified = readFile(page);
+  CHECK(contains(verified, "Device and reference compute the same light"));
+  CHECK(contains(verified, "map-t8"));
+  CHECK(contains(verified, "candela verify " + scene));
+}
+
 TEST_CASE("verify finds a wrong answer although both sides agree") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("# exact-mean: 9 9 9\n"));

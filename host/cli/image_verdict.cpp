@@ -1,0 +1,69 @@
+// Joins tolerance and test.
+#include "host/cli/image_verdict.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/core/errors.h"
+
+namespace candela::cli {
+namespace {
+
+std::string toleranceText(const ImageVerdict& verdict) {
+  return fmt::format("{}: the tolerance of relMSE is {:g}", verdict.withinTolerance ? "PASS" : "FAIL", *verdict.tolerance);
+}
+
+// Adds the test, or why there is none.
+void test(ImageVerdict& verdict, const Arguments& arguments, const Image& a, const Image& reference) {
+  const bool asked = arguments.given.contains("--alpha");
+  if (!asked && (verdict.tolerance || !verify::carriesVariance(a) || !verify::carriesVariance(reference))) return;
+  const std::optional<std::string> obstacle = verify::whyNotTestable(a, reference);
+  if (asked && obstacle) throw UsageError("--alpha: " + *obstacle);
+  if (obstacle) {
+    verdict.whyNoTest = *obstacle;
+  } else {
+    verdict.films = verify::testFilms(a, reference, arguments.verification.alpha);
+  }
+}
+
+}  // namespace
+
+ImageVerdict judgeImages(const Arguments& arguments, const Image& a, const Image& reference,
+                         const ImageComparison& comparison) {
+  ImageVerdict verdict;
+  verdict.tolerance = arguments.tolerance;
+  if (verdict.tolerance) {
+    // A value that is not a number has no error to speak of; it fails whatever the tolerance.
+    verdict.withinTolerance =
+        comparison.notFiniteCount == 0 && comparison.relativeMeanSquaredError <= *verdict.tolerance;
+  }
+  test(verdict, arguments, a, reference);
+  return verdict;
+}
+
+std::string ImageVerdict::sentence() const {
+  std::string text;
+  if (tolerance) {
+    text = fmt::format("relMSE is {} the tolerance of {:g}.", withinTolerance ? "within" : "NOT within", *tolerance);
+  }
+  if (films) text += (text.empty() ? "" : " ") + films->verdict();
+  if (!whyNoTest.empty()) text += fmt::format("There is no verdict on the light: {}.", whyNoTest);
+  return text.empty() ? "No verdict was asked for: --tolerance gives one." : text;
+}
+
+std::string toText(const ImageVerdict& verdict) {
+  std::string text;
+  if (verdict.tolerance) text += toleranceText(verdict) + "\n";
+  if (verdict.films) text += toText(*verdict.films);
+  if (!verdict.whyNoTest.empty()) text += verdict.sentence() + "\n";
+  return text;
+}
+
+void addToJson(const ImageVerdict& verdict, nlohmann::ordered_json& json) {
+  if (verdict.isGiven()) json["pass"] = verdict.passes();
+  if (verdict.films) json["sameLight"] = toJson(*verdict.films);
+  if (!verdict.whyNoTest.empty()) json["noVerdict"] = verdict.whyNoTest;
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,103 @@
+// Gathers what a page shows of device and reference.
+#include "host/cli/report_page.h"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "host/cli/display_choice.h"
+#include "host/cli/option_table.h"
+#include "host/core/atomic_file.h"
+#include "host/core/hash_text.h"
+
+namespace candela::cli {
+namespace {
+
+using report::Outcome;
+using report::Report;
+
+std::string commandOf(const Arguments& arguments, const char* command, std::initializer_list<OptionGroup> groups) {
+  std::string line = fmt::format("candela {} {}", command, shellQuoted(arguments.files.front()));
+  for (const OptionGroup group : groups) {
+    const std::string options = commandLineOf(arguments, group, true);
+    if (!options.empty()) line += " " + options;
+  }
+  return line;
+}
+
+// What both reports on a scene have in common: pictures, tracers, hashes.
+Report tracersReport(const RenderJob& job, const Film& device, const Film& reference, const RenderStatistics& statistics) {
+  Report page;
+  page.nameA = "Device: " + statistics.device;
+  page.nameB = "Reference";
+  page.a = toImage(device);
+  page.b = toImage(reference);
+  page.display = chooseDisplay(job.arguments, page.b);
+  page.comparison = compareImages(page.a, page.b);
+  page.flip = computeFlip(displayed(page.a, page.display), displayed(page.b, page.display));
+  const std::string sceneHash = hashText(job.scene.hash);
+  page.facts = {{"Tracer", statistics.device, "the reference: double precision, on the CPU"},
+                {"Driver", statistics.driver, "none"},
+                {"Kernel", statistics.kernel, "none"},
+                {"Scene hash", sceneHash, sceneHash},
+                {"Film hash", hashText(device.hash()), hashText(reference.hash())}};
+  return page;
+}
+
+std::string agreementSentence(const AgreementReport& agreement) {
+  return fmt::format(
+      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and the means "
+      "of {} samples are {:.2e} apart (at most {:.0e}).",
+      100 * agreement.pixels.share(), 100 * kRequiredShare, 100 * agreement.pixels.litShare(), 100 * kRequiredLitShare,
+      agreement.mean.samples, agreement.mean.relativeDifference(), kMeanTolerance);
+}
+
+void addPaths(const PixelAgreement& paths, Report& page) {
+  page.figures.push_back({"Equal pixels at one sample", fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
+  page.figures.push_back({"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
+  page.figures.push_back({"First difference of the others", paths.causesText()});
+}
+
+}  // namespace
+
+Report agreementReport(const Arguments& arguments, const RenderJob& job, const AgreementReport& agreement) {
+  Report page = tracersReport(job, agreement.deviceFilm, agreement.referenceFilm, agreement.deviceStatistics);
+  page.title = job.scene.name + ": device and reference, equal random numbers";
+  page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;
+  page.verdict = agreementSentence(agreement);
+  addPaths(agreement.pixels, page);
+  page.figures.push_back({"Samples per pixel, a side", fmt::to_string(agreement.mean.samples)});
+  page.figures.push_back({"Seed", fmt::to_string(job.settings.seed)});
+  page.commands = {commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
+  return page;
+}
+
+Report verificationReport(const Arguments& arguments, const RenderJob& job, const verify::VerifyReport& verification) {
+  const verify::LightTestResult& light = verification.light;
+  Report page = tracersReport(job, light.deviceFilm, light.referenceFilm, light.deviceStatistics);
+  page.title = job.scene.name + ": the verdict on the device";
+  page.outcome = verification.agree() ? Outcome::agree : Outcome::differ;
+  page.verdict = verification.verdict();
+  page.tests = report::LightTests{light.regions, light.level};
+  addPaths(verification.paths, page);
+  page.figures.push_back({"Samples per pixel, a side", fmt::format("{} in {} batches, {} looks", light.samplesPerPixel,
+                                                                    verify::kBatchCount, light.looks)});
+  page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.seed)});
+  page.figures.push_back({"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
+  if (verification.exact) {
+    const verify::ExactTest& exact = *verification.exact;
+    page.figures.push_back({"Stated answer", fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})",
+                                                         exact.expected, exact.device, exact.devicePValue, exact.reference,
+                                                         exact.referencePValue)});
+  }
+  page.commands = {commandOf(arguments, "verify", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution,
+                                                   OptionGroup::verification})};
+  return page;
+}
+
+void writeReport(const std::filesystem::path& file, const Report& report) {
+  const std::string page = toHtml(report);
+  writeFileAtomically(file, std::as_bytes(std::span(page)));
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,88 @@
+#include "host/report/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/image/metrics.h"
+
+namespace candela::report {
+namespace {
+
+constexpr int kMostStops = 24;
+constexpr std::size_t kBinsPerStop = 2;
+constexpr std::size_t kDifferenceBins = 41;  // odd: equal pixels are in the middle one
+constexpr double kShareWithin = 0.99;
+
+struct StopRange {
+  double low = -1;
+  double high = 0;
+};
+
+// Whole stops.
+StopRange stopRange(const Image& a, const Image& b) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const Image* image : {&a, &b}) {
+    for (const glm::vec3& pixel : image->rgb) {
+      const double stops = std::log2(luminance(glm::dvec3(pixel)));
+      if (!std::isfinite(stops)) continue;
+      least = std::min(least, stops);
+      most = std::max(most, stops);
+    }
+  }
+  if (least > most) return {};
+  const double high = std::floor(most) + 1;
+  return {std::max(std::floor(least), high - kMostStops), high};
+}
+
+Histogram histogramOfStops(const Image& image, const StopRange& range) {
+  Histogram histogram(range.low, range.high, static_cast<std::size_t>(range.high - range.low) * kBinsPerStop);
+  for (const glm::vec3& pixel : image.rgb) histogram.add(std::log2(luminance(glm::dvec3(pixel))));
+  return histogram;
+}
+
+std::vector<double> relativeDifferences(const Image& a, const Image& b) {
+  const double scale = differenceScale(a, b);
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const double expected = luminance(glm::dvec3(b.rgb[i]));
+    differences.push_back((luminance(glm::dvec3(a.rgb[i])) - expected) / (expected + scale));
+  }
+  return differences;
+}
+
+double rangeOf(const std::vector<double>& differences) {
+  const auto wanted = kShareWithin * static_cast<double>(differences.size());
+  for (const double range : {0.001, 0.01, 0.1, 1.0}) {
+    const auto within = std::count_if(differences.begin(), differences.end(), [=](double d) { return std::abs(d) <= range; });
+    if (static_cast<double>(within) >= wanted) return range;
+  }
+  return 10;
+}
+
+}  // namespace
+
+void Histogram::add(double value) {
+  if (!std::isfinite(value)) {
+    ++leftOut;
+    return;
+  }
+  const double place = (value - low) / (high - low) * static_cast<double>(counts.size());
+  const double last = static_cast<double>(counts.size() - 1);
+  ++counts[static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last))];
+}
+
+ValueHistograms valueHistograms(const Image& a, const Image& b) {
+  const StopRange range = stopRange(a, b);
+  return {histogramOfStops(a, range), histogramOfStops(b, range)};
+}
+
+Histogram differenceHistogram(const Image& a, const Image& b) {
+  const std::vector<double> differences = relativeDifferences(a, b);
+  const double range = rangeOf(differences);
+  Histogram histogram(-range, range, kDifferenceBins);
+  for (const double difference : differences) histogram.add(difference);
+  return histogram;
+}
+
+}  // namespace candela::report

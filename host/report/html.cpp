@@ -1,0 +1,47 @@
+#include "host/report/html.h"
+
+#include "host/core/errors.h"
+
+namespace candela::report {
+namespace {
+
+constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
+
+bool isControl(char character) {
+  const auto code = static_cast<unsigned char>(character);
+  return (code < 0x20 && character != '\n' && character != '\t') || code == 0x7f;
+}
+
+}  // namespace
+
+std::string escapeHtml(std::string_view text) {
+  std::string out;
+  for (const char character : text) {
+    switch (character) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: isControl(character) ? out += kReplacement : out += character;
+    }
+  }
+  return out;
+}
+
+std::string fillTemplate(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
+  std::string out;
+  for (;;) {
+    const std::size_t open = text.find("{{");
+    const std::size_t close = text.find("}}", open);
+    if (open == std::string_view::npos || close == std::string_view::npos) return out.append(text);
+    const auto value = values.find(text.substr(open + 2, close - open - 2));
+    if (value == values.end()) {
+      throw InternalError("a template without a value for " + std::string(text.substr(open, close + 2 - open)));
+    }
+    out.append(text.substr(0, open)).append(value->second);
+    text.remove_prefix(close + 2);
+  }
+}
+
+}  // namespace candela::report

@@ -1,0 +1,39 @@
+#include "host/report/reduce.h"
+
+#include <algorithm>
+
+namespace candela::report {
+namespace {
+
+std::uint32_t blocks(std::uint32_t pixels, std::uint32_t k) { return (pixels + k - 1) / k; }
+
+glm::vec3 blockMean(const Image& image, std::uint32_t left, std::uint32_t top, std::uint32_t k) {
+  const std::uint32_t right = std::min(left + k, image.width);
+  const std::uint32_t bottom = std::min(top + k, image.height);
+  glm::dvec3 sum(0);
+  for (std::uint32_t y = top; y < bottom; ++y) {
+    for (std::uint32_t x = left; x < right; ++x) sum += glm::dvec3(image.at(x, y));
+  }
+  return glm::vec3(sum / (double{1} * (right - left) * (bottom - top)));
+}
+
+}  // namespace
+
+std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height) {
+  std::uint32_t k = 1;
+  while (std::uint64_t{blocks(width, k)} * blocks(height, k) > kMostPixels) ++k;
+  return k;
+}
+
+Image reduced(const Image& image, std::uint32_t k) {
+  Image small;
+  small.width = blocks(image.width, k);
+  small.height = blocks(image.height, k);
+  small.rgb.reserve(std::size_t{small.width} * small.height);
+  for (std::uint32_t y = 0; y < small.height; ++y) {
+    for (std::uint32_t x = 0; x < small.width; ++x) small.rgb.push_back(blockMean(image, x * k, y * k, k));
+  }
+  return small;
+}
+
+}  // namespace candela::report

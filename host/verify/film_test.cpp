@@ -1,0 +1,129 @@
+#include "host/verify/film_test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host/render/agreement.h"
+#include "host/statistics/error_rates.h"
+
+namespace candela::verify {
+namespace {
+
+using Variances = std::vector<float>;
+
+Variances largerOf(const Variances& a, const Variances& b) {
+  Variances larger(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), larger.begin(), [](float x, float y) { return std::max(x, y); });
+  return larger;
+}
+
+// `variances` are those of one sample.
+statistics::Estimate estimateRegion(const Image& image, const Variances& variances, const Region& region) {
+  double sum = 0;
+  double squaredError = 0;
+  double uncertainty = 0;  // half the variance of the squared error
+  for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
+    for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
+      const std::size_t pixel = std::size_t{y} * image.width + x;
+      const double count = image.sampleCounts[pixel];
+      const double pixelError = variances[pixel] / count;
+      sum += luminance(glm::dvec3(image.rgb[pixel]));
+      squaredError += pixelError;
+      uncertainty += pixelError * pixelError / (count - 1);
+    }
+  }
+  const double pixels = double{1} * region.width * region.height;
+  const double freedom = uncertainty > 0 ? squaredError * squaredError / uncertainty : 1;
+  return {sum / pixels, squaredError / (pixels * pixels), freedom};
+}
+
+bool isUsable(const Image& image, std::size_t pixel) {
+  const glm::vec3& rgb = image.rgb[pixel];
+  const float variance = image.luminanceVariance[pixel];
+  return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) && variance >= 0;
+}
+
+std::optional<std::string> whyNotTestable(const std::string& name, const Image& image) {
+  if (!carriesVariance(image)) return name + " has no variance and sample counts, as the EXR files of candela render have";
+  if (!image.metadata.contains(kSeedMetadata)) {
+    return fmt::format("{} does not state its seed ({}), and with equal random numbers the test would mean nothing", name,
+                       kSeedMetadata);
+  }
+  for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
+    if (image.sampleCounts[pixel] < 2) return name + " has pixels of fewer than two samples: render it with more";
+    if (!isUsable(image, pixel)) return name + " has values that are not finite, or a negative variance";
+  }
+  return std::nullopt;
+}
+
+// Of the whole test, not of one region.
+double pValueOf(const RegionResult& result, std::size_t tests) {
+  return -std::expm1(static_cast<double>(tests) * std::log1p(-result.test.pValue));
+}
+
+std::string rarityText(double pValue) {
+  return pValue > 0 ? fmt::format("once in {:.1e} comparisons", 1 / pValue) : "never";
+}
+
+}  // namespace
+
+bool carriesVariance(const Image& image) { return !image.luminanceVariance.empty() && !image.sampleCounts.empty(); }
+
+std::optional<std::string> whyNotTestable(const Image& a, const Image& reference) {
+  if (const auto reason = whyNotTestable("A", a)) return reason;
+  if (const auto reason = whyNotTestable("B", reference)) return reason;
+  if (a.metadata.at(kSeedMetadata) != reference.metadata.at(kSeedMetadata)) return std::nullopt;
+  return "A and B have the same seed and so the same random numbers, on which the test would take chance for agreement: "
+         "render one with another --seed";
+}
+
+FilmTestResult testFilms(const Image& a, const Image& reference, double alpha) {
+  std::vector<Region> regions = regionsOf({a.width, a.height});
+  std::erase_if(regions, [](const Region& region) { return region.quantity != Region::Quantity::luminance; });
+  const bool equalCounts = a.sampleCounts == reference.sampleCounts;
+  const Variances larger =
+      equalCounts ? Variances{} : largerOf(a.luminanceVariance, reference.luminanceVariance);
+
+  FilmTestResult result{alpha, statistics::sidakLevel(alpha, regions.size()), {}};
+  for (const Region& region : regions) {
+    result.regions.push_back(
+        compareRegion(region, estimateRegion(a, equalCounts ? a.luminanceVariance : larger, region),
+                      estimateRegion(reference, equalCounts ? reference.luminanceVariance : larger, region), result.level));
+  }
+  return result;
+}
+
+std::string FilmTestResult::verdict() const {
+  if (differs()) {
+    const RegionResult& most = mostSignificant();
+    return fmt::format("A and B do NOT show the same light: the {} is {:.3f} % {} in A, which chance alone would give {}.",
+                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
+                       most.test.difference > 0 ? "brighter" : "darker", rarityText(pValueOf(most, regions.size())));
+  }
+  return fmt::format("A and B show the same light, as far as their noise lets see: a difference of {:.2g} % of the image mean "
+                     "would have been seen with {:.0f} % probability.",
+                     100 * std::max(image().detectableBias, kRelativeTolerance), 100 * kPower);
+}
+
+std::string toText(const FilmTestResult& result) {
+  std::string text = fmt::format("same light?           {}: {} tests at p < {:.1e}\n", result.differs() ? "NO" : "yes",
+                                 result.regions.size(), result.level);
+  text += fmt::format("                      {}\n", differenceText(result.image()));
+  const RegionResult& most = result.mostSignificant();
+  if (&most != &result.image()) text += fmt::format("                      {}\n", differenceText(most));
+  return text + result.verdict() + "\n";
+}
+
+nlohmann::ordered_json toJson(const FilmTestResult& result) {
+  nlohmann::ordered_json json{{"differs", result.differs()},
+                              {"verdict", result.verdict()},
+                              {"alpha", result.alpha},
+                              {"level", result.level}};
+  for (const RegionResult& region : result.regions) json["regions"].push_back(regionJson(region, "mean"));
+  return json;
+}
+
+}  // namespace candela::verify

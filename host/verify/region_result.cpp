@@ -1,0 +1,68 @@
+#include "host/verify/region_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host/render/agreement.h"
+
+namespace candela::verify {
+
+double RegionResult::relativeDifference() const {
+  return referenceMean == 0 ? test.difference : test.difference / std::abs(referenceMean);
+}
+
+RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
+                           const statistics::Estimate& reference, double level) {
+  const double rounding = kRelativeTolerance * std::abs(reference.mean) + kAbsoluteTolerance;
+  RegionResult result{region, device.mean, reference.mean, statistics::welch(device, reference, rounding), 0, false};
+  result.differs = result.test.pValue < level;
+  if (result.test.standardError == 0 || reference.mean == 0) return result;
+  const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
+  result.detectableBias =
+      (critical + statistics::normalQuantile(kPower)) * result.test.standardError / std::abs(reference.mean);
+  return result;
+}
+
+bool anyDiffers(std::span<const RegionResult> results) {
+  return std::any_of(results.begin(), results.end(), [](const RegionResult& result) { return result.differs; });
+}
+
+const RegionResult& mostSignificant(std::span<const RegionResult> results) {
+  const RegionResult& image = results.front();
+  if (image.differs) return image;
+  const auto least = std::min_element(results.begin(), results.end(), [](const RegionResult& a, const RegionResult& b) {
+    return a.test.pValue < b.test.pValue;
+  });
+  return least->differs ? *least : image;
+}
+
+std::string differenceText(const RegionResult& result) {
+  const double error = result.referenceMean == 0 ? result.test.standardError
+                                                 : result.test.standardError / std::abs(result.referenceMean);
+  return fmt::format("{}: {:.6g} against {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
+                     regionText(result.region), result.deviceMean, result.referenceMean,
+                     100 * result.relativeDifference(), 100 * error, result.test.pValue);
+}
+
+nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstName) {
+  return {{"x", result.region.x},
+          {"y", result.region.y},
+          {"width", result.region.width},
+          {"height", result.region.height},
+          {"tileSize", result.region.tileSize},
+          {"quantity", quantityName(result.region.quantity)},
+          {firstName, result.deviceMean},
+          {"reference", result.referenceMean},
+          {"difference", result.test.difference},
+          {"standardError", result.test.standardError},
+          {"degreesOfFreedom", result.test.degreesOfFreedom},
+          {"t", result.test.t},
+          {"pValue", result.test.pValue},
+          {"detectableBias", result.detectableBias},
+          {"differs", result.differs}};
+}
+
+}  // namespace candela::verify

@@ -1,0 +1,103 @@
+// `candela compare A B` of films that carry variance: verdicts, refusals, and how --tolerance and --alpha go together.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+using Catch::Contains;
+using nlohmann::json;
+
+// A ball on a floor under a lamp of so much red, green and blue, 16x12 pixels, by the reference.
+std::string renderFilm(const TemporaryFolder& folder, const std::string& name, const std::string& seed,
+                       const std::string& lamp = "4 4 4", const std::vector<std::string>& options = {}) {
+  std::string text = smallScene();
+  text.replace(text.find("4 4 4"), 5, lamp);
+  const std::string file = folder.path(name);
+  std::vector<std::string> words{folder.write("scene.p3f", text), "-o", file, "--device", "cpu", "--seed", seed, "-q"};
+  words.insert(words.end(), options.begin(), options.end());
+  REQUIRE(runCandela(words).exitCode == 0);
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("films of one scene by two seeds show the same light, and both verdict and JSON say so") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1");
+  const std::string b = renderFilm(folder, "b.exr", "2");
+  const ProgramResult text = runCandela({"compare", a, b});
+  CHECK(text.exitCode == 0);
+  CHECK_THAT(text.out, Contains("A and B show the same light"));
+  const json report = json::parse(runCandela({"compare", a, b, "--alpha", "1%", "--json", "-"}).out);
+  CHECK(report["pass"] == true);
+  CHECK(report["sameLight"]["alpha"] == 0.01);
+  CHECK(report["sameLight"]["regions"].size() == 5);  // the image, and tiles of 8 pixels
+}
+
+TEST_CASE("films of other light differ, with exit code 3 and the place, whatever their samplers") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1", "6 6 6");
+  for (const char* sampler : {"independent", "stratified", "sobol"}) {
+    const std::string b = renderFilm(folder, "b.exr", "2", "4 4 4", {"--sampler", sampler});
+    const ProgramResult result = runCandela({"compare", a, b});
+    INFO(sampler << result.out);
+    CHECK(result.exitCode == 3);
+    CHECK_THAT(result.out, Contains("do NOT show the same light") && Contains("brighter in A"));
+  }
+}
+
+TEST_CASE("films of the same seed have no verdict, and none can be asked for") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1");
+  const std::string b = renderFilm(folder, "b.exr", "1", "6 6 6");
+  const ProgramResult silent = runCandela({"compare", a, b});
+  CHECK(silent.exitCode == 0);
+  CHECK_THAT(silent.out, Contains("There is no verdict on the light: A and B have the same seed"));
+  CHECK_FALSE(json::parse(runCandela({"compare", a, b, "--json", "-"}).out).contains("pass"));
+  const ProgramResult asked = runCandela({"compare", a, b, "--alpha", "0.01"});
+  CHECK(asked.exitCode == 1);
+  CHECK_THAT(asked.err, Contains("--alpha: A and B have the same seed"));
+}
+
+TEST_CASE("--alpha asks for variance and for two samples in every pixel") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1");
+  const std::string bare = renderFilm(folder, "b.pfm", "2");
+  const std::string single = renderFilm(folder, "c.exr", "2", "4 4 4", {"--spp", "1"});
+  CHECK(runCandela({"compare", a, bare}).exitCode == 0);
+  CHECK_THAT(runCandela({"compare", a, bare, "--alpha", "0.01"}).err, Contains("B has no variance"));
+  CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err, Contains("B has pixels of fewer than two samples"));
+}
+
+TEST_CASE("a tolerance alone is judged alone; with --alpha both must be met") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1", "6 6 6");
+  const std::string b = renderFilm(folder, "b.exr", "2");
+  const std::string c = renderFilm(folder, "c.exr", "3");
+  CHECK(runCandela({"compare", a, b, "--tolerance", "1e9"}).exitCode == 0);
+  CHECK(runCandela({"compare", a, b, "--tolerance", "1e9", "--alpha", "0.01"}).exitCode == 3);
+  CHECK(runCandela({"compare", b, c, "--tolerance", "1e9", "--alpha", "0.01"}).exitCode == 0);
+  CHECK(runCandela({"compare", b, c, "--tolerance", "1e-9", "--alpha", "0.01"}).exitCode == 3);
+}
+
+TEST_CASE("a report of two films is one page, the same each time, and there as a whole or not at all") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1");
+  const std::string b = renderFilm(folder, "b.exr", "2");
+  const std::string page = folder.path("report.html");
+  CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
+  const std::string first = readFile(page);
+  CHECK_THAT(first, Contains("A and B show the same light") && Contains("map-t8") && Contains("candela render scene.p3f --spp 16"));
+  CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
+  CHECK(readFile(page) == first);
+
+  const std::size_t files = folder.fileCount();
+  CHECK(runCandela({"compare", a, folder.path("missing.exr"), "--report", folder.path("other.html")}).exitCode == 2);
+  CHECK(runCandela({"compare", a, b, "--report", folder.path("missing/other.html")}).exitCode == 2);
+  CHECK(folder.fileCount() == files);
+}
+
+}  // namespace candela
