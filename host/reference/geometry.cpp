@@ -1,4 +1,4 @@
-// Quadratics for round surfaces, Moeller and Trumbore's test (JGT 1997) for triangles, slabs for boxes.
+// Quadratics for round surfaces, Pluecker's test of edges for triangles, slabs for boxes.
 #include "host/reference/geometry.h"
 
 #include <algorithm>
@@ -17,6 +17,13 @@ std::pair<double, double> roots(double a, double b, double c) {
   if (!(discriminant >= 0)) return {kNoHit, kNoHit};
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   return {q / a, c / q};
+}
+
+// Six times the volume that a ray's direction spans with both ends of an edge, as seen from the ray's origin: its sign
+// tells on which side of the edge the ray passes (Pluecker's inner product). Backwards it is exactly the negative. So two
+// triangles decide about the edge that they share by the same number, and no ray passes between them.
+double sideOfEdge(const dvec3& direction, const dvec3& from, const dvec3& to) {
+  return dot(direction, cross(from, to));
 }
 
 }  // namespace
@@ -39,20 +46,23 @@ dvec3 SphereShape::normal(const dvec3& point) const { return normalize(point - c
 // ---------------------------------------------------------------------------------------------------------------------
 
 TriangleShape::TriangleShape(const Triangle& triangle)
-    : corner(triangle.p[0]), edge1(dvec3(triangle.p[1]) - corner), edge2(dvec3(triangle.p[2]) - corner) {}
+    : corner(triangle.p[0]),
+      corner1(triangle.p[1]),
+      corner2(triangle.p[2]),
+      edge1(corner1 - corner),
+      edge2(corner2 - corner) {}
 
 double TriangleShape::distance(const Ray& ray) const {
-  const dvec3 p = cross(ray.direction, edge2);
-  const double determinant = dot(edge1, p);
-  if (determinant == 0) return kNoHit;
-  const double inverse = 1 / determinant;
-  const dvec3 s = ray.origin - corner;
-  const double b1 = dot(s, p) * inverse;
-  if (!(b1 >= 0 && b1 <= 1)) return kNoHit;
-  const dvec3 q = cross(s, edge1);
-  const double b2 = dot(ray.direction, q) * inverse;
-  if (!(b2 >= 0 && b1 + b2 <= 1)) return kNoHit;
-  return positiveOrNoHit(dot(edge2, q) * inverse);
+  const dvec3 a = corner - ray.origin;
+  const dvec3 b = corner1 - ray.origin;
+  const dvec3 c = corner2 - ray.origin;
+  const auto [least, most] =
+      std::minmax({sideOfEdge(ray.direction, a, b), sideOfEdge(ray.direction, b, c), sideOfEdge(ray.direction, c, a)});
+  if (least < 0 && most > 0) return kNoHit;
+  const dvec3 normal = areaNormal();
+  const double towards = dot(ray.direction, normal);
+  if (towards == 0) return kNoHit;
+  return positiveOrNoHit(dot(a, normal) / towards);
 }
 
 dvec2 TriangleShape::barycentrics(const Ray& ray) const {

@@ -22,10 +22,13 @@ struct SphereShape {
 
 struct TriangleShape {
   dvec3 corner;
-  dvec3 edge1;
-  dvec3 edge2;
+  dvec3 corner1;
+  dvec3 corner2;
+  dvec3 edge1;  ///< from corner to corner1
+  dvec3 edge2;  ///< from corner to corner2
 
   explicit TriangleShape(const Triangle& triangle);
+  /// Watertight: rays do not pass between triangles that share an edge.
   double distance(const Ray& ray) const;
   /// (b1, b2) of the point where the ray meets the triangle's plane.
   dvec2 barycentrics(const Ray& ray) const;

@@ -2,30 +2,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/reference/estimate.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
 using namespace candela::test;
 
 namespace {
-
-// Mean of all pixels with its standard error, from the film's own variance.
-struct Estimate {
-  double mean;
-  double error;
-};
-
-Estimate estimateOf(const Film& film) {
-  double sum = 0, variance = 0;
-  const double pixels = double{1} * film.width() * film.height();
-  for (std::uint32_t y = 0; y < film.height(); ++y) {
-    for (std::uint32_t x = 0; x < film.width(); ++x) {
-      sum += luminance(film.mean(x, y));
-      variance += film.luminanceVariance(x, y) / film.at(x, y).sampleCount;
-    }
-  }
-  return {sum / pixels, std::sqrt(variance) / pixels};
-}
 
 void checkEqualMeans(const Estimate& a, const Estimate& b, double largestError) {
   INFO(a.mean << " +- " << a.error << " against " << b.mean << " +- " << b.error);

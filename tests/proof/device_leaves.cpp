@@ -1,0 +1,177 @@
+// The device's side: each function in a small shader of its own, on the device under test.
+#include <bit>
+#include <catch2/catch.hpp>
+
+#include "spirv/light_leaf.h"
+#include "spirv/material_leaf.h"
+#include "spirv/ray_leaf.h"
+#include "spirv/warps_leaf.h"
+#include "tests/proof/leaves.h"
+#include "tests/render/render_support.h"
+#include "tests/render/run_leaf.h"
+#include "tests/render/scene_leaf.h"
+
+namespace candela::proof {
+
+using glm::vec3;
+using glm::vec4;
+
+const double kRounding = 1e-5;
+
+RenderResult render(const Scene& scene, const RenderSettings& settings) { return renderOnDevice(scene, settings); }
+
+WarpValues warps(std::span<const vec3> numbers, float capHeight) {
+  std::vector<vec4> inputs;
+  for (const vec3& u : numbers) inputs.emplace_back(u, capHeight);
+  const auto rows = runLeaf<vec4>(spirv::warps_leaf, inputs, 3 * inputs.size(),
+                                  {static_cast<std::uint32_t>(inputs.size()), 0});
+  WarpValues values;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    values.disc.emplace_back(rows[3 * i].x, rows[3 * i].y);
+    values.triangle.emplace_back(rows[3 * i].z, rows[3 * i].w);
+    values.cap.emplace_back(vec3(rows[3 * i + 1]));
+    values.tent.push_back(rows[3 * i + 1].w);
+    values.cosineHemisphere.emplace_back(vec3(rows[3 * i + 2]));
+  }
+  return values;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Every material on a sphere of its own, which makes it one that the scene uses.
+Scene sceneOfMaterials(const std::vector<Material>& materials) {
+  Scene scene;
+  scene.camera.emplace();
+  scene.materials = materials;
+  for (std::uint32_t i = 0; i < materials.size(); ++i) {
+    scene.spheres.push_back({vec3(0), 1});
+    scene.primitives.push_back({PrimitiveKind::sphere, i, i});
+  }
+  return scene;
+}
+
+// Numbers up to 2^24 travel as floats, since bits of small integers are denormal floats, which devices may drop.
+float number(std::uint32_t value) { return static_cast<float>(value); }
+std::uint32_t count(float value) { return static_cast<std::uint32_t>(value); }
+
+}  // namespace
+
+struct MaterialLeaves::Side {
+  SceneLeaf leaf;
+};
+
+MaterialLeaves::MaterialLeaves(const std::vector<Material>& materials)
+    : side_(new Side{SceneLeaf(spirv::material_leaf, sceneOfMaterials(materials))}) {}
+MaterialLeaves::~MaterialLeaves() = default;
+
+std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> queries) const {
+  std::vector<vec4> inputs;
+  for (const ScatterQuery& query : queries) {
+    inputs.emplace_back(vec3(query.wo), number(query.material));
+    inputs.emplace_back(query.numbers, query.outside ? 1.0f : 0.0f);
+  }
+  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), queries.size(), 0);
+  std::vector<Scattered> samples(queries.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto lobe = static_cast<Lobe>(rows[2 * i + 1].w);
+    if (lobe != Lobe::none) samples[i] = {lobe, vec3(rows[2 * i]), vec3(rows[2 * i + 1]), rows[2 * i].w};
+  }
+  return samples;
+}
+
+std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
+  std::vector<vec4> inputs;
+  for (const DirectionPair& pair : pairs) {
+    inputs.emplace_back(vec3(pair.wo), number(pair.material));
+    inputs.emplace_back(vec3(pair.wi), 0.0f);
+  }
+  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), pairs.size(), 1);
+  std::vector<ScatterValue> values;
+  for (std::size_t i = 0; i < pairs.size(); ++i) values.push_back({vec3(rows[2 * i]), rows[2 * i].w});
+  return values;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct LightLeaves::Side {
+  SceneLeaf leaf;
+
+  // As light_leaf.comp numbers them.
+  static constexpr std::uint32_t kChoose = 0, kSample = 1, kFind = 2;
+
+  template <class Query>
+  std::vector<vec4> run(std::uint32_t task, const Viewpoint& from, std::size_t count, const Query& query) {
+    std::vector<vec4> inputs;
+    for (std::size_t i = 0; i < count; ++i) {
+      inputs.emplace_back(vec3(from.position), from.onLight ? 1.0f : 0.0f);
+      inputs.push_back(query(i));
+    }
+    return leaf.run<vec4>(inputs, inputs.size(), count, task);
+  }
+};
+
+LightLeaves::LightLeaves(const Scene& scene) : side_(new Side{SceneLeaf(spirv::light_leaf, scene)}) {}
+LightLeaves::~LightLeaves() = default;
+
+std::vector<ChosenLight> LightLeaves::choose(std::span<const std::uint32_t> words) const {
+  const auto query = [&](std::size_t i) { return vec4(number(words[i] >> 8)); };
+  const auto rows = side_->run(Side::kChoose, {}, words.size(), query);
+  std::vector<ChosenLight> chosen;
+  std::uint32_t truncated = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    chosen.push_back({count(rows[2 * i].x), rows[2 * i].y});
+    truncated += count(rows[2 * i].z);
+  }
+  REQUIRE(truncated == 0);
+  return chosen;
+}
+
+std::vector<LitPoint> LightLeaves::sample(std::uint32_t entry, const Viewpoint& from,
+                                          std::span<const vec3> numbers) const {
+  const auto query = [&](std::size_t i) { return vec4(numbers[i], number(entry)); };
+  const auto rows = side_->run(Side::kSample, from, numbers.size(), query);
+  std::vector<LitPoint> points;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    points.push_back({vec3(rows[2 * i]), rows[2 * i + 1].w, rows[2 * i].w, vec3(rows[2 * i + 1])});
+  }
+  return points;
+}
+
+std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& from,
+                                          std::span<const dvec3> directions) const {
+  const auto query = [&](std::size_t i) { return vec4(vec3(directions[i]), number(entry)); };
+  const auto rows = side_->run(Side::kFind, from, directions.size(), query);
+  std::vector<FoundLight> found;
+  for (std::size_t i = 0; i < directions.size(); ++i) found.push_back({rows[2 * i].x, rows[2 * i].y});
+  return found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct RayLeaves::Side {
+  SceneLeaf leaf;
+};
+
+RayLeaves::RayLeaves(const Scene& scene) : side_(new Side{SceneLeaf(spirv::ray_leaf, scene)}) {}
+RayLeaves::~RayLeaves() = default;
+
+std::vector<TracedHit> RayLeaves::closest(std::span<const ProofRay> rays) const {
+  std::vector<vec4> inputs;
+  for (const ProofRay& ray : rays) {
+    inputs.emplace_back(ray.origin, 0.0f);
+    inputs.emplace_back(ray.direction, 0.0f);
+  }
+  const auto rows = side_->leaf.run<glm::uvec4>(inputs, rays.size(), rays.size());
+  std::vector<TracedHit> hits;
+  std::uint32_t truncated = 0;
+  for (const glm::uvec4& row : rows) {
+    hits.push_back({std::bit_cast<float>(row.x), row.y});
+    truncated += row.z;
+  }
+  REQUIRE(truncated == 0);
+  return hits;
+}
+
+}  // namespace candela::proof

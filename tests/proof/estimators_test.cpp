@@ -1,0 +1,92 @@
+// Three ways to the same light: by light samples alone, by the lobes' samples alone, and by both with weights.
+#include <catch2/catch.hpp>
+
+#include "tests/proof/cells.h"
+#include "tests/proof/leaves.h"
+#include "tests/proof/numbers.h"
+#include "tests/reference/estimate.h"
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::proof;
+using glm::vec3;
+using test::diffuseMaterial;
+using test::Estimate;
+using test::mixtureMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+constexpr std::size_t kSamples = 1000000;
+
+const Material kFloor = mixtureMaterial(0.3f, 0.6f, 15);
+
+// The lamps over the origin, none in the way of another there.
+SceneBuilder lampsAlone() {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0), vec3(3, 2, 1))).sphere({-1.5f, 0.3f, 1.5f}, 0.6f);
+  b.material(diffuseMaterial(vec3(0), vec3(1, 2, 3))).triangle({0.5f, -1, 1}, {1, 1, 1.5f}, {0.3f, 0.2f, 2});
+  return b;
+}
+
+// Seen from where the glossy lobe points between the lamps. So narrow an angle that every ray meets the origin.
+Scene lampsOverFloor() {
+  SceneBuilder b = lampsAlone();
+  b.material(kFloor).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.view({0.5f, -2.5f, 2.5f}, {0, 0, 0}, {0, 0, 1}, 1e-3f);
+  return b.scene;
+}
+
+Estimate rendered(bool nextEventEstimation) {
+  RenderSettings settings = test::settingsOf(32, 32, kSamples >> 10);
+  settings.sampler = SamplerKind::independent;
+  settings.maxDepth = 2;
+  settings.nextEventEstimation = nextEventEstimation;
+  settings.seed = nextEventEstimation ? 1 : 2;
+  return test::estimateOf(render(lampsOverFloor(), settings).film);
+}
+
+// The floor's frame at the origin is that of the world.
+Estimate byLightSamples() {
+  const LightLeaves lights(lampsAlone().scene);
+  const MaterialLeaves materials({kFloor});
+  const std::vector<vec3> numbers = randomNumbers(kSamples, 501);
+  const dvec3 wo = normalize(dvec3(0.5, -2.5, 2.5));
+  double sum = 0, squares = 0;
+  for (std::uint32_t entry = 0; entry < 2; ++entry) {
+    // Each lamp by itself, which leaves the probability of its choice to one lamp of both.
+    const std::vector<LitPoint> lit = lights.sample(entry, {}, numbers);
+    std::vector<DirectionPair> pairs;
+    for (const LitPoint& point : lit) pairs.push_back({0, wo, point.wi});
+    const std::vector<ScatterValue> values = materials.evaluate(pairs);
+    const double probability = lights.choose(std::vector<std::uint32_t>{entry == 0 ? 0u : ~0u})[0].probability;
+    double own = 0, ownSquares = 0;
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+      if (lit[i].pdf == 0) continue;
+      const double light = luminance(values[i].f * lit[i].emission) * lit[i].wi.z * probability / lit[i].pdf;
+      own += light;
+      ownSquares += light * light;
+    }
+    const double mean = own / kSamples;
+    sum += mean;
+    squares += (ownSquares / kSamples - mean * mean) / kSamples;
+  }
+  return {sum, std::sqrt(squares)};
+}
+
+void checkAgreement(const char* names, const Estimate& a, const Estimate& b) {
+  INFO(names << ": " << a.mean << " +- " << a.error << ", " << b.mean << " +- " << b.error);
+  const double error = std::hypot(a.error, b.error);
+  CHECK(error < 0.004 * a.mean);  // or else the next line would say little
+  CHECK(std::abs(a.mean - b.mean) < 4 * error);
+}
+
+}  // namespace
+
+TEST_CASE("light samples, lobe samples and both together find the same light") {
+  const Estimate lights = byLightSamples(), lobes = rendered(false), both = rendered(true);
+  checkAgreement("lights and lobes", lights, lobes);
+  checkAgreement("lights and both", lights, both);
+  checkAgreement("lobes and both", lobes, both);
+  CHECK(both.error < lobes.error);
+}

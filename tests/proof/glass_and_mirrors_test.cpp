@@ -1,0 +1,92 @@
+// Specular light whose amount is known: a corridor of two mirrors, and a slab of glass.
+#include <catch2/catch.hpp>
+
+#include "tests/proof/leaves.h"
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::proof;
+using glm::vec3;
+using test::diffuseMaterial;
+using test::glassMaterial;
+using test::mirrorMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+RenderSettings longPaths(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+  RenderSettings settings = test::settingsOf(width, height, samples);
+  settings.rouletteStart = settings.maxDepth;
+  return settings;
+}
+
+// With Schlick's reflectance at both faces, which the cosine outside gives. `colour` is taken at every crossing and at
+// every reflection.
+struct Slab {
+  double reflectance;
+  double colour;
+
+  Slab(double cosOutside, double ior, double taken) : colour(taken) {
+    const double atNormal = std::pow((ior - 1) / (ior + 1), 2);
+    reflectance = atNormal + (1 - atNormal) * std::pow(1 - cosOutside, 5);
+  }
+  // (1 - R)^2 c^2 (1 + (R c)^2 + (R c)^4 + ...)
+  double transmitted() const {
+    return std::pow((1 - reflectance) * colour, 2) / (1 - std::pow(reflectance * colour, 2));
+  }
+  // R c, and what goes in, is reflected an odd number of times, and comes out.
+  double reflected() const { return reflectance * colour + reflectance * colour * transmitted(); }
+};
+
+}  // namespace
+
+TEST_CASE("a corridor of two mirrors dims its end once for every mirror that unfolding finds on the way") {
+  // Mirrors at x = 0 and x = 1, one of them of triangles, and a glowing end at y = 8. The camera looks along y.
+  constexpr double kStart = 0.375, kLength = 8;
+  constexpr std::uint32_t kWidth = 512, kHeight = 4;
+  SceneBuilder b;
+  b.material(mirrorMaterial({0.9f, 0.7f, 0.5f}));
+  b.plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1}).quad({1, -9, -9}, {1, 9, -9}, {1, 9, 9}, {1, -9, 9});
+  b.material(diffuseMaterial(vec3(0), {1, 2, 3})).plane({0, kLength, 0}, {0, kLength, 1}, {1, kLength, 0});
+  b.view({kStart, 0, 0}, {kStart, 1, 0}, {0, 0, 1}, 2.7f);
+  RenderSettings settings = longPaths(kWidth, kHeight, 1);
+  settings.nextEventEstimation = false;
+  const RenderResult result = render(b.scene, settings);
+
+  // Where the straight ray through the image's column `x` ends, in the row of mirrored corridors of width 1.
+  const double width = 2 * std::tan(b.scene.camera->angle * std::numbers::pi / 360) * kWidth / kHeight;
+  const auto corridorAt = [&](double x) {
+    return static_cast<int>(std::floor(kStart + kLength * width * (x / kWidth - 0.5)));
+  };
+  int checked = 0, mostMirrors = 0;
+  for (std::uint32_t x = 0; x < kWidth; ++x) {
+    const int mirrors = std::abs(corridorAt(x));
+    if (corridorAt(x) != corridorAt(x + 1)) continue;
+    ++checked;
+    mostMirrors = std::max(mostMirrors, mirrors);
+    const dvec3 expected(std::pow(double{0.9f}, mirrors), 2 * std::pow(double{0.7f}, mirrors),
+                         3 * std::pow(0.5, mirrors));
+    CAPTURE(x, mirrors);
+    CHECK(length(result.film.mean(x, 1) - expected) < 10 * kRounding * length(expected) + 1e-11);  // the film's grain
+  }
+  CHECK(checked > 400);
+  CHECK(mostMirrors >= 20);
+}
+
+TEST_CASE("a slab of glass transmits and reflects by the series of its inner reflections") {
+  for (const double degrees : {0.0, 45.0, 70.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    SceneBuilder b;
+    b.material(glassMaterial(vec3(0.875f), 1.5f)).box({-1000, -1000, -1}, {1000, 1000, 0});
+    b.material(diffuseMaterial(vec3(0), {1, 0, 0})).plane({0, 0, -2}, {1, 0, -2}, {0, 1, -2});
+    b.scene.background = {0, 1, 0};
+    b.view(vec3(5 * std::sin(angle), 0, 5 * std::cos(angle)), {0, 0, 0}, {0, 1, 0}, 1e-3f);
+    RenderSettings settings = longPaths(16, 16, 1024);
+    settings.nextEventEstimation = false;
+    const dvec3 shown = test::meanOf(render(b.scene, settings).film);
+    const Slab slab(std::cos(angle), 1.5, 0.875);
+    CAPTURE(degrees);
+    CHECK(shown.x == Approx(slab.transmitted()).margin(2e-3));
+    CHECK(shown.y == Approx(slab.reflected()).margin(2e-3));
+  }
+}

@@ -1,0 +1,97 @@
+// Light whose amount is known: lamps over a diffuse floor, a point light among them, and furnaces.
+#include <catch2/catch.hpp>
+
+#include "tests/proof/closed_meshes.h"
+#include "tests/proof/leaves.h"
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::proof;
+using glm::vec3;
+using test::diffuseMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kAlbedo = 0.75f;
+
+const Sphere kBall{{-1, 0.5f, 2}, 0.5f};
+const vec3 kNear[3] = {{1, -0.5f, 1}, {1.5f, 1, 1.25f}, {0.75f, 0.25f, 2}};
+const vec3 kFar[3] = {{2, 3, 4}, {-2, 4, 3}, {0, 2.5f, 4.5f}};
+
+// A red ball, a green triangle, a blue one farther away, so that each has a channel to itself; and a grey point light.
+Scene lampsOverFloor(const vec3& seen) {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(kAlbedo))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.material(diffuseMaterial(vec3(0), {5, 0, 0})).sphere(kBall.centre, kBall.radius);
+  b.material(diffuseMaterial(vec3(0), {0, 3, 0})).triangle(kNear[0], kNear[1], kNear[2]);
+  b.material(diffuseMaterial(vec3(0), {0, 0, 8})).triangle(kFar[0], kFar[1], kFar[2]);
+  b.pointLight({0, -4, 3}, vec3(0.125f));
+  b.view(seen + vec3(0, -1.5f, 2), seen, {0, 1, 0}, 1e-3f);
+  return b.scene;
+}
+
+// Lambert's formula for the irradiance of a polygon of radiance 1 above the horizon.
+double irradianceOfTriangle(const vec3 (&corners)[3], const dvec3& at) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const dvec3 a = normalize(dvec3(corners[i]) - at), b = normalize(dvec3(corners[(i + 1) % 3]) - at);
+    sum += std::acos(dot(a, b)) * normalize(cross(a, b)).z / 2;
+  }
+  return std::abs(sum);
+}
+
+// A sphere above the horizon lights like a point at its centre: E = pi (R / D)^2 cos.
+double irradianceOfBall(const dvec3& at) {
+  const dvec3 towards = dvec3(kBall.centre) - at;
+  return kPi * kBall.radius * kBall.radius * towards.z / std::pow(length(towards), 3);
+}
+
+RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
+  RenderSettings settings = test::settingsOf(side, side, samples);
+  settings.maxDepth = 64;
+  settings.rouletteStart = 64;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a ball, two triangles and a point light light the floor by their closed forms, each in its channel") {
+  for (const vec3& seen : {vec3(0), vec3(0.4f, -1.5f, 0)}) {
+    const dvec3 at(seen);
+    const dvec3 towardsPoint = dvec3(0, -4, 3) - at;
+    const dvec3 expected = double{kAlbedo} / kPi *
+                               dvec3(5 * irradianceOfBall(at), 3 * irradianceOfTriangle(kNear, at),
+                                     8 * irradianceOfTriangle(kFar, at)) +
+                           kAlbedo * 0.125 * towardsPoint.z / length(towardsPoint);
+    RenderSettings settings = withoutRoulette(16, 4096);
+    settings.maxDepth = 2;
+    const dvec3 shown = test::meanOf(render(lampsOverFloor(seen), settings).film);
+    CAPTURE(seen.x);
+    for (int channel = 0; channel < 3; ++channel) {
+      CAPTURE(channel);
+      CHECK(shown[channel] == Approx(expected[channel]).epsilon(2e-3));
+    }
+  }
+}
+
+TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without") {
+  for (const float albedo : {0.25f, 0.5f, 0.75f}) {
+    Scene furnace = boxMesh(1, 4).scene();
+    furnace.materials[0] = diffuseMaterial(vec3(albedo), vec3(1));
+    furnace.camera->from = {0.25f, 0.1f, 0.3f};
+    furnace.camera->at = {-1, 0.5f, -1};
+    const double expected = 1 / (1 - double{albedo});
+    CAPTURE(albedo);
+    RenderSettings settings = withoutRoulette(16, 16);
+    settings.nextEventEstimation = false;
+    CHECK(test::meanOf(render(furnace, settings).film).y == Approx(expected).epsilon(1e-6 + kRounding));
+    settings = test::settingsOf(32, 32, 256);
+    settings.nextEventEstimation = false;
+    settings.rouletteStart = 1;
+    // A path's length is geometric: its deviation is sqrt(albedo) / (1 - albedo), of 2^18 paths.
+    const double error = std::sqrt(double{albedo}) * expected / 512;
+    CHECK(std::abs(test::meanOf(render(furnace, settings).film).y - expected) < 4 * error);
+  }
+}

@@ -1,0 +1,124 @@
+// The functions under proof, of one side. A program's leaves are the reference's or the device's, as it is linked with
+// reference_leaves.cpp or with device_leaves.cpp; the proofs are the same.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "host/render/renderer.h"
+
+namespace candela::proof {
+
+using glm::dvec2;
+using glm::dvec3;
+
+/// Relative rounding of this side's numbers, with room for a few dozen operations.
+extern const double kRounding;
+
+/// Renders on this side; a device must not have truncated a loop.
+RenderResult render(const Scene& scene, const RenderSettings& settings);
+
+/// What the warps of docs/light-transport.md section 2 make of pairs of numbers (the tent: of the first).
+struct WarpValues {
+  std::vector<dvec2> disc;
+  std::vector<dvec2> triangle;  ///< weights of the second and the third corner
+  std::vector<dvec3> cap;
+  std::vector<dvec3> cosineHemisphere;
+  std::vector<double> tent;
+};
+WarpValues warps(std::span<const glm::vec3> numbers, float capHeight);
+
+/// Scattering at a point of a material, in the local frame of the normal.
+struct ScatterQuery {
+  std::uint32_t material = 0;
+  dvec3 wo{0, 0, 1};
+  glm::vec3 numbers{0};  ///< lobe, bsdf u, v
+  bool outside = true;   ///< wo is on the side to which the surface is oriented
+};
+struct Scattered {
+  Lobe lobe = Lobe::none;  ///< none: the path ends
+  dvec3 wi{0};
+  dvec3 weight{0};  ///< f |cos| / pdf; 0 where the path ends
+  double pdf = 0;   ///< per solid angle, of all smooth lobes; 0: a discrete choice
+};
+struct DirectionPair {
+  std::uint32_t material = 0;
+  dvec3 wo{0, 0, 1};
+  dvec3 wi{0, 0, 1};
+};
+struct ScatterValue {
+  dvec3 f{0};
+  double pdf = 0;
+};
+class MaterialLeaves {
+ public:
+  explicit MaterialLeaves(const std::vector<Material>& materials);
+  ~MaterialLeaves();
+  std::vector<Scattered> sample(std::span<const ScatterQuery> queries) const;
+  std::vector<ScatterValue> evaluate(std::span<const DirectionPair> pairs) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
+/// A point from which lights are seen; `onLight`: it lies on the light's own surface.
+struct Viewpoint {
+  dvec3 position{0};
+  bool onLight = false;
+};
+struct LitPoint {
+  dvec3 wi{0};
+  double distance = 0;
+  double pdf = 0;  ///< per solid angle, times the probability of the choice (a point light: that alone); 0: no light
+  dvec3 emission{0};
+};
+struct FoundLight {
+  double distance = 0;  ///< 0: the ray does not meet it
+  double pdf = 0;       ///< with which light samples find it
+};
+struct ChosenLight {
+  std::uint32_t entry = 0;
+  double probability = 0;
+};
+/// The light table of a scene. Its entries are numbered as docs/light-transport.md section 6 says.
+class LightLeaves {
+ public:
+  explicit LightLeaves(const Scene& scene);
+  ~LightLeaves();
+  std::vector<ChosenLight> choose(std::span<const std::uint32_t> words) const;
+  /// Numbers: light u, v in x and y.
+  std::vector<LitPoint> sample(std::uint32_t entry, const Viewpoint& from, std::span<const glm::vec3> numbers) const;
+  /// Rays that find the emitter of `entry` by themselves.
+  std::vector<FoundLight> find(std::uint32_t entry, const Viewpoint& from, std::span<const dvec3> directions) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
+/// Single precision, so that both sides trace the same rays.
+struct ProofRay {
+  glm::vec3 origin;
+  glm::vec3 direction;  ///< unit but for rounding
+};
+struct TracedHit {
+  static constexpr std::uint32_t kMiss = 0xffffffffu;
+  double distance = 0;
+  std::uint32_t primitive = kMiss;
+};
+/// Closest hits through the default structure.
+class RayLeaves {
+ public:
+  explicit RayLeaves(const Scene& scene);
+  ~RayLeaves();
+  std::vector<TracedHit> closest(std::span<const ProofRay> rays) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
+}  // namespace candela::proof

@@ -1,0 +1,208 @@
+// Light samplers against their densities: docs/light-transport.md section 6.
+#include <catch2/catch.hpp>
+
+#include "host/image/film.h"
+#include "tests/proof/cells.h"
+#include "tests/proof/chi_square.h"
+#include "tests/proof/leaves.h"
+#include "tests/proof/numbers.h"
+#include "tests/reference/scene_builder.h"
+
+using namespace candela;
+using namespace candela::proof;
+using glm::vec3;
+using test::diffuseMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+constexpr std::size_t kSamples = 1000000;
+constexpr int kSide = 32;
+constexpr double kPi = std::numbers::pi;
+
+const std::vector<glm::vec3>& manyNumbers() {
+  static const std::vector<glm::vec3> numbers = randomNumbers(kSamples, 301);
+  return numbers;
+}
+
+// Two axes across a direction.
+std::pair<dvec3, dvec3> axesAcross(const dvec3& axis) {
+  const dvec3 first = normalize(cross(axis, std::abs(axis.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  return {first, cross(axis, first)};
+}
+
+// As long as the triangle's area.
+dvec3 areaNormalOf(const Triangle& triangle) {
+  const dvec3 origin(triangle.p[0]);
+  return cross(dvec3(triangle.p[1]) - origin, dvec3(triangle.p[2]) - origin) / 2.0;
+}
+
+// The share of a triangle's weights as a place in the unit square: see the proof of the warp.
+dvec2 placeInTriangle(const dvec3& point, const Triangle& triangle) {
+  const dvec3 origin(triangle.p[0]), edge1 = dvec3(triangle.p[1]) - origin, edge2 = dvec3(triangle.p[2]) - origin;
+  const dvec3 normal = cross(edge1, edge2), across = point - origin;
+  const double b1 = dot(cross(across, edge2), normal) / dot(normal, normal);
+  const double b2 = dot(cross(edge1, across), normal) / dot(normal, normal);
+  return {(b1 + b2) * (b1 + b2), b2 / (b1 + b2)};
+}
+
+// A sphere far off, one nearly touched, and two triangles, one behind the other's plane. The origin sees them all.
+const Scene& lamps() {
+  static const Scene scene = [] {
+    SceneBuilder b;
+    b.material(diffuseMaterial(vec3(1), vec3(2, 3, 4)));
+    b.sphere({1, 2, 3}, 0.5f).sphere({-2, 0.5f, -1}, 2.25f);
+    b.triangle({0, 1, -2}, {2, 0.5f, -2.5f}, {1, 2, -1}).triangle({3, -1, 0.5f}, {3, -1, 2}, {3.5f, -3, 1});
+    return b.scene;
+  }();
+  return scene;
+}
+
+double probabilityOf(std::uint32_t entry) {
+  std::vector<double> weights;
+  for (const Sphere& sphere : lamps().spheres) weights.push_back(4 * kPi * sphere.radius * sphere.radius);
+  for (const Triangle& triangle : lamps().triangles) weights.push_back(length(areaNormalOf(triangle)));
+  return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
+}
+
+// What a density may be off by, relatively: rounding, and the table's probabilities, which are multiples of 2^-24.
+double densityTolerance(std::uint32_t entry) { return 30 * kRounding + 0x1p-24 / probabilityOf(entry); }
+
+}  // namespace
+
+TEST_CASE("samples of a sphere fill the cap of directions that it covers, evenly") {
+  const LightLeaves lights(lamps());
+  for (const std::uint32_t entry : {0u, 1u}) {
+    CAPTURE(entry);
+    const dvec3 centre(lamps().spheres[entry].centre);
+    const double radius = lamps().spheres[entry].radius;
+    const double height = 1 - std::sqrt(1 - radius * radius / dot(centre, centre));
+    const auto [right, up] = axesAcross(normalize(centre));
+    const double expectedPdf = probabilityOf(entry) / (2 * kPi * height);
+    Cells cells(kSide, kSide);
+    double worstPdf = 0, worstPoint = 0;
+    for (const LitPoint& lit : lights.sample(entry, {}, manyNumbers())) {
+      if (lit.pdf == 0) {  // rounding at the silhouette
+        cells.addOutside();
+        continue;
+      }
+      cells.add({(1 - dot(lit.wi, normalize(centre))) / height, turns(dot(lit.wi, right), dot(lit.wi, up))});
+      worstPdf = std::max(worstPdf, std::abs(lit.pdf / expectedPdf - 1));
+      worstPoint = std::max(worstPoint, std::abs(length(lit.distance * lit.wi - centre) / radius - 1));
+    }
+    std::vector<double> expected = uniformCounts(kSide, kSide, kSamples);
+    CHECK(cells.counts().back() <= kSamples * kRounding);  // lost at the silhouette, and of no weight in the test
+    expected[0] -= cells.counts().back();
+    expected.back() += cells.counts().back();
+    checkCounts(cells.counts(), expected);
+    CHECK(worstPdf < densityTolerance(entry));
+    CHECK(worstPoint < 1e-3);  // grazing rays meet it near where they should
+  }
+}
+
+TEST_CASE("from inside a sphere and from its own surface all directions are sampled alike") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1))).sphere({0, 0, 3}, 1);
+  const LightLeaves lights(b.scene);
+  for (const bool onLight : {false, true}) {
+    CAPTURE(onLight);
+    const Viewpoint from{onLight ? dvec3(0, 0, 2) : dvec3(0.25, 0.5, 3.25), onLight};
+    Cells cells(kSide, kSide);
+    for (const LitPoint& lit : lights.sample(0, from, manyNumbers())) {
+      if (lit.pdf == 0) {
+        cells.addOutside();
+        continue;
+      }
+      REQUIRE(lit.pdf == Approx(1 / (4 * kPi)));
+      REQUIRE(length(from.position + lit.distance * lit.wi - dvec3(0, 0, 3)) == Approx(1).margin(kRounding));
+      cells.add({(1 + lit.wi.z) / 2, turns(lit.wi.x, lit.wi.y)});
+    }
+    // From the lowest point of the surface only directions that go up meet the sphere.
+    std::vector<double> expected = uniformCounts(kSide, kSide, kSamples);
+    for (std::size_t i = 0; onLight && i < kSide * kSide / 2; ++i) {
+      expected.back() += expected[i];
+      expected[i] = 0;
+    }
+    checkCounts(cells.counts(), expected);
+  }
+}
+
+TEST_CASE("samples of a triangle are uniform on it, from the front and from behind") {
+  const LightLeaves lights(lamps());
+  for (const std::uint32_t entry : {2u, 3u}) {
+    const Triangle& triangle = lamps().triangles[entry - 2];
+    const dvec3 areaNormal = areaNormalOf(triangle);
+    for (const dvec3& from : {dvec3(0), dvec3(4, 3, 5)}) {
+      CAPTURE(entry, from.x);
+      Cells cells(kSide, kSide);
+      double worstPdf = 0;
+      for (const LitPoint& lit : lights.sample(entry, {from}, manyNumbers())) {
+        REQUIRE(lit.pdf > 0);
+        cells.add(placeInTriangle(from + lit.distance * lit.wi, triangle));
+        // Per solid angle: distance^2 / (area cos).
+        const double expected = probabilityOf(entry) * lit.distance * lit.distance / std::abs(dot(areaNormal, lit.wi));
+        worstPdf = std::max(worstPdf, std::abs(lit.pdf / expected - 1));
+      }
+      checkCounts(cells.counts(), uniformCounts(kSide, kSide, kSamples));
+      CHECK(worstPdf < densityTolerance(entry));
+    }
+  }
+}
+
+TEST_CASE("densities with which lights are found integrate to the probability of their choice") {
+  const LightLeaves lights(lamps());
+  const std::vector<dvec3> directions = latticeDirections(kSamples);
+  for (std::uint32_t entry = 0; entry < 4; ++entry) {
+    double integral = 0;
+    for (const FoundLight& found : lights.find(entry, {}, directions)) integral += found.pdf;
+    integral *= 4 * kPi / static_cast<double>(directions.size());
+    CAPTURE(entry);
+    CHECK(integral == Approx(probabilityOf(entry)).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("a light that is found by a sample's direction has the sample's density and distance") {
+  const LightLeaves lights(lamps());
+  for (std::uint32_t entry = 0; entry < 4; ++entry) {
+    const std::vector<LitPoint> samples = lights.sample(entry, {}, randomNumbers(20000, 305));
+    std::vector<dvec3> directions;
+    for (const LitPoint& lit : samples) directions.push_back(lit.wi);
+    const std::vector<FoundLight> found = lights.find(entry, {}, directions);
+    int lost = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (found[i].pdf == 0 || samples[i].pdf == 0) {  // at the silhouette
+        ++lost;
+        continue;
+      }
+      CAPTURE(entry, i);
+      REQUIRE(found[i].pdf == Approx(samples[i].pdf).epsilon(100 * kRounding));
+      REQUIRE(found[i].distance == Approx(samples[i].distance).epsilon(1e-3));
+      REQUIRE(length(samples[i].emission - dvec3(2, 3, 4)) == 0);
+    }
+    CHECK(lost <= 2);
+  }
+}
+
+TEST_CASE("lights are chosen by power, half of the time a point light, and never one of weight 0") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(1), vec3(1, 2, 3))).sphere({0, 0, 0}, 0.5f);
+  b.material(diffuseMaterial(vec3(1), vec3(9, 1, 0.5f)));
+  b.triangle({0, 0, 1}, {1, 0, 1}, {0, 3, 1}).triangle({0, 0, 2}, {1, 0, 2}, {0, 0.125f, 2});
+  b.pointLight({0, 0, 5}, {0.2f, 0.2f, 0.2f}).pointLight({0, 0, 6}, vec3(0)).pointLight({0, 0, 7}, {0, 0, 1});
+  const double first = luminance({1, 2, 3}), second = luminance({9, 1, 0.5});
+  const double emitters[] = {kPi * first, 1.5 * second, 0.0625 * second}, points[] = {0.2, 0, 0.0722};
+  std::vector<double> shares;
+  for (const double weight : emitters) shares.push_back(weight / (emitters[0] + emitters[1] + emitters[2]) / 2);
+  for (const double weight : points) shares.push_back(weight / (points[0] + points[2]) / 2);
+
+  std::vector<std::uint32_t> words;
+  for (const glm::vec3& u : manyNumbers()) words.push_back(static_cast<std::uint32_t>(u.x * 0x1p24f) << 8 | 0xabu);
+  std::vector<double> counts(shares.size()), expected;
+  for (const double share : shares) expected.push_back(share * static_cast<double>(words.size()));
+  for (const ChosenLight& chosen : LightLeaves(b.scene).choose(words)) {
+    REQUIRE(chosen.entry < shares.size());
+    REQUIRE(chosen.probability == Approx(shares[chosen.entry]).margin(0x1p-23));
+    ++counts[chosen.entry];
+  }
+  checkCounts(counts, expected);
+}

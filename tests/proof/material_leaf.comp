@@ -1,0 +1,27 @@
+// Lobes under proof, in the local frame. Input, two rows: (wo, material) and, to sample, (numbers of lobe, u and v,
+// 1 if wo is outside), to evaluate, (wi, .). Output, two rows: (wi, pdf) (weight, lobe), or (f, pdf) (.).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bsdf.glsl"
+
+layout(local_size_x = 64) in;
+layout(push_constant) uniform Push { uint count; uint evaluates; };
+layout(set = 0, binding = 1, std430) readonly buffer Inputs { vec4 inputs[]; };
+layout(set = 0, binding = 2, std430) writeonly buffer Outputs { vec4 outputs[]; };
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= count) return;
+  vec4 first = inputs[2u * i];
+  vec4 second = inputs[2u * i + 1u];
+  Material material = loadMaterial(uint(first.w) << kMaterialShift);
+  if (evaluates != 0u) {
+    float pdf;
+    vec3 f = evaluateBsdf(material, first.xyz, second.xyz, pdf);
+    outputs[2u * i] = vec4(f, pdf);
+  } else {
+    BsdfSample next = sampleBsdf(material, first.xyz, second.w != 0.0, second.xyz);
+    outputs[2u * i] = vec4(next.wi, next.pdf);
+    outputs[2u * i + 1u] = vec4(next.weight, float(next.lobe));
+  }
+}

@@ -1,0 +1,159 @@
+// The reference's side.
+#include "host/reference/bsdf.h"
+#include "host/reference/lights.h"
+#include "host/reference/sampling.h"
+#include "host/reference/surface.h"
+#include "host/reference/tracing.h"
+#include "host/render/make_renderer.h"
+#include "tests/proof/leaves.h"
+
+namespace candela::proof {
+
+const double kRounding = 1e-12;
+
+RenderResult render(const Scene& scene, const RenderSettings& settings) {
+  return makeReferenceRenderer()->render(scene, settings, {});
+}
+
+WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
+  WarpValues values;
+  for (const glm::vec3& number : numbers) {
+    const dvec2 u(number);
+    values.disc.push_back(reference::sampleDisc(u));
+    values.triangle.push_back(reference::sampleTriangle(u));
+    values.cap.push_back(reference::sampleCap(u, capHeight));
+    values.cosineHemisphere.push_back(reference::sampleCosineHemisphere(u));
+    values.tent.push_back(reference::sampleTent(u.x));
+  }
+  return values;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct MaterialLeaves::Side {
+  std::vector<reference::Bsdf> bsdfs;
+
+  // As a path goes on from a vertex whose geometric and shading normals are equal.
+  Scattered sample(const ScatterQuery& query) const {
+    const reference::Bsdf& bsdf = bsdfs[query.material];
+    if (bsdf.isBlack()) return {};
+    const Lobe lobe = bsdf.isMirror() ? Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
+    if (lobe == Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
+    if (lobe == Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
+    const dvec3 wi = bsdf.sampleSmooth(lobe, query.wo, {query.numbers.y, query.numbers.z});
+    const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
+    if (value.pdf == 0) return {};
+    return {lobe, wi, value.f * wi.z / value.pdf, value.pdf};
+  }
+
+  static Scattered ofDelta(const reference::DeltaSample& sample) { return {sample.lobe, sample.wi, sample.weight, 0}; }
+};
+
+MaterialLeaves::MaterialLeaves(const std::vector<Material>& materials) : side_(std::make_unique<Side>()) {
+  for (const Material& material : materials) side_->bsdfs.emplace_back(material);
+}
+
+MaterialLeaves::~MaterialLeaves() = default;
+
+std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> queries) const {
+  std::vector<Scattered> samples;
+  for (const ScatterQuery& query : queries) samples.push_back(side_->sample(query));
+  return samples;
+}
+
+std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
+  std::vector<ScatterValue> values;
+  for (const DirectionPair& pair : pairs) {
+    const reference::BsdfValue value = side_->bsdfs[pair.material].evaluate(pair.wo, pair.wi);
+    values.push_back({value.f, value.pdf});
+  }
+  return values;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct LightLeaves::Side {
+  Scene scene;
+  reference::LightTable table;
+
+  explicit Side(const Scene& lights) : scene(lights), table(scene, {}) {}
+
+  double probability(std::uint32_t entry) const {
+    const std::uint32_t below = entry == 0 ? 0 : table.thresholds()[entry - 1];
+    return (table.thresholds()[entry] - below) * 0x1p-24;
+  }
+
+  LitPoint sample(std::uint32_t entry, const Viewpoint& from, const dvec2& u) const {
+    const std::uint32_t primitive = from.onLight ? entry : reference::kNoPrimitive;
+    const dvec3 up(0, 0, 1);  // lights are sampled without regard to the surface's normal
+    const auto lit = table.sample(entry, {from.position, up, up, up, true, primitive, 0}, u);
+    if (!lit) return {};
+    return {lit->wi, lit->distance, probability(entry) * lit->pdf.value_or(1), lit->radiance};
+  }
+
+  FoundLight find(std::uint32_t entry, const Viewpoint& from, const dvec3& direction) const {
+    const std::uint32_t leaving = from.onLight ? entry : reference::kNoPrimitive;
+    const reference::Ray ray{from.position, direction, leaving};
+    const double distance = distanceTo(scene.primitives[entry], ray, from.onLight);
+    if (distance == reference::kNoHit) return {};
+    const reference::Surface surface = reference::surfaceAt(scene, ray, {distance, entry});
+    return {distance, table.pdf(ray, distance, surface)};
+  }
+
+  double distanceTo(const Primitive& primitive, const reference::Ray& ray, bool leaving) const {
+    if (primitive.kind == PrimitiveKind::sphere) {
+      return reference::SphereShape(scene.spheres[primitive.index]).distance(ray, leaving);
+    }
+    return leaving ? reference::kNoHit : reference::TriangleShape(scene.triangles[primitive.index]).distance(ray);
+  }
+};
+
+LightLeaves::LightLeaves(const Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+LightLeaves::~LightLeaves() = default;
+
+std::vector<ChosenLight> LightLeaves::choose(std::span<const std::uint32_t> words) const {
+  std::vector<ChosenLight> chosen;
+  for (const std::uint32_t word : words) {
+    const reference::LightChoice choice = side_->table.choose(word);
+    chosen.push_back({choice.entry, choice.probability});
+  }
+  return chosen;
+}
+
+std::vector<LitPoint> LightLeaves::sample(std::uint32_t entry, const Viewpoint& from,
+                                          std::span<const glm::vec3> numbers) const {
+  std::vector<LitPoint> points;
+  for (const glm::vec3& u : numbers) points.push_back(side_->sample(entry, from, dvec2(u)));
+  return points;
+}
+
+std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& from,
+                                          std::span<const dvec3> directions) const {
+  std::vector<FoundLight> found;
+  for (const dvec3& direction : directions) found.push_back(side_->find(entry, from, direction));
+  return found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct RayLeaves::Side {
+  Scene scene;
+  reference::Tracing tracing;
+
+  explicit Side(const Scene& traced) : scene(traced), tracing(scene, {}) {}
+};
+
+RayLeaves::RayLeaves(const Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+RayLeaves::~RayLeaves() = default;
+
+std::vector<TracedHit> RayLeaves::closest(std::span<const ProofRay> rays) const {
+  std::vector<TracedHit> hits;
+  reference::Counters counters;
+  for (const ProofRay& ray : rays) {
+    const reference::Hit hit = side_->tracing.closest({ray.origin, normalize(dvec3(ray.direction))}, counters);
+    hits.push_back({hit ? hit.distance : 0, hit.primitive});
+  }
+  return hits;
+}
+
+}  // namespace candela::proof

@@ -1,0 +1,61 @@
+// Warps against their densities: inverted to the unit square by the test's own formulas, a million random places are
+// uniform there.
+#include <catch2/catch.hpp>
+
+#include "tests/proof/cells.h"
+#include "tests/proof/chi_square.h"
+#include "tests/proof/leaves.h"
+#include "tests/proof/numbers.h"
+
+using namespace candela::proof;
+
+namespace {
+
+constexpr std::size_t kSamples = 1000000;
+constexpr int kSide = 32;
+
+// `unwarp` gives the place in the unit square to which a value belongs.
+template <class Value, class Unwarp>
+void checkUniform(const std::vector<Value>& values, const Unwarp& unwarp) {
+  Cells cells(kSide, kSide);
+  for (const Value& value : values) cells.add(unwarp(value));
+  checkCounts(cells.counts(), uniformCounts(kSide, kSide, kSamples));
+}
+
+// By its distribution function, 1 - (1 - x)^2 / 2 above 0.
+double unwarpTent(double x) { return x < 0 ? (1 + x) * (1 + x) / 2 : 1 - (1 - x) * (1 - x) / 2; }
+
+// With s = b1 + b2, s^2 and b2 / s are independent and uniform.
+dvec2 unwarpTriangle(const dvec2& b) {
+  const double s = b.x + b.y;
+  return {s * s, s == 0 ? 0 : b.y / s};
+}
+
+}  // namespace
+
+TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
+  const WarpValues values = warps(randomNumbers(kSamples, 101), 1);
+  checkUniform(values.disc, [](const dvec2& p) { return dvec2(dot(p, p), turns(p.x, p.y)); });
+  // The share of a cosine hemisphere within the angle theta is sin^2 theta.
+  checkUniform(values.cosineHemisphere, [](const dvec3& w) { return dvec2(1 - w.z * w.z, turns(w.x, w.y)); });
+  checkUniform(values.triangle, unwarpTriangle);
+  Cells heights(kSide * kSide, 1);
+  for (const double x : values.tent) heights.add({unwarpTent(x), 0});
+  checkCounts(heights.counts(), uniformCounts(kSide * kSide, 1, kSamples));
+}
+
+TEST_CASE("caps from a thousandth of the hemisphere to the whole sphere are uniform, of unit vectors") {
+  for (const float height : {1e-3f, 0.3f, 1.0f, 2.0f}) {
+    CAPTURE(height);
+    const WarpValues values = warps(randomNumbers(kSamples, 102), height);
+    checkUniform(values.cap, [&](const dvec3& w) {
+      // By the distance from the axis, which keeps its accuracy in narrow caps; by z in wide ones.
+      const double across = w.x * w.x + w.y * w.y;
+      const double fromTop = w.z > 0.5 ? across / (1 + w.z) : 1 - w.z;
+      return dvec2(fromTop / height, turns(w.x, w.y));
+    });
+    double longest = 0;
+    for (const dvec3& w : values.cap) longest = std::max(longest, std::abs(length(w) - 1));
+    CHECK(longest < kRounding);
+  }
+}

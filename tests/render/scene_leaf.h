@@ -1,0 +1,57 @@
+// Runs a leaf function's small shader that reads a scene, over arrays.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "host/render/device_scene.h"
+#include "host/render/specialise.h"
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/compute_pipeline.h"
+#include "tests/vulkan_support/test_device.h"
+
+namespace candela {
+
+/// The shader has the product's scene bindings, specialised as the product does it; in the places of path states and
+/// film it has its inputs and outputs.
+class SceneLeaf {
+ public:
+  SceneLeaf(std::span<const std::uint32_t> spirv, const Scene& scene, const RenderSettings& settings = {})
+      : device_(openTestDevice()),
+        flat_(flatten(scene, settings)),
+        scene_(device_, flat_, SceneLoads::storage),
+        pipeline_(device_, spirv, optionsFor(flat_, settings)) {}
+
+  /// Runs `lanes` lanes on `inputs`; the push constants are `lanes` and `task`. Returns `outputs` values that they wrote.
+  template <typename Output, typename Input>
+  std::vector<Output> run(const std::vector<Input>& inputs, std::size_t outputs, std::size_t lanes,
+                          std::uint32_t task = 0) {
+    vulkan::Buffer in(device_, inputs.size() * sizeof(Input), vulkan::Usage::storage);
+    vulkan::Buffer out(device_, outputs * sizeof(Output), vulkan::Usage::storage);
+    in.upload(std::as_bytes(std::span(inputs)));
+    const vulkan::BindingSet bindings(
+        pipeline_, {&scene_.rows(), &in, &out, &scene_.rows(), &scene_.texels(), &scene_.constants()});
+    const std::array<std::uint32_t, 2> push{static_cast<std::uint32_t>(lanes), task};
+    device_.run([&](vulkan::CommandRecorder& recorder) {
+      recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(push)), {.x = (push[0] + 63) / 64});
+    });
+    std::vector<Output> result(outputs);
+    out.download(std::as_writable_bytes(std::span(result)));
+    return result;
+  }
+
+ private:
+  static vulkan::PipelineOptions optionsFor(const FlatScene& flat, const RenderSettings& settings) {
+    using enum vulkan::BindingKind;
+    return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
+            .pushConstantBytes = 2 * sizeof(std::uint32_t),
+            .specialisations = specialise(flat, settings, false)};
+  }
+
+  vulkan::Device device_;
+  FlatScene flat_;
+  DeviceScene scene_;
+  vulkan::ComputePipeline pipeline_;
+};
+
+}  // namespace candela
