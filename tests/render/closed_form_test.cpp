@@ -27,7 +27,7 @@ TEST_CASE("a furnace of albedo a shows 1 / (1 - a)") {
   const auto [text, albedo] = GENERATE(table<std::string, double>({{"0.2", 0.2}, {"0.5", 0.5}, {"0.8", 0.8}}));
   const bool nextEventEstimation = GENERATE(true, false);
   onBothTracers([&](const RenderFunction& render) {
-    RenderSettings settings = withoutRoulette(8, 16);
+    RenderSettings settings = withoutRoulette(8, nextEventEstimation ? 64 : 4);
     settings.nextEventEstimation = nextEventEstimation;
     const double mean = meanLuminance(render(furnace(text), settings).film);
     CAPTURE(albedo, nextEventEstimation);

@@ -94,7 +94,7 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
-  RenderSettings settings = squareSettings(limited ? 8 : 2, 1);
+  RenderSettings settings = squareSettings(limited ? 8 : 2, limited ? 64 : 1);
   settings.maxDepth = 100000;
   settings.segmentsPerDispatch = 100000;
   const Scene scene = loadTestScene("mirrors.p3f");
