@@ -1,6 +1,4 @@
 // `candela explain`: one sample, traced on both sides, vertex by vertex.
-#include "host/explain/explanation.h"
-
 #include <fmt/format.h>
 
 #include <iostream>
@@ -10,6 +8,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/explain/explanation.h"
 #include "host/render/agreement.h"
 #include "host/render/make_renderer.h"
 
@@ -21,10 +20,12 @@ using explain::Explanation;
 // What can be told before the scene is read.
 void requireSense(const Arguments& arguments) {
   if (arguments.device == "cpu") {
-    throw UsageError("--device cpu: the reference would be held against itself; name another tracer, see candela devices");
+    throw UsageError(
+        "--device cpu: the reference would be held against itself; name another tracer, see candela devices");
   }
   if (!arguments.pixel && arguments.given.contains("--sample")) {
-    throw UsageError("--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
+    throw UsageError(
+        "--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
   }
   explain::requirePaths(arguments.settings.integrator);
 }
@@ -33,8 +34,8 @@ PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
   const auto [width, height] = job.settings.size;
   if (x >= width || y >= height) {
-    throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width, height,
-                                 width - 1, height - 1));
+    throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width,
+                                 height, width - 1, height - 1));
   }
   if (job.arguments.sample >= job.settings.sampleCount) {
     throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
@@ -51,7 +52,8 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
 }
 
 // Draws both pictures at one sample per pixel to find the place.
-ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRenderer& device, ReplayingRenderer& reference) {
+ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRenderer& device,
+                           ReplayingRenderer& reference) {
   const std::optional<PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
     return comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
@@ -60,7 +62,8 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRender
     log.note("interrupted; nothing is explained");
     return ExitCode::interrupted;
   }
-  if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device, reference)) {
+  if (const std::optional<Explanation> worst =
+          explain::explainWorst(job.scene, job.settings, *pixels, device, reference)) {
     publish(*worst, job.arguments);
     return ExitCode::done;
   }

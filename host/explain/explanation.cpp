@@ -36,14 +36,16 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
       fmt::format("{} on the device, {} by the reference", valueText(quantity.device), valueText(quantity.reference));
   const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
   if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
-  if (quantity.kind == Quantity::Kind::randomNumber) return fmt::format("{}: {}; these are equal to the bit elsewhere", where, sides);
+  if (quantity.kind == Quantity::Kind::randomNumber)
+    return fmt::format("{}: {}; no bit of it may differ", where, sides);
   return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), kTolerance, sides);
 }
 
 std::string furthestText(const Explanation& explanation) {
   if (!explanation.furthestBefore) return "all numbers are equal to the bit";
   const Place& place = *explanation.furthestBefore;
-  return fmt::format("no number is further apart than {} ({})", apartText(explanation.at(place)), placeText(explanation, place));
+  return fmt::format("no number is further apart than {} ({})", apartText(explanation.at(place)),
+                     placeText(explanation, place));
 }
 
 }  // namespace
@@ -52,16 +54,22 @@ std::string Explanation::verdict() const {
   if (!firstDifference) {
     return fmt::format("The two paths agree: no decision differs, and {}.", furthestText(*this));
   }
-  std::string text = fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference), furthestText(*this));
-  if (firstDecision == firstDifference) return text;
-  if (!firstDecision) return text + " No decision differs.";
-  return text + fmt::format("\nFirst decision that differs: {}.", differenceText(*this, *firstDecision));
+  std::string text =
+      fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference), furthestText(*this));
+  if (!firstDecision) text += " No decision differs.";
+  if (firstDecision && firstDecision != firstDifference) {
+    text += fmt::format("\nFirst decision that differs: {}.", differenceText(*this, *firstDecision));
+  }
+  const Quantity& radiance = stages.back().quantities.back();
+  return text +
+         fmt::format("\nThe sample's radiance is {}.", radiance.apart == 0 ? "equal" : apartText(radiance) + " apart");
 }
 
 void requirePaths(Integrator integrator) {
   if (integrator == Integrator::path) return;
-  throw UsageError("only the samples of --integrator path can be explained; for others `candela compare SCENE "
-                   "--integrator ...` counts the pixels that differ, and the decisions that part them");
+  throw UsageError(
+      "only the samples of --integrator path can be explained; for others `candela compare SCENE "
+      "--integrator ...` counts the pixels that differ, and the decisions that part them");
 }
 
 Explanation explainReplays(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
@@ -84,8 +92,9 @@ Explanation explainSample(const Scene& scene, const RenderSettings& settings, co
                         reference.replay(scene, settings, sample));
 }
 
-std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings, const PixelAgreement& pixels,
-                                        ReplayingRenderer& device, ReplayingRenderer& reference) {
+std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings,
+                                        const PixelAgreement& pixels, ReplayingRenderer& device,
+                                        ReplayingRenderer& reference) {
   if (pixels.equal == pixels.pixels) return std::nullopt;
   RenderSettings single = settings;
   single.sampleCount = 1;

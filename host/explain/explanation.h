@@ -1,5 +1,6 @@
 // Why a pixel differs: one sample traced again on both sides, held together quantity by quantity.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -35,7 +36,8 @@ struct Explanation {
   std::optional<Place> furthestBefore;
 
   const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }
-  bool isCut() const { return device.vertexCount > device.vertices.size() || reference.vertexCount > reference.vertices.size(); }
+  /// Whether a path has more vertices than are kept.
+  bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > PathTrace::kMostVertices; }
   /// What was found, in a sentence or three.
   std::string verdict() const;
 };
@@ -51,8 +53,9 @@ Explanation explainReplays(const Scene& scene, const RenderSettings& settings, c
                            const Replay& device, const Replay& reference);
 
 /// The pixel that differs most, by the settings with which comparePaths() saw it; none if all pixels are equal.
-std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings, const PixelAgreement& pixels,
-                                        ReplayingRenderer& device, ReplayingRenderer& reference);
+std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings,
+                                        const PixelAgreement& pixels, ReplayingRenderer& device,
+                                        ReplayingRenderer& reference);
 
 std::string toText(const Explanation& explanation);
 nlohmann::ordered_json toJson(const Explanation& explanation);

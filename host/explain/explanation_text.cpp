@@ -37,14 +37,16 @@ class TextLayout {
  private:
   void addHead() {
     const PixelSample& sample = explanation_.sample;
-    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} against the reference\n", explanation_.scene, sample.x,
-                         sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
+    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} against the reference\n", explanation_.scene,
+                         sample.x, sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
     text_ += explanation_.verdict() + "\n";
     if (explanation_.isCut()) {
-      text_ += fmt::format("The paths have {} and {} vertices; the first {} are shown.\n", explanation_.device.vertexCount,
-                           explanation_.reference.vertexCount, PathTrace::kMostVertices);
+      text_ +=
+          fmt::format("The paths have {} and {} vertices; the first {} are shown.\n", explanation_.device.vertexCount,
+                      explanation_.reference.vertexCount, PathTrace::kMostVertices);
     }
-    text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference", kSideWidth - 1);
+    text_ +=
+        fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference", kSideWidth - 1);
   }
 
   void addStage(std::size_t index) {
@@ -81,8 +83,8 @@ class TextLayout {
     const bool comparable = isResult || !explanation_.firstDecision || place <= *explanation_.firstDecision;
     const bool first = place == explanation_.firstDifference || place == explanation_.firstDecision;
     const bool compared = comparable && !quantity.device.isAbsent() && !quantity.reference.isAbsent();
-    std::string row = fmt::format("{:<{}}{}{}{}", (first ? "> " : "  ") + quantity.name, kNameWidth, cell(quantity.device),
-                                  cell(quantity.reference), compared ? lastCell(quantity) : "");
+    std::string row = fmt::format("{:<{}}{}{}{}", (first ? "> " : "  ") + quantity.name, kNameWidth,
+                                  cell(quantity.device), cell(quantity.reference), compared ? lastCell(quantity) : "");
     row.erase(row.find_last_not_of(' ') + 1);
     text_ += row + "\n";
   }

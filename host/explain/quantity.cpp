@@ -22,13 +22,9 @@ double apartOf(double a, double b) {
 
 double channelApart(double a, double b) { return std::abs(a - b) <= kAbsoluteTolerance ? 0 : apartOf(a, b); }
 
-Value valueOf(std::optional<double> number) {
-  return number ? Value{{}, {*number}} : Value{};
-}
+Value valueOf(std::optional<double> number) { return number ? Value{{}, {*number}} : Value{}; }
 
-Value valueOf(const std::optional<glm::dvec3>& v) {
-  return v ? Value{{}, {v->x, v->y, v->z}} : Value{};
-}
+Value valueOf(const std::optional<glm::dvec3>& v) { return v ? Value{{}, {v->x, v->y, v->z}} : Value{}; }
 
 template <class T, class Apart>
 Quantity numbers(std::string name, const std::optional<T>& device, const std::optional<T>& reference, Apart apart) {

@@ -41,6 +41,7 @@ Quantity scalar(std::string name, std::optional<double> device, std::optional<do
 /// Channel by channel; what is not further apart than kAbsoluteTolerance is equal.
 Quantity colour(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference);
 /// By the length of the difference, as a share of `scale` (of 1: for unit vectors).
-Quantity vector(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference, double scale = 1);
+Quantity vector(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference,
+                double scale = 1);
 
 }  // namespace candela::explain

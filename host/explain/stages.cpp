@@ -14,8 +14,8 @@ namespace {
 
 // In the order of shaders/shared/dimensions.h.
 constexpr std::array<const char*, 4> kCameraNumbers{"filter x", "filter y", "lens u", "lens v"};
-constexpr std::array<const char*, 7> kVertexNumbers{"light choice", "light u", "light v", "lobe choice", "BSDF u", "BSDF v",
-                                                    "roulette u"};
+constexpr std::array<const char*, 7> kVertexNumbers{"light choice", "light u", "light v",   "lobe choice",
+                                                    "BSDF u",       "BSDF v",  "roulette u"};
 
 // Of a structure that a vertex may lack, one member.
 template <class Part, class Member>
@@ -87,9 +87,8 @@ class VertexStage {
     if ((a && a->shadingNormal != a->normal) || (b && b->shadingNormal != b->normal)) {
       add(vector("shading normal", memberOf(a, &HitTrace::shadingNormal), memberOf(b, &HitTrace::shadingNormal)));
     }
-    addDecision("material", [&](const VertexTrace& v) {
-      return v.hit ? materialWords(v.hit->material, scene_) : std::string();
-    });
+    addDecision("material",
+                [&](const VertexTrace& v) { return v.hit ? materialWords(v.hit->material, scene_) : std::string(); });
   }
 
   // A surface that emits on one side only is compared with one that emits nothing.
@@ -105,7 +104,8 @@ class VertexStage {
 
   void addLight() {
     if (!device_.light && !reference_.light) return;
-    addDecision("light", [](const VertexTrace& v) { return v.light ? fmt::format("entry {}", v.light->entry) : "none"; });
+    addDecision("light",
+                [](const VertexTrace& v) { return v.light ? fmt::format("entry {}", v.light->entry) : "none"; });
     addDecision("shadow ray", [](const VertexTrace& v) {
       return v.light ? shadowWords(v.light->shadow) : shadowWords(ShadowOutcome::notTraced);
     });

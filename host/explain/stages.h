@@ -1,4 +1,5 @@
-// The stages of a path, camera and vertices, each with its quantities in the order in which the estimator comes to them.
+// The stages of a path, camera and vertices, each with its quantities in the order in which the estimator comes to
+// them.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,11 +9,16 @@ namespace {
 
 const char* kindWord(PrimitiveKind kind) {
   switch (kind) {
-    case PrimitiveKind::sphere: return "sphere";
-    case PrimitiveKind::triangle: return "triangle";
-    case PrimitiveKind::box: return "box";
-    case PrimitiveKind::cone: return "cone";
-    case PrimitiveKind::plane: break;
+    case PrimitiveKind::sphere:
+      return "sphere";
+    case PrimitiveKind::triangle:
+      return "triangle";
+    case PrimitiveKind::box:
+      return "box";
+    case PrimitiveKind::cone:
+      return "cone";
+    case PrimitiveKind::plane:
+      break;
   }
   return "plane";
 }
@@ -45,21 +50,30 @@ std::string lightWords(std::uint32_t primitive, const Scene& scene) {
 
 std::string lobeWords(Lobe lobe) {
   switch (lobe) {
-    case Lobe::none: break;
-    case Lobe::diffuse: return "diffuse";
-    case Lobe::glossy: return "glossy";
-    case Lobe::mirror: return "mirror";
-    case Lobe::reflect: return "reflect";
-    case Lobe::refract: return "refract";
+    case Lobe::none:
+      break;
+    case Lobe::diffuse:
+      return "diffuse";
+    case Lobe::glossy:
+      return "glossy";
+    case Lobe::mirror:
+      return "mirror";
+    case Lobe::reflect:
+      return "reflect";
+    case Lobe::refract:
+      return "refract";
   }
   return "none";
 }
 
 std::string shadowWords(ShadowOutcome outcome) {
   switch (outcome) {
-    case ShadowOutcome::notTraced: break;
-    case ShadowOutcome::visible: return "visible";
-    case ShadowOutcome::occluded: return "occluded";
+    case ShadowOutcome::notTraced:
+      break;
+    case ShadowOutcome::visible:
+      return "visible";
+    case ShadowOutcome::occluded:
+      return "occluded";
   }
   return "not traced";
 }

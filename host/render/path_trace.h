@@ -23,9 +23,9 @@ struct HitTrace {
   std::uint32_t material = 0;   ///< place in Scene::materials
   double distance = 0;
   glm::dvec3 position{0};
-  glm::dvec3 normal{0};         ///< geometric
+  glm::dvec3 normal{0};  ///< geometric
   glm::dvec3 shadingNormal{0};
-  bool fromOutside = true;      ///< the ray comes from where the primitive's own normal points
+  bool fromOutside = true;  ///< the ray comes from where the primitive's own normal points
 };
 
 /// Emission that the path itself found.
@@ -66,9 +66,9 @@ struct RouletteTrace {
 /// One vertex, from the ray that arrives to the next one. What a path did not come to is absent.
 struct VertexTrace {
   glm::dvec3 origin{0};
-  glm::dvec3 direction{0};   ///< unit
-  double pdf = 0;            ///< of the direction, per solid angle; 0: delta
-  glm::dvec3 throughput{1};  ///< of the ray
+  glm::dvec3 direction{0};                 ///< unit
+  double pdf = 0;                          ///< of the direction, per solid angle; 0: delta
+  glm::dvec3 throughput{1};                ///< of the ray
   std::array<std::uint32_t, 7> numbers{};  ///< words of the vertex' block, in the order of shaders/shared/dimensions.h
   std::optional<HitTrace> hit;             ///< absent: the ray sees the background
   std::optional<EmissionTrace> emission;

@@ -22,7 +22,8 @@ TEST_CASE("explain prints two equal paths, and the same as JSON") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string file = folder.path("a.json");
-  const ProgramResult result = runOnDevice({"explain", scene, "--pixel", "8,6", "--sample", "3", "--seed", "2", "--json", file});
+  const ProgramResult result =
+      runOnDevice({"explain", scene, "--pixel", "8,6", "--sample", "3", "--seed", "2", "--json", file});
   INFO(result.out << result.err);
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("a.p3f, pixel 8,6, sample 3, seed 2: ") && Contains("The two paths agree: ") &&
@@ -40,7 +41,8 @@ TEST_CASE("explain without a place takes the pixel that differs most, or says th
   INFO(few.out << few.err);
   REQUIRE(few.exitCode == 0);
   CHECK(json::parse(few.out)["equal"] == true);
-  CHECK_THAT(runOnDevice({"explain", scene, "--size", "8x8"}).out, Contains("Nothing to explain: at one sample all 64 pixels are equal."));
+  CHECK_THAT(runOnDevice({"explain", scene, "--size", "8x8"}).out,
+             Contains("Nothing to explain: at one sample all 64 pixels are equal."));
 }
 
 TEST_CASE("verify --explain says that nothing is to be explained where all pixels are equal") {

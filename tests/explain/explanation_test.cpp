@@ -56,7 +56,10 @@ TEST_CASE("every quantity that differs is named, at its vertex") {
       {[](PathTrace& p) { p.vertices[0].hit->normal.z += 0.01; }, "vertex 1: normal"},
       {[](PathTrace& p) { p.vertices[0].hit->shadingNormal.z += 0.01; }, "vertex 1: shading normal"},
       {[](PathTrace& p) { p.vertices[0].hit->material = 1; }, "vertex 1: material"},
-      {[](PathTrace& p) { p.vertices[0].emission = EmissionTrace{glm::dvec3(5), 1}; }, "vertex 1: emission"},
+      {[](PathTrace& p) {
+         p.vertices[0].emission = EmissionTrace{glm::dvec3(5), 1};
+       },
+       "vertex 1: emission"},
       {[](PathTrace& p) { p.vertices[0].light->entry = 1; }, "vertex 1: light"},
       {[](PathTrace& p) { p.vertices[0].light.reset(); }, "vertex 1: light"},
       {[](PathTrace& p) { p.vertices[0].light->shadow = ShadowOutcome::occluded; }, "vertex 1: shadow ray"},
@@ -97,7 +100,8 @@ TEST_CASE("an earlier number goes before a later decision, and both are told") {
   const std::string verdict = explanation.verdict();
   CHECK_THAT(verdict, Contains("First difference: vertex 1, weight: 5.0e-03 apart (rounding allows 1e-04); "
                                "0.804 0.804 0.804 on the device, 0.8 0.8 0.8 by the reference."));
-  CHECK_THAT(verdict, Contains("First decision that differs: vertex 1, roulette: ended on the device, survived by the reference."));
+  CHECK_THAT(verdict, Contains("First decision that differs: vertex 1, roulette: ended on the device, survived by the "
+                               "reference.\nThe sample's radiance is equal."));
 }
 
 TEST_CASE("behind a decision that differs nothing is compared but the result") {
@@ -108,7 +112,10 @@ TEST_CASE("behind a decision that differs nothing is compared but the result") {
   });
   CHECK(explanation.firstDifference == explanation.firstDecision);
   const std::string text = toText(explanation);
-  CHECK_THAT(text, Contains("\n> primitive        1 sphere                            0 sphere                            DIFFERS\n"));
+  CHECK_THAT(
+      text,
+      Contains(
+          "\n> primitive        1 sphere                            0 sphere                            DIFFERS\n"));
   CHECK_THAT(text, Contains("\n  position           7          -1           0            0          -1           0\n"));
   CHECK_THAT(text, Contains("5.0e-01 DIFFERS\n"));
 }

@@ -21,10 +21,21 @@ inline PathTrace madePath() {
   first.origin = {0, -5, 0};
   first.direction = {0, 1, 0};
   first.numbers = {0x10000000u, 0x20000000u, 0x30000000u, 0x40000000u, 0x50000000u, 0x60000000u, 0x70000000u};
-  first.hit = HitTrace{.primitive = 0, .material = 0, .distance = 4, .position = {0, -1, 0}, .normal = {0, -1, 0},
+  first.hit = HitTrace{.primitive = 0,
+                       .material = 0,
+                       .distance = 4,
+                       .position = {0, -1, 0},
+                       .normal = {0, -1, 0},
                        .shadingNormal = {0, -1, 0}};
-  first.light = LightTrace{.entry = 0, .shadow = ShadowOutcome::visible, .primitive = 1, .direction = {0, 0, 1},
-                           .distance = 8, .pdf = 2, .bsdfPdf = 0.25, .weight = 0.75, .radiance = {0.5, 0.5, 0.5}};
+  first.light = LightTrace{.entry = 0,
+                           .shadow = ShadowOutcome::visible,
+                           .primitive = 1,
+                           .direction = {0, 0, 1},
+                           .distance = 8,
+                           .pdf = 2,
+                           .bsdfPdf = 0.25,
+                           .weight = 0.75,
+                           .radiance = {0.5, 0.5, 0.5}};
   first.scattering = ScatteringTrace{Lobe::diffuse, {0, -1, 0}, 0.3, {0.8, 0.8, 0.8}};
   first.roulette = RouletteTrace{0.8, true};
   first.radiance = {0.5, 0.5, 0.5};

@@ -10,8 +10,8 @@ using namespace candela::explain;
 
 namespace {
 
-// Primitives: 0 lamp, 1 ball of glass, 2 shiny ball, 3 another far away, 4 and 5 floor. Materials in their order. None of
-// the changes below needs another kernel.
+// Primitives: 0 lamp, 1 ball of glass, 2 shiny ball, 3 another far away, 4 and 5 floor. Materials in their order. None
+// of the changes below needs another kernel.
 const char* const kScene =
     "b 0.1 0.2 0.3\nv\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
     "f 1 1 1 1 0 0 0 0 1 0 1 12 11 10\ns 2 -1 6 1\n"
@@ -23,7 +23,9 @@ constexpr std::uint32_t kLamp = 0, kGlass = 1, kShiny = 2, kFarBall = 3, kFloor 
 using Change = std::function<void(Scene&, RenderSettings&)>;
 using Wanted = std::function<bool(const VertexTrace& first)>;
 
-bool sees(const VertexTrace& vertex, std::uint32_t primitive) { return vertex.hit && vertex.hit->primitive == primitive; }
+bool sees(const VertexTrace& vertex, std::uint32_t primitive) {
+  return vertex.hit && vertex.hit->primitive == primitive;
+}
 
 bool seesLitFloor(const VertexTrace& vertex) {
   const bool floor = sees(vertex, kFloor) || sees(vertex, kFloor + 1);
@@ -82,7 +84,8 @@ void requireFirst(const Wanted& wanted, const Change& change, const std::string&
 }  // namespace
 
 TEST_CASE("nothing planted, nothing named") {
-  const Explanation explanation = explainPlanted(seesLitFloor, [](Scene&, RenderSettings&) {}, true);
+  const Explanation explanation = explainPlanted(
+      seesLitFloor, [](Scene&, RenderSettings&) {}, true);
   CAPTURE(toText(explanation));
   CHECK_FALSE(explanation.firstDifference);
   CHECK(explanation.furthestBefore);
@@ -104,17 +107,19 @@ TEST_CASE("another index of refraction is named by the direction in the glass") 
   const auto refracts = [](const VertexTrace& v) {
     return sees(v, kGlass) && v.scattering && v.scattering->lobe == Lobe::refract;
   };
-  requireFirst(refracts, [](Scene& scene, RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1", "direction");
+  requireFirst(
+      refracts, [](Scene& scene, RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1", "direction");
 }
 
 TEST_CASE("a surface that is gone is named by the primitive") {
-  requireFirst(seesLitFloor,
-               [](Scene& scene, RenderSettings&) {
-                 for (Triangle& triangle : scene.triangles) {
-                   for (glm::vec3& corner : triangle.p) corner.z -= 1000;
-                 }
-               },
-               "vertex 1", "primitive");
+  requireFirst(
+      seesLitFloor,
+      [](Scene& scene, RenderSettings&) {
+        for (Triangle& triangle : scene.triangles) {
+          for (glm::vec3& corner : triangle.p) corner.z -= 1000;
+        }
+      },
+      "vertex 1", "primitive");
 }
 
 TEST_CASE("another material of a primitive is named as such") {
@@ -128,14 +133,13 @@ TEST_CASE("a lamp that shines more is named where it is seen, and by the light t
 }
 
 TEST_CASE("a lamp elsewhere is named by the direction to it") {
-  requireFirst(seesLitFloor, [](Scene& scene, RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; }, "vertex 1",
-               "light direction");
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; }, "vertex 1",
+      "light direction");
 }
 
 TEST_CASE("something in the way of the light is named by the shadow ray") {
-  const auto blocked = [](Scene& scene, RenderSettings&) {
-    scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f};
-  };
+  const auto blocked = [](Scene& scene, RenderSettings&) { scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f}; };
   const auto belowLamp = [](const VertexTrace& v) {
     return seesLitFloor(v) && glm::length(glm::dvec2(v.hit->position) - glm::dvec2(2, -1)) < 1;
   };
@@ -148,9 +152,12 @@ TEST_CASE("another roulette is named as a decision") {
 }
 
 TEST_CASE("another camera is named by its ray, another seed by the first random number") {
-  requireFirst(seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera", "ray origin");
-  requireFirst(seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->angle += 0.1f; }, "camera", "ray direction");
-  requireFirst(seesLitFloor, [](Scene&, RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera", "ray origin");
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->angle += 0.1f; }, "camera", "ray direction");
+  requireFirst(
+      seesLitFloor, [](Scene&, RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
 }
 
 TEST_CASE("a difference at a later vertex is named there") {
