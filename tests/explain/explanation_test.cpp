@@ -115,8 +115,8 @@ TEST_CASE("behind a decision that differs nothing is compared but the result") {
   CHECK_THAT(
       text,
       Contains(
-          "\n> primitive        1 sphere                            0 sphere                            DIFFERS\n"));
-  CHECK_THAT(text, Contains("\n  position           7          -1           0            0          -1           0\n"));
+          "\n> primitive        1 sphere                            0 sphere                           DIFFERS\n"));
+  CHECK_THAT(text, Contains("\n  position         7          -1           0           0          -1           0\n"));
   CHECK_THAT(text, Contains("5.0e-01 DIFFERS\n"));
 }
 
