@@ -4,7 +4,7 @@
 #ifndef CANDELA_LANES_GLSL
 #define CANDELA_LANES_GLSL
 #include "film.glsl"
-#include "path.glsl"
+#include "path_state.glsl"
 
 layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
 layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
@@ -17,24 +17,6 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 
 // Of the entry point: traces the path's ray and everything up to the next one. True if the path goes on.
 bool extendSample(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions);
-
-Path unpackPath(PathState state) {
-  Path path;
-  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
-                     state.directionLeaving.w);
-  path.pdf = uintBitsToFloat(state.originPdf.w);
-  path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
-  path.depth = state.throughputDepth.w;
-  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
-  return path;
-}
-
-PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
-  return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
-                   uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
-                   uvec4(floatBitsToUint(path.throughput), path.depth),
-                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
-}
 
 void record(uint pixelIndex, uint depth, Decisions decisions) {
   if (depth > kRecordedVertices) return;

@@ -7,6 +7,7 @@
 #include "camera.glsl"
 #include "lights.glsl"
 #include "normals.glsl"
+#include "trace.glsl"
 #include "traversal.glsl"
 
 struct Path {
@@ -63,6 +64,7 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
     weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
   }
+  noteEmission(material.emission, weight);
   return material.emission * weight;
 }
 
@@ -71,6 +73,7 @@ vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numb
                  inout RayCounts counts, out uint shadow) {
   shadow = kShadowNotTraced;
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
+  noteLightChoice(numbers.x >> 8);
   LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
@@ -81,8 +84,10 @@ vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numb
   counts.shadow += 1u;
   bool blocked = traceAny(rayFrom(surface, lit.wi), light.slot, lit.distance, work);
   shadow = blocked ? kShadowOccluded : kShadowVisible;
+  noteShadowRay(light, lit, pdf, shadow);
   if (blocked) return vec3(0.0);
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
+  noteLit(weight, arriving * (weight / lit.pdf));
   return arriving * (weight / lit.pdf);
 }
 
@@ -98,6 +103,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
+  noteScattering(next, direction);
   // What is not finite must not end a path in silence: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {
     path.radiance = vec3(uintBitsToFloat(kNotANumber));
@@ -110,6 +116,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
 bool survivesRoulette(inout Path path, float number) {
   if (path.depth <= constants.limits.y) return true;
   float survival = min(1.0, largest(path.throughput));
+  noteRoulette(survival);
   path.throughput /= survival;
   return number < survival;
 }
@@ -126,6 +133,7 @@ bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts
   counts.vertices += 1u;
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
+  noteSurface(path.ray, surface, hit.t);
   Material material = loadMaterial(surface.kind);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.limits.x) return false;

@@ -13,7 +13,12 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128, explain = 256 };
+
+struct PixelPlace {
+  std::uint32_t x = 0;  ///< from the left
+  std::uint32_t y = 0;  ///< from the top
+};
 
 /// Default-constructed, it holds the default of every option; the option table reads them from here.
 struct Arguments {
@@ -41,6 +46,10 @@ struct Arguments {
 
   verify::LightTestOptions verification;
   std::string junit;  ///< as `json`
+  bool explain = false;  ///< of `verify`: the pixel that differs most
+
+  std::optional<PixelPlace> pixel;  ///< to be explained; absent: the one that differs most
+  std::uint32_t sample = 0;
 
   std::optional<std::uint32_t> generatedSize;  ///< absent: the kind's default
   std::string generatedFile = "-";             ///< "-": stdout

@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 8> table{{
+  static const std::array<CommandInfo, 9> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "traces a P3F or NFF scene", "scene", 1, 1, runRender},
       {Command::devices, "devices", "devices", "lists the Vulkan devices", "", 0, 0, runDevices},
       {Command::check, "check", "check FILE...", "says what scenes contain, or all that is wrong with them", "scene", 1,
@@ -17,6 +17,8 @@ std::span<const CommandInfo> commandTable() {
        "compares two images, or a device's image of a scene with the reference's", "image or scene", 1, 2, runCompare},
       {Command::verify, "verify", "verify SCENE", "decides whether a device computes the reference's light, with a known rate of false alarms",
        "scene", 1, 1, runVerify},
+      {Command::explain, "explain", "explain SCENE",
+       "traces one sample on a device and on the reference, and shows where the two paths part", "scene", 1, 1, runExplain},
       {Command::generate, "generate", "generate KIND", "writes a procedural scene; its help lists the kinds", "kind", 1,
        1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "writes the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},

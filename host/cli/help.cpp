@@ -29,6 +29,7 @@ constexpr std::array kGroupTitles{
                "How it is computed (no setting but the device changes a bit of the image; --accel changes `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
+    GroupTitle{OptionGroup::explanation, "Explaining a sample"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
     GroupTitle{OptionGroup::generation, "Writing scenes"},
     GroupTitle{OptionGroup::general, "General"},

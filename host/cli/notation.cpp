@@ -46,6 +46,19 @@ Notation<Extent> extent(std::string metavar, std::uint32_t highest) {
   return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, extentText};
 }
 
+Notation<PixelPlace> pixelPlace(std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<PixelPlace> {
+    const std::size_t comma = word.find(',');
+    if (comma == std::string::npos) return std::nullopt;
+    const auto x = parseWhole(std::string_view(word).substr(0, comma), 0, highest);
+    const auto y = parseWhole(std::string_view(word).substr(comma + 1), 0, highest);
+    if (!x || !y) return std::nullopt;
+    return PixelPlace{*x, *y};
+  };
+  const auto print = [](const PixelPlace& place) { return fmt::format("{},{}", place.x, place.y); };
+  return {"X,Y", fmt::format("X,Y with both from 0 to {}", highest), parse, print};
+}
+
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {
   const auto parse = [](const std::string& word) { return word.empty() ? std::nullopt : std::optional(word); };
   const auto print = [empty](const std::string& value) { return value.empty() ? empty : value; };

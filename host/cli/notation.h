@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/cli/arguments.h"
 #include "host/render/settings.h"
 
 namespace candela::cli {
@@ -31,6 +32,8 @@ Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
 Notation<double> share(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
 Notation<Extent> extent(std::string metavar, std::uint32_t highest);
+/// "X,Y", both from 0 to `highest`.
+Notation<PixelPlace> pixelPlace(std::uint32_t highest);
 /// Any text; an empty value, which can only be the default, prints as `empty`.
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
 /// One of a list of names.

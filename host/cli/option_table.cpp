@@ -16,9 +16,10 @@ constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
 constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
 constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
-constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify;
+constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
+constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes;
-constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
@@ -60,7 +61,7 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
   return {
-    valued({"--spp", kRender | kCompare | kBench, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
+    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
@@ -106,9 +107,9 @@ std::vector<Option> executionOptions() {
   return {
     valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
-    valued({"--accel", kRender | kCompare, kGroup, "search structure; absent, the file's `accel` goes before the default"},
+    valued({"--accel", kRender | kCompare | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
-    valued({"--bvh-split", kRender | kCompare | kBoxes, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+    valued({"--bvh-split", kRender | kCompare | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
     valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
@@ -158,6 +159,18 @@ std::vector<Option> verificationOptions() {
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
+    flag({"--explain", kVerify, kGroup, "after the verdict explain the pixel that differs most, as `candela explain` does"},
+         [](auto& a) -> auto& { return a.explain; }),
+  };
+}
+
+std::vector<Option> explanationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::explanation;
+  return {
+    valued({"--pixel", kExplain, kGroup, "whose sample is traced again; 0,0 is at the top left"},
+           orAbsent(pixelPlace(kLargestSide - 1), "the one that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+    valued({"--sample", kExplain, kGroup, "which of the pixel's samples, from 0"},
+           wholeNumber(0, kMostSamples - 1), [](auto& a) -> auto& { return a.sample; }),
   };
 }
 
@@ -208,7 +221,7 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), verificationOptions(), benchmarkOptions(),
+                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(),
                              generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }

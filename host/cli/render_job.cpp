@@ -107,7 +107,7 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   return job;
 }
 
-std::unique_ptr<Renderer> makeRenderer(const std::string& device) {
+std::unique_ptr<ReplayingRenderer> makeRenderer(const std::string& device) {
   return device == "cpu" ? makeReferenceRenderer() : makeGpuRenderer(device);
 }
 

@@ -6,7 +6,7 @@
 #include "host/cli/arguments.h"
 #include "host/core/log.h"
 #include "host/core/progress.h"
-#include "host/render/renderer.h"
+#include "host/render/replay.h"
 #include "host/scene/scene.h"
 
 namespace candela::cli {
@@ -30,7 +30,7 @@ void requirePossible(const Arguments& arguments, const Scene& scene, const Log& 
 void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
 
 /// "cpu": the reference; everything else: a Vulkan device. Throws NoDeviceError.
-std::unique_ptr<Renderer> makeRenderer(const std::string& device);
+std::unique_ptr<ReplayingRenderer> makeRenderer(const std::string& device);
 
 /// Progress on stderr; SIGINT and SIGTERM stop.
 RenderControl makeControl(Progress& progress);

@@ -12,30 +12,48 @@
 #include "host/cli/report_page.h"
 #include "host/cli/text_output.h"
 #include "host/core/interrupt.h"
+#include "host/explain/explanation.h"
 #include "host/render/make_renderer.h"
 
 namespace candela::cli {
+
+namespace {
+
+// Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the verdict.
+void explainWorst(const verify::VerifyReport& report, const RenderJob& job, ReplayingRenderer& device,
+             ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
+  const std::optional<explain::Explanation> worst =
+      explain::explainWorst(job.scene, job.settings, report.paths, device, reference);
+  if (worst) requireComplete(worst->statistics);
+  json["explanation"] = worst ? toJson(*worst) : nlohmann::ordered_json();
+  if (asText) std::cout << "\n" << (worst ? toText(*worst) : explain::nothingToExplain(report.paths) + "\n") << std::flush;
+}
+
+}  // namespace
 
 ExitCode runVerify(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError("--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
   }
+  if (arguments.explain) explain::requirePaths(arguments.settings.integrator);
   requireWritableReport(arguments.json);
   requireWritableReport(arguments.junit);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
-  const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
+  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
   RenderControl control;
   control.stop = &watchInterrupts();
   verify::LightTestOptions options = arguments.verification;
   options.keepFilms = !arguments.report.empty();
   const verify::VerifyReport report = verify::verifyScene(job.scene, job.settings, *device, *reference, options, control);
-  if (arguments.wantsText() && arguments.junit != "-") std::cout << toText(report) << std::flush;
+  const bool asText = arguments.wantsText() && arguments.junit != "-";
+  if (asText) std::cout << toText(report) << std::flush;
   reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
-  writeText(arguments.junit, toJunit(report, arguments.strict));
   nlohmann::ordered_json json = toJson(report);
   json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
+  if (arguments.explain && !report.interrupted) explainWorst(report, job, *device, *reference, asText, json);
+  writeText(arguments.junit, toJunit(report, arguments.strict));
   writeJson(arguments.json, json);
   if (options.keepFilms && !report.interrupted) writeReport(arguments.report, verificationReport(arguments, job, report));
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;

@@ -17,13 +17,6 @@ double powerHeuristic(double pdf, double otherPdf) {
 
 double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
-// The next of a path's vertices in its record, or `spare` where it is not kept.
-VertexRecord& nextVertex(PathRecord* record, VertexRecord& spare) {
-  spare = {};
-  if (!record || record->vertexCount == PathRecord::kRecordedVertices) return spare;
-  return record->vertices[record->vertexCount++] = {};
-}
-
 }  // namespace
 
 struct PathTracer::VertexNumbers {
@@ -62,38 +55,54 @@ PathTracer::PathTracer(const Scene& scene, const RenderSettings& settings)
   for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
+PathTrace PathTracer::trace(const PixelSample& place) const {
+  PathTrace trace;
+  PathNotes notes(trace);
+  Counters uncounted;
+  SampleNumbers numbers = numbersOf(place.x, place.y, place.index);
+  for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i) trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
+  notes.finish(walk(cameraRay(place.x, place.y, numbers), numbers, uncounted, notes));
+  return trace;
+}
+
 dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters,
                            PathRecord* record) const {
+  PathNotes notes(record);
+  return walk(cameraRay, numbers, counters, notes);
+}
+
+dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const {
   Ray ray = cameraRay;
   dvec3 radiance(0);
   dvec3 beta(1);
   std::optional<double> pdf;
-  VertexRecord unrecorded;
   for (std::uint32_t depth = 1;; ++depth) {
+    notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     const Hit hit = tracing().closest(ray, counters);
-    VertexRecord& vertexRecord = nextVertex(record, unrecorded);
-    vertexRecord.primitive = hit.primitive;
     if (!hit) return radiance + beta * background_.radiance(ray.direction);
 
     ++counters.vertices;
     const Surface surface = surfaceAt(scene(), ray, hit);
-    radiance += beta * emission(ray, hit.distance, surface, pdf);
+    notes.hit(hit, surface);
+    radiance += beta * emission(ray, hit.distance, surface, pdf, notes);
     if (depth == settings_.maxDepth) return radiance;
 
     const Vertex vertex(surface, bsdfs_[surface.material], ray.direction);
     const VertexNumbers u(numbers, depth);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += beta * directLight(vertex, u, counters, vertexRecord);
+      radiance += beta * directLight(vertex, u, counters, notes);
     }
     const Scattering next = scatter(vertex, u);
-    vertexRecord.lobe = next.lobe;
+    notes.lobe(next.lobe);
     beta *= next.weight;
     if (beta == dvec3(0)) return radiance;
+    notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
 
     if (depth > settings_.rouletteStart) {
       const double survival = std::min(1.0, largestChannel(beta));
-      vertexRecord.survivedRoulette = u.roulette() < survival;
-      if (!vertexRecord.survivedRoulette) return radiance;
+      const bool survives = u.roulette() < survival;
+      notes.roulette(survival, survives);
+      if (!survives) return radiance;
       beta /= survival;
     }
     ray = vertex.rayTowards(next.wi);
@@ -102,17 +111,21 @@ dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counter
   }
 }
 
-dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf) const {
+dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
+                           PathNotes& notes) const {
   const Material& material = scene().materials[surface.material];
   if (!isEmissive(material)) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == PrimitiveKind::triangle;
   if (settings_.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
-  if (!pdf) return material.emission;
-  return powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) * dvec3(material.emission);
+  const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
+  const dvec3 found = weight * dvec3(material.emission);
+  notes.emission(found, weight);
+  return found;
 }
 
-dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, VertexRecord& record) const {
+dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
+  notes.lightChoice(choice);
   const std::optional<LightSample> light = lights_.sample(choice.entry, vertex.surface, u.light());
   if (!light || !vertex.isAboveSurface(light->wi)) return dvec3(0);
   const dvec3 wi = vertex.frame.toLocal(light->wi);
@@ -120,14 +133,15 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   if (bsdf.f == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
+  const double lightPdf = choice.probability * light->pdf.value_or(1);
   const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters);
-  record.shadow = occluded ? ShadowOutcome::occluded : ShadowOutcome::visible;
+  notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
-  const dvec3 contribution = bsdf.f * wi.z * light->radiance;
-  if (!light->pdf) return contribution / choice.probability;
-  const double lightPdf = choice.probability * *light->pdf;
-  return contribution * powerHeuristic(lightPdf, bsdf.pdf) / lightPdf;
+  const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
+  const dvec3 arriving = bsdf.f * wi.z * light->radiance * weight / lightPdf;
+  notes.lit(weight, arriving);
+  return arriving;
 }
 
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u) const {

@@ -6,6 +6,7 @@
 #include "host/reference/background.h"
 #include "host/reference/bsdf.h"
 #include "host/reference/lights.h"
+#include "host/reference/path_notes.h"
 #include "host/reference/pixel_tracer.h"
 #include "host/reference/surface.h"
 #include "host/render/settings.h"
@@ -17,6 +18,9 @@ class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const Scene& scene, const RenderSettings& settings);
+
+  /// What sample() computes for the same place, with all that led to it.
+  PathTrace trace(const PixelSample& place) const;
 
  private:
   /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.
@@ -32,8 +36,10 @@ class PathTracer final : public PixelTracer {
   };
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf) const;
-  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, VertexRecord& record) const;
+  dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
+  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
+                 PathNotes& notes) const;
+  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u) const;
   Scattering scatterSmooth(const Vertex& vertex, Lobe lobe, VertexNumbers u) const;
 

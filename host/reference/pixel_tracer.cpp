@@ -10,8 +10,8 @@ PixelTracer::PixelTracer(const Scene& scene, const RenderSettings& settings)
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                           PathRecord* record) const {
-  SampleNumbers numbers(sampler_, x, y, sampleIndex);
-  const Ray ray = camera_.generate(x, y, numbers);
+  SampleNumbers numbers = numbersOf(x, y, sampleIndex);
+  const Ray ray = cameraRay(x, y, numbers);
   ++counters.samples;
   ++counters.cameraRays;
   return radiance(ray, numbers, counters, record);

@@ -157,14 +157,31 @@ std::uint64_t badSampleCount(const Film& film) {
   return count;
 }
 
-class ReferenceRenderer final : public Renderer {
+// What `work` gives; memory that runs out is told as such.
+template <class Work>
+auto guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemoryError("the reference tracer ran out of memory; render a smaller image or a smaller scene");
+  }
+}
+
+class ReferenceRenderer final : public ReplayingRenderer {
  public:
   RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
-    try {
-      return renderUnguarded(scene, settings, control);
-    } catch (const std::bad_alloc&) {
-      throw OutOfMemoryError("the reference tracer ran out of memory; render a smaller image or a smaller scene");
-    }
+    return guarded([&] { return renderUnguarded(scene, settings, control); });
+  }
+
+  Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override {
+    return guarded([&] {
+      const reference::PathTracer tracer(scene, settings);
+      Replay replay{tracer.trace(sample), {}};
+      replay.statistics.device = "cpu";
+      replay.statistics.kernel = "reference";
+      describeStructure(tracer.tracing(), settings, replay.statistics);
+      return replay;
+    });
   }
 
  private:
@@ -199,6 +216,6 @@ class ReferenceRenderer final : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> makeReferenceRenderer() { return std::make_unique<ReferenceRenderer>(); }
+std::unique_ptr<ReplayingRenderer> makeReferenceRenderer() { return std::make_unique<ReferenceRenderer>(); }
 
 }  // namespace candela

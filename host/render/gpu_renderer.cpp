@@ -8,6 +8,7 @@
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/render/band.h"
+#include "host/render/device_replay.h"
 #include "host/render/flat_scene.h"
 #include "host/render/kernel.h"
 #include "host/render/loop_budget.h"
@@ -45,13 +46,14 @@ const char* structureName(AccelKind accel) {
   return "bvh";
 }
 
-class GpuRenderer : public Renderer {
+class GpuRenderer final : public ReplayingRenderer {
  public:
   GpuRenderer(const std::string& selector, const GpuRendererOptions& options)
       : device_(vulkan::Device::open(selector)),
         loopLimit_(options.loopLimit ? *options.loopLimit : vulkan::probeLoopLimit(device_)) {}
 
   RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override;
+  Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override;
 
  private:
   void describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
@@ -142,9 +144,22 @@ void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget
   }
 }
 
+Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) {
+  const std::uint32_t rays = mostRaysPerSegment(scene, settings);
+  const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
+  const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
+  const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
+  const Kernel kernel = replayKernel();
+  Replay replay;
+  describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
+  const vulkan::ComputePipeline& pipeline = pipelineFor(kernel, flat, settings, deviceScene.readsTexels());
+  replay.path = replayOnDevice(device_, pipeline, deviceScene, sample, budget, replay.statistics);
+  return replay;
+}
+
 }  // namespace
 
-std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options) {
+std::unique_ptr<ReplayingRenderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options) {
   return std::make_unique<GpuRenderer>(selector, options);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "host/render/renderer.h"
+#include "host/render/replay.h"
 
 namespace candela {
 
@@ -16,8 +16,8 @@ struct GpuRendererOptions {
 
 /// The compute-shader tracer on the device that `selector` names (see selectDevice).
 /// Throws NoDeviceError.
-std::unique_ptr<Renderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options = {});
+std::unique_ptr<ReplayingRenderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options = {});
 /// The independent double-precision tracer.
-std::unique_ptr<Renderer> makeReferenceRenderer();
+std::unique_ptr<ReplayingRenderer> makeReferenceRenderer();
 
 }  // namespace candela

@@ -1,4 +1,5 @@
 // Host and shader agree on the place of every member of every structure that they share.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <cstring>
@@ -8,7 +9,9 @@
 #include "host/image/film.h"
 #include "host/render/path_record.h"
 #include "shaders/shared/render_data.h"
+#include "shaders/shared/trace_rows.h"
 #include "spirv/path.h"
+#include "spirv/replay.h"
 
 using namespace candela;
 
@@ -35,6 +38,10 @@ class Module {
       return result;
     }
     return {};
+  }
+
+  bool mentions(const std::string& name) const {
+    return std::ranges::any_of(names_, [&](const auto& entry) { return entry.second == name; });
   }
 
  private:
@@ -80,6 +87,26 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   CHECK(module.offsetsOf("Counters") ==
         Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated), MEMBER(Counters, finishedSamples),
                 MEMBER(Counters, unused)});
+}
+
+TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C++, and are in no other kernel") {
+  const Module module(spirv::replay);
+  const Offsets vertex{
+      MEMBER(TracedVertex, originDistance),   MEMBER(TracedVertex, directionPdf),
+      MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
+      MEMBER(TracedVertex, normalMaterial),   MEMBER(TracedVertex, shadingNormalLobe),
+      MEMBER(TracedVertex, emissionWeight),   MEMBER(TracedVertex, lightDirectionDistance),
+      MEMBER(TracedVertex, lightPlace),       MEMBER(TracedVertex, lightDensities),
+      MEMBER(TracedVertex, lightRadiance),    MEMBER(TracedVertex, nextDirectionPdf),
+      MEMBER(TracedVertex, weightSurvival),   MEMBER(TracedVertex, radiance),
+      MEMBER(TracedVertex, lightNumbers),     MEMBER(TracedVertex, bsdfNumbers)};
+  CHECK(vertex.size() * sizeof(gpu::uvec4) == sizeof(gpu::TracedVertex));
+  CHECK(module.offsetsOf("TracedVertex") == vertex);
+  CHECK(module.offsetsOf("TracedSample") == Offsets{MEMBER(TracedSample, cameraNumbers),
+                                                    MEMBER(TracedSample, radianceCount), MEMBER(TracedSample, vertices)});
+  CHECK(module.offsetsOf("PathState") == Module(spirv::path).offsetsOf("PathState"));
+  CHECK_FALSE(module.mentions("FilmRows"));
+  CHECK_FALSE(Module(spirv::path).mentions("TracedVertex"));
 }
 
 TEST_CASE("the film's pixel is what the device writes") {

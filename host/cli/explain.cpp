@@ -1,0 +1,89 @@
+// `candela explain`: one sample, traced on both sides, vertex by vertex.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_job.h"
+#include "host/explain/explanation.h"
+#include "host/render/agreement.h"
+#include "host/render/make_renderer.h"
+
+namespace candela::cli {
+namespace {
+
+using explain::Explanation;
+
+// What can be told before the scene is read.
+void requireSense(const Arguments& arguments) {
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference would be held against itself; name another tracer, see candela devices");
+  }
+  if (!arguments.pixel && arguments.given.contains("--sample")) {
+    throw UsageError(
+        "--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
+  }
+  explain::requirePaths(arguments.settings.integrator);
+}
+
+PixelSample sampleAskedFor(const RenderJob& job) {
+  const auto [x, y] = *job.arguments.pixel;
+  const auto [width, height] = job.settings.size;
+  if (x >= width || y >= height) {
+    throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width,
+                                 height, width - 1, height - 1));
+  }
+  if (job.arguments.sample >= job.settings.sampleCount) {
+    throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
+                                 job.arguments.sample, job.settings.sampleCount, job.settings.sampleCount - 1,
+                                 job.arguments.sample + 1));
+  }
+  return {x, y, job.arguments.sample};
+}
+
+void publish(const Explanation& explanation, const Arguments& arguments) {
+  requireComplete(explanation.statistics);
+  if (arguments.wantsText()) std::cout << toText(explanation) << std::flush;
+  writeJson(arguments.json, toJson(explanation));
+}
+
+// Draws both pictures at one sample per pixel to find the place.
+ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRenderer& device,
+                           ReplayingRenderer& reference) {
+  const std::optional<PixelAgreement> pixels = [&] {
+    Progress progress(std::cerr, progressStyle(log.verbosity()));
+    return comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
+  }();
+  if (!pixels) {
+    log.note("interrupted; nothing is explained");
+    return ExitCode::interrupted;
+  }
+  if (const std::optional<Explanation> worst =
+          explain::explainWorst(job.scene, job.settings, *pixels, device, reference)) {
+    publish(*worst, job.arguments);
+    return ExitCode::done;
+  }
+  if (job.arguments.wantsText()) std::cout << explain::nothingToExplain(*pixels) << std::endl;
+  writeJson(job.arguments.json, explain::nothingJson(job.scene, *pixels));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode runExplain(const Arguments& arguments, const Log& log) {
+  requireSense(arguments);
+  requireWritableReport(arguments.json);
+  const RenderJob job = loadJob(arguments, log);
+  const std::optional<PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
+  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+  if (!sample) return explainWorstPixel(job, log, *device, *reference);
+  publish(explain::explainSample(job.scene, job.settings, *sample, *device, *reference), job.arguments);
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

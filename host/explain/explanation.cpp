@@ -1,0 +1,104 @@
+#include "host/explain/explanation.h"
+
+#include <fmt/format.h>
+
+#include "host/core/errors.h"
+#include "host/explain/value_text.h"
+
+namespace candela::explain {
+namespace {
+
+// Goes through the quantities until the two paths part for good.
+void findDifferences(Explanation& result) {
+  for (std::size_t stage = 0; stage < result.stages.size(); ++stage) {
+    const std::vector<Quantity>& quantities = result.stages[stage].quantities;
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      const Quantity& quantity = quantities[i];
+      const Place place{stage, i};
+      if (quantity.differs && !result.firstDifference) result.firstDifference = place;
+      if (quantity.differs && quantity.kind == Quantity::Kind::decision) {
+        result.firstDecision = place;
+        return;
+      }
+      const double furthest = result.furthestBefore ? result.at(*result.furthestBefore).apart : 0;
+      if (!result.firstDifference && quantity.apart > furthest) result.furthestBefore = place;
+    }
+  }
+}
+
+std::string placeText(const Explanation& explanation, const Place& place) {
+  return fmt::format("{} at {}", explanation.at(place).name, explanation.stages[place.stage].title);
+}
+
+std::string differenceText(const Explanation& explanation, const Place& place) {
+  const Quantity& quantity = explanation.at(place);
+  const std::string sides =
+      fmt::format("{} on the device, {} by the reference", valueText(quantity.device), valueText(quantity.reference));
+  const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
+  if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
+  if (quantity.kind == Quantity::Kind::randomNumber)
+    return fmt::format("{}: {}; no bit of it may differ", where, sides);
+  return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), kTolerance, sides);
+}
+
+std::string furthestText(const Explanation& explanation) {
+  if (!explanation.furthestBefore) return "all numbers are equal to the bit";
+  const Place& place = *explanation.furthestBefore;
+  return fmt::format("no number is further apart than {} ({})", apartText(explanation.at(place)),
+                     placeText(explanation, place));
+}
+
+}  // namespace
+
+std::string Explanation::verdict() const {
+  if (!firstDifference) {
+    return fmt::format("The two paths agree: no decision differs, and {}.", furthestText(*this));
+  }
+  std::string text =
+      fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference), furthestText(*this));
+  if (!firstDecision) text += " No decision differs.";
+  if (firstDecision && firstDecision != firstDifference) {
+    text += fmt::format("\nFirst decision that differs: {}.", differenceText(*this, *firstDecision));
+  }
+  const Quantity& radiance = stages.back().quantities.back();
+  return text +
+         fmt::format("\nThe sample's radiance is {}.", radiance.apart == 0 ? "equal" : apartText(radiance) + " apart");
+}
+
+void requirePaths(Integrator integrator) {
+  if (integrator == Integrator::path) return;
+  throw UsageError(
+      "only the samples of --integrator path can be explained; for others `candela compare SCENE "
+      "--integrator ...` counts the pixels that differ, and the decisions that part them");
+}
+
+Explanation explainReplays(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
+                           const Replay& device, const Replay& reference) {
+  Explanation result;
+  result.scene = scene.name;
+  result.sample = sample;
+  result.seed = settings.seed;
+  result.statistics = device.statistics;
+  result.device = device.path;
+  result.reference = reference.path;
+  result.stages = stagesOf(device.path, reference.path, scene);
+  findDifferences(result);
+  return result;
+}
+
+Explanation explainSample(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
+                          ReplayingRenderer& device, ReplayingRenderer& reference) {
+  return explainReplays(scene, settings, sample, device.replay(scene, settings, sample),
+                        reference.replay(scene, settings, sample));
+}
+
+std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings,
+                                        const PixelAgreement& pixels, ReplayingRenderer& device,
+                                        ReplayingRenderer& reference) {
+  if (pixels.equal == pixels.pixels) return std::nullopt;
+  RenderSettings single = settings;
+  single.sampleCount = 1;
+  return explainSample(scene, single, {pixels.worstX, pixels.worstY, 0}, device, reference);
+}
+
+}  // namespace candela::explain

@@ -1,0 +1,84 @@
+// The same for programs.
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "host/core/version.h"
+#include "host/explain/explanation.h"
+
+namespace candela::explain {
+namespace {
+
+using nlohmann::ordered_json;
+
+// "light pdf" becomes "lightPdf", "BSDF u" "bsdfU".
+std::string keyOf(const std::string& name) {
+  std::string key;
+  bool startsWord = false;
+  for (const char character : name) {
+    const auto letter = static_cast<unsigned char>(character);
+    if (character != ' ') key += static_cast<char>(startsWord ? std::toupper(letter) : std::tolower(letter));
+    startsWord = character == ' ';
+  }
+  return key;
+}
+
+ordered_json valueJson(const Value& value) {
+  if (value.isAbsent()) return nullptr;
+  if (!value.words.empty()) return value.words;
+  if (value.numbers.size() == 1) return value.numbers.front();
+  return value.numbers;
+}
+
+ordered_json quantityJson(const Quantity& quantity) {
+  ordered_json json{{"device", valueJson(quantity.device)}, {"reference", valueJson(quantity.reference)}};
+  if (quantity.kind != Quantity::Kind::decision) json["apart"] = quantity.apart;
+  json["differs"] = quantity.differs;
+  return json;
+}
+
+ordered_json stageJson(const Stage& stage) {
+  ordered_json json{{"stage", stage.title}};
+  for (const Quantity& quantity : stage.quantities) json[keyOf(quantity.name)] = quantityJson(quantity);
+  return json;
+}
+
+ordered_json placeJson(const Explanation& explanation, const std::optional<Place>& place) {
+  if (!place) return nullptr;
+  const Quantity& quantity = explanation.at(*place);
+  ordered_json json{{"stage", explanation.stages[place->stage].title}, {"quantity", keyOf(quantity.name)}};
+  json.update(quantityJson(quantity));
+  return json;
+}
+
+ordered_json headJson(const std::string& scene, bool equal) {
+  return {{"schema", "candela-explain/1"}, {"version", versionText()}, {"scene", scene}, {"equal", equal}};
+}
+
+}  // namespace
+
+ordered_json toJson(const Explanation& explanation) {
+  const PixelSample& sample = explanation.sample;
+  ordered_json json = headJson(explanation.scene, !explanation.firstDifference);
+  json["verdict"] = explanation.verdict();
+  json["device"] = explanation.statistics.device;
+  json["driver"] = explanation.statistics.driver;
+  json["pixel"] = {sample.x, sample.y};
+  json["sample"] = sample.index;
+  json["seed"] = explanation.seed;
+  json["tolerance"] = kTolerance;
+  json["firstDifference"] = placeJson(explanation, explanation.firstDifference);
+  json["firstDecision"] = placeJson(explanation, explanation.firstDecision);
+  json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};
+  json["mostVertices"] = PathTrace::kMostVertices;
+  for (const Stage& stage : explanation.stages) json["stages"].push_back(stageJson(stage));
+  return json;
+}
+
+ordered_json nothingJson(const Scene& scene, const PixelAgreement& pixels) {
+  ordered_json json = headJson(scene.name, true);
+  json["verdict"] = nothingToExplain(pixels);
+  json["pixels"] = pixels.pixels;
+  return json;
+}
+
+}  // namespace candela::explain

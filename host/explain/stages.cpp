@@ -1,0 +1,202 @@
+#include "host/explain/stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "host/explain/words.h"
+
+namespace candela::explain {
+namespace {
+
+// In the order of shaders/shared/dimensions.h.
+constexpr std::array<const char*, 4> kCameraNumbers{"filter x", "filter y", "lens u", "lens v"};
+constexpr std::array<const char*, 7> kVertexNumbers{"light choice", "light u", "light v",   "lobe choice",
+                                                    "BSDF u",       "BSDF v",  "roulette u"};
+
+// Of a structure that a vertex may lack, one member.
+template <class Part, class Member>
+auto memberOf(const std::optional<Part>& part, Member member) {
+  return part ? std::optional((*part).*member) : std::nullopt;
+}
+
+// Both sides of one vertex, or of a vertex that only one of them has.
+class VertexStage {
+ public:
+  VertexStage(const VertexTrace* device, const VertexTrace* reference, const Scene& scene)
+      : device_(device ? *device : VertexTrace{}),
+        reference_(reference ? *reference : VertexTrace{}),
+        hasDevice_(device != nullptr),
+        hasReference_(reference != nullptr),
+        scene_(scene) {}
+
+  std::vector<Quantity> quantities(bool first) {
+    addNumbers();
+    if (!first) add(colour("throughput", of(&VertexTrace::throughput, true), of(&VertexTrace::throughput, false)));
+    addHit();
+    addEmission();
+    addLight();
+    addScattering();
+    addRoulette();
+    add(colour("radiance so far", of(&VertexTrace::radiance, true), of(&VertexTrace::radiance, false)));
+    return std::move(quantities_);
+  }
+
+ private:
+  void add(Quantity quantity) {
+    if (!quantity.device.isAbsent() || !quantity.reference.isAbsent()) quantities_.push_back(std::move(quantity));
+  }
+
+  template <class T>
+  std::optional<T> of(T VertexTrace::*member, bool device) const {
+    if (device) return hasDevice_ ? std::optional(device_.*member) : std::nullopt;
+    return hasReference_ ? std::optional(reference_.*member) : std::nullopt;
+  }
+
+  // `words(vertex)` of each side; none of a side that has no such vertex.
+  template <class Words>
+  void addDecision(const char* name, Words words) {
+    Quantity made = decision(name, hasDevice_ ? words(device_) : "", hasReference_ ? words(reference_) : "");
+    made.differs = made.differs && hasDevice_ && hasReference_;
+    add(std::move(made));
+  }
+
+  void addNumbers() {
+    for (std::size_t i = 0; i < kVertexNumbers.size(); ++i) {
+      const std::uint32_t word = (hasDevice_ ? device_ : reference_).numbers[i];
+      add(randomNumber(kVertexNumbers[i], word, hasReference_ ? reference_.numbers[i] : word));
+    }
+  }
+
+  void addHit() {
+    const auto& [a, b] = std::tie(device_.hit, reference_.hit);
+    addDecision("primitive", [&](const VertexTrace& v) {
+      return v.hit ? primitiveWords(v.hit->primitive, scene_) : std::string("none: the background");
+    });
+    if (!a && !b) return;
+    const double scale = std::max(a ? std::max(glm::length(a->position), a->distance) : 0,
+                                  b ? std::max(glm::length(b->position), b->distance) : 0);
+    add(vector("position", memberOf(a, &HitTrace::position), memberOf(b, &HitTrace::position), scale));
+    addDecision("side", [](const VertexTrace& v) {
+      return !v.hit ? std::string() : v.hit->fromOutside ? "outside" : "inside";
+    });
+    add(vector("normal", memberOf(a, &HitTrace::normal), memberOf(b, &HitTrace::normal)));
+    if ((a && a->shadingNormal != a->normal) || (b && b->shadingNormal != b->normal)) {
+      add(vector("shading normal", memberOf(a, &HitTrace::shadingNormal), memberOf(b, &HitTrace::shadingNormal)));
+    }
+    addDecision("material",
+                [&](const VertexTrace& v) { return v.hit ? materialWords(v.hit->material, scene_) : std::string(); });
+  }
+
+  // A surface that emits on one side only is compared with one that emits nothing.
+  void addEmission() {
+    const auto& [a, b] = std::tie(device_.emission, reference_.emission);
+    if (!a && !b) return;
+    add(scalar("emission weight", memberOf(a, &EmissionTrace::weight), memberOf(b, &EmissionTrace::weight)));
+    const auto emitted = [](bool exists, const std::optional<EmissionTrace>& emission) {
+      return exists ? std::optional(emission ? emission->radiance : glm::dvec3(0)) : std::nullopt;
+    };
+    add(colour("emission", emitted(hasDevice_, a), emitted(hasReference_, b)));
+  }
+
+  void addLight() {
+    if (!device_.light && !reference_.light) return;
+    addDecision("light",
+                [](const VertexTrace& v) { return v.light ? fmt::format("entry {}", v.light->entry) : "none"; });
+    addDecision("shadow ray", [](const VertexTrace& v) {
+      return v.light ? shadowWords(v.light->shadow) : shadowWords(ShadowOutcome::notTraced);
+    });
+    const auto traced = [](const std::optional<LightTrace>& light) {
+      return light && light->shadow != ShadowOutcome::notTraced ? light : std::nullopt;
+    };
+    addShadowRay(traced(device_.light), traced(reference_.light));
+  }
+
+  void addShadowRay(const std::optional<LightTrace>& a, const std::optional<LightTrace>& b) {
+    if (!a && !b) return;
+    const auto place = [&](const std::optional<LightTrace>& light) {
+      return light ? lightWords(light->primitive, scene_) : std::string();
+    };
+    Quantity emitter = decision("light at", place(a), place(b));
+    emitter.differs = emitter.differs && a && b;
+    add(std::move(emitter));
+    add(vector("light direction", memberOf(a, &LightTrace::direction), memberOf(b, &LightTrace::direction)));
+    add(scalar("light distance", memberOf(a, &LightTrace::distance), memberOf(b, &LightTrace::distance)));
+    add(scalar("light pdf", memberOf(a, &LightTrace::pdf), memberOf(b, &LightTrace::pdf)));
+    add(scalar("light BSDF pdf", memberOf(a, &LightTrace::bsdfPdf), memberOf(b, &LightTrace::bsdfPdf)));
+    const auto visible = [](const std::optional<LightTrace>& light) {
+      return light && light->shadow == ShadowOutcome::visible ? light : std::nullopt;
+    };
+    add(scalar("light weight", memberOf(visible(a), &LightTrace::weight), memberOf(visible(b), &LightTrace::weight)));
+    add(colour("light adds", memberOf(visible(a), &LightTrace::radiance), memberOf(visible(b), &LightTrace::radiance)));
+  }
+
+  void addScattering() {
+    const auto& [a, b] = std::tie(device_.scattering, reference_.scattering);
+    if (!device_.hit && !reference_.hit) return;
+    addDecision("lobe", [](const VertexTrace& v) {
+      return v.scattering ? lobeWords(v.scattering->lobe) : std::string("none: the path ends");
+    });
+    add(vector("direction", memberOf(a, &ScatteringTrace::direction), memberOf(b, &ScatteringTrace::direction)));
+    add(scalar("pdf", memberOf(a, &ScatteringTrace::pdf), memberOf(b, &ScatteringTrace::pdf)));
+    add(colour("weight", memberOf(a, &ScatteringTrace::weight), memberOf(b, &ScatteringTrace::weight)));
+  }
+
+  void addRoulette() {
+    const auto& [a, b] = std::tie(device_.roulette, reference_.roulette);
+    if (!a && !b) return;
+    add(scalar("survival", memberOf(a, &RouletteTrace::probability), memberOf(b, &RouletteTrace::probability)));
+    addDecision("roulette", [](const VertexTrace& v) {
+      return !v.roulette ? std::string("not played") : v.roulette->survived ? "survived" : "ended";
+    });
+  }
+
+  VertexTrace device_;
+  VertexTrace reference_;
+  bool hasDevice_;
+  bool hasReference_;
+  const Scene& scene_;
+  std::vector<Quantity> quantities_;
+};
+
+// Of a coordinate in the scene's units: how far rays go there.
+double cameraScale(const PathTrace& path) {
+  if (path.vertices.empty()) return 0;
+  const VertexTrace& first = path.vertices.front();
+  return std::max(glm::length(first.origin), first.hit ? first.hit->distance : 0);
+}
+
+Stage cameraStage(const PathTrace& device, const PathTrace& reference) {
+  Stage stage{"camera", {}};
+  for (std::size_t i = 0; i < kCameraNumbers.size(); ++i) {
+    stage.quantities.push_back(randomNumber(kCameraNumbers[i], device.cameraNumbers[i], reference.cameraNumbers[i]));
+  }
+  if (device.vertices.empty() || reference.vertices.empty()) return stage;
+  const VertexTrace& a = device.vertices.front();
+  const VertexTrace& b = reference.vertices.front();
+  const double scale = std::max(cameraScale(device), cameraScale(reference));
+  stage.quantities.push_back(vector("ray origin", a.origin, b.origin, scale));
+  stage.quantities.push_back(vector("ray direction", a.direction, b.direction));
+  return stage;
+}
+
+}  // namespace
+
+std::vector<Stage> stagesOf(const PathTrace& device, const PathTrace& reference, const Scene& scene) {
+  std::vector<Stage> stages{cameraStage(device, reference)};
+  const auto at = [](const PathTrace& path, std::size_t i) {
+    return i < path.vertices.size() ? &path.vertices[i] : nullptr;
+  };
+  const std::size_t count = std::max(device.vertices.size(), reference.vertices.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    VertexStage vertex(at(device, i), at(reference, i), scene);
+    stages.push_back({fmt::format("vertex {}", i + 1), vertex.quantities(i == 0)});
+  }
+  stages.push_back({"sample", {colour("radiance", device.radiance, reference.radiance)}});
+  return stages;
+}
+
+}  // namespace candela::explain

@@ -1,0 +1,22 @@
+// The stages of a path, camera and vertices, each with its quantities in the order in which the estimator comes to
+// them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host/explain/quantity.h"
+#include "host/render/path_trace.h"
+#include "host/scene/scene.h"
+
+namespace candela::explain {
+
+struct Stage {
+  std::string title;  ///< "camera", "vertex 3" or "sample"
+  std::vector<Quantity> quantities;
+};
+
+/// One stage for the camera, one for each vertex that either side has kept, one for the sample's radiance. `scene`
+/// gives names to indices.
+std::vector<Stage> stagesOf(const PathTrace& device, const PathTrace& reference, const Scene& scene);
+
+}  // namespace candela::explain

@@ -1,0 +1,85 @@
+#include "host/reference/path_notes.h"
+
+#include "shaders/shared/dimensions.h"
+
+namespace candela::reference {
+
+void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
+                            const dvec3& radiance, SampleNumbers& numbers) {
+  vertexRecord_ = nullptr;
+  if (record_ && record_->vertexCount < PathRecord::kRecordedVertices) {
+    vertexRecord_ = &record_->vertices[record_->vertexCount++];
+    *vertexRecord_ = {};
+  }
+  if (!trace_) return;
+  if (vertexTrace_) vertexTrace_->radiance = radiance;
+  vertexTrace_ = nullptr;
+  trace_->vertexCount = depth;
+  if (depth > PathTrace::kMostVertices) return;
+  vertexTrace_ = &trace_->vertices.emplace_back();
+  vertexTrace_->origin = ray.origin;
+  vertexTrace_->direction = ray.direction;
+  vertexTrace_->pdf = pdf.value_or(0);
+  vertexTrace_->throughput = throughput;
+  const std::uint32_t block = kCameraDimensionCount + (depth - 1) * kVertexDimensionCount;
+  for (std::uint32_t i = 0; i < vertexTrace_->numbers.size(); ++i) vertexTrace_->numbers[i] = numbers.word(block + i);
+}
+
+void PathNotes::hit(const Hit& hit, const Surface& surface) {
+  if (vertexRecord_) vertexRecord_->primitive = hit.primitive;
+  if (!vertexTrace_) return;
+  vertexTrace_->hit = HitTrace{.primitive = hit.primitive,
+                               .material = surface.material,
+                               .distance = hit.distance,
+                               .position = surface.position,
+                               .normal = surface.facingNormal,
+                               .shadingNormal = surface.shadingNormal,
+                               .fromOutside = surface.fromOutside};
+}
+
+void PathNotes::emission(const dvec3& radiance, double weight) {
+  if (vertexTrace_) vertexTrace_->emission = EmissionTrace{radiance, weight};
+}
+
+void PathNotes::lightChoice(const LightChoice& choice) {
+  if (vertexTrace_) vertexTrace_->light = LightTrace{.entry = choice.entry};
+}
+
+void PathNotes::shadowRay(const LightSample& light, double lightPdf, double bsdfPdf, bool occluded) {
+  const ShadowOutcome outcome = occluded ? ShadowOutcome::occluded : ShadowOutcome::visible;
+  if (vertexRecord_) vertexRecord_->shadow = outcome;
+  if (!vertexTrace_) return;
+  LightTrace& trace = *vertexTrace_->light;
+  trace.shadow = outcome;
+  trace.primitive = light.primitive == kNoPrimitive ? LightTrace::kPointLight : light.primitive;
+  trace.direction = light.wi;
+  trace.distance = light.distance;
+  trace.pdf = lightPdf;
+  trace.bsdfPdf = bsdfPdf;
+}
+
+void PathNotes::lit(double weight, const dvec3& radiance) {
+  if (!vertexTrace_) return;
+  vertexTrace_->light->weight = weight;
+  vertexTrace_->light->radiance = radiance;
+}
+
+void PathNotes::lobe(Lobe lobe) {
+  if (vertexRecord_) vertexRecord_->lobe = lobe;
+}
+
+void PathNotes::scattering(const ScatteringTrace& next) {
+  if (vertexTrace_) vertexTrace_->scattering = next;
+}
+
+void PathNotes::roulette(double probability, bool survived) {
+  if (vertexRecord_) vertexRecord_->survivedRoulette = survived;
+  if (vertexTrace_) vertexTrace_->roulette = RouletteTrace{probability, survived};
+}
+
+void PathNotes::finish(const dvec3& radiance) {
+  if (vertexTrace_) vertexTrace_->radiance = radiance;
+  if (trace_) trace_->radiance = radiance;
+}
+
+}  // namespace candela::reference

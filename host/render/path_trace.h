@@ -1,0 +1,89 @@
+// All that the path of one sample computed, vertex by vertex, in the form in which both tracers tell it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "host/render/path_record.h"
+
+namespace candela {
+
+/// One sample of one pixel. `x` to the right and `y` down, all from 0.
+struct PixelSample {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t index = 0;
+};
+
+/// Where the ray met a surface. Unit normals on the ray's side.
+struct HitTrace {
+  std::uint32_t primitive = 0;  ///< place in Scene::primitives
+  std::uint32_t material = 0;   ///< place in Scene::materials
+  double distance = 0;
+  glm::dvec3 position{0};
+  glm::dvec3 normal{0};  ///< geometric
+  glm::dvec3 shadingNormal{0};
+  bool fromOutside = true;  ///< the ray comes from where the primitive's own normal points
+};
+
+/// Emission that the path itself found.
+struct EmissionTrace {
+  glm::dvec3 radiance{0};  ///< times `weight`, before the throughput
+  double weight = 1;       ///< of multiple importance sampling
+};
+
+/// One light sample.
+struct LightTrace {
+  static constexpr std::uint32_t kPointLight = 0xffffffffu;
+  std::uint32_t entry = 0;  ///< chosen place in the table: docs/light-transport.md section 6
+  ShadowOutcome shadow = ShadowOutcome::notTraced;
+  // Where a shadow ray was traced:
+  std::uint32_t primitive = kPointLight;  ///< of the light, or kPointLight
+  glm::dvec3 direction{0};                ///< unit, towards the light
+  double distance = 0;                    ///< to the lit point
+  double pdf = 0;      ///< per solid angle, times the choice's probability; a point light: that probability alone
+  double bsdfPdf = 0;  ///< with which the choice of a lobe would have found the direction
+  // And where it met nothing:
+  double weight = 0;       ///< of multiple importance sampling
+  glm::dvec3 radiance{0};  ///< that the sample adds, before the throughput
+};
+
+/// The way on from a vertex.
+struct ScatteringTrace {
+  Lobe lobe = Lobe::none;
+  glm::dvec3 direction{0};  ///< unit
+  double pdf = 0;           ///< per solid angle; 0: delta
+  glm::dvec3 weight{0};     ///< f |cos| / pdf
+};
+
+struct RouletteTrace {
+  double probability = 1;  ///< to survive
+  bool survived = true;
+};
+
+/// One vertex, from the ray that arrives to the next one. What a path did not come to is absent.
+struct VertexTrace {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0};                 ///< unit
+  double pdf = 0;                          ///< of the direction, per solid angle; 0: delta
+  glm::dvec3 throughput{1};                ///< of the ray
+  std::array<std::uint32_t, 7> numbers{};  ///< words of the vertex' block, in the order of shaders/shared/dimensions.h
+  std::optional<HitTrace> hit;             ///< absent: the ray sees the background
+  std::optional<EmissionTrace> emission;
+  std::optional<LightTrace> light;
+  std::optional<ScatteringTrace> scattering;  ///< absent: absorbed, or at the depth limit
+  std::optional<RouletteTrace> roulette;
+  glm::dvec3 radiance{0};  ///< of the path so far, this vertex included
+};
+
+struct PathTrace {
+  static constexpr std::uint32_t kMostVertices = 64;
+  std::array<std::uint32_t, 4> cameraNumbers{};  ///< words of filter x, filter y, lens u, lens v
+  std::vector<VertexTrace> vertices;             ///< the first kMostVertices
+  std::uint32_t vertexCount = 0;                 ///< of the whole path; a ray that meets nothing ends in one too
+  glm::dvec3 radiance{0};                        ///< that the sample adds to the film
+};
+
+}  // namespace candela

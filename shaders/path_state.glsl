@@ -1,0 +1,25 @@
+// A path as it waits in a buffer between two dispatches.
+#ifndef CANDELA_PATH_STATE_GLSL
+#define CANDELA_PATH_STATE_GLSL
+#include "path.glsl"
+#include "shared/render_data.h"
+
+Path unpackPath(PathState state) {
+  Path path;
+  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
+                     state.directionLeaving.w);
+  path.pdf = uintBitsToFloat(state.originPdf.w);
+  path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
+  path.depth = state.throughputDepth.w;
+  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
+  return path;
+}
+
+PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
+  return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
+                   uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
+                   uvec4(floatBitsToUint(path.throughput), path.depth),
+                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
+}
+
+#endif

@@ -1,0 +1,64 @@
+// Entry point of the replay: one lane traces one sample of one pixel again, by the very functions that path.comp calls,
+// and keeps what its path computes at each vertex. After its share of segments or loop turns it goes on in the next
+// dispatch.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define CANDELA_TRACES_PATHS
+#include "path_state.glsl"
+
+layout(local_size_x = 1, local_size_y = 1, local_size_z = 1) in;
+layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
+layout(set = 0, binding = kBindingPathStates, std430) buffer PathStates { PathState pathState; };
+layout(set = 0, binding = kBindingResults, std430) buffer Results {
+  Counters counters;
+  TracedSample trace;
+};
+
+void startVertex(Path path, SampleKey key) {
+  const vec4 none = vec4(0.0);
+  const uvec4 noWords = uvec4(0u);
+  traced = TracedVertex(vec4(path.ray.origin, 0.0), vec4(path.ray.direction, path.pdf),
+                        uvec4(floatBitsToUint(path.throughput), 0u), noWords, noWords, noWords, none, none, noWords, none,
+                        none, none, none, none, sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice)),
+                        sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
+}
+
+// A direction below the surface ends the path like none at all; who plays roulette has one above it.
+void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
+  bool played = (traced.throughputStages.w & kTracedRoulette) != 0u;
+  noteStage((goesOn || played ? kTracedScatter : 0u) | (decisions.survived ? kTracedSurvived : 0u));
+  traced.radiance = vec4(radiance, 0.0);
+  if (depth <= kTracedVertices) trace.vertices[depth - 1u] = traced;
+}
+
+void main() {
+  uvec2 pixel = dispatch.region.xy;
+  PathState state = pathState;
+  uint sampleIndex = state.radianceSample.w;
+  SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+  Path path = unpackPath(state);
+  if (path.depth == 0u) startPath(path, key, pixel);
+  RayCounts counts = RayCounts(0u, 0u, 0u);
+  Work work = Work(0u, 0u);
+  uint segments = 0u;
+  uint depth = 0u;
+  bool goesOn = true;
+  bool working = true;
+  while (working) {
+    depth = path.depth;
+    startVertex(path, key);
+    Decisions decisions;
+    goesOn = extendPath(path, key, work, counts, decisions);
+    finishVertex(depth, path.radiance, decisions, goesOn);
+    segments += 1u;
+    working = goesOn && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+  }
+  uint truncated = work.truncated + (working ? 1u : 0u);
+  pathState = packPath(path, sampleIndex, state.counts);
+  counters.truncated += truncated;
+  trace.cameraNumbers = sampleGroup(key, 0u);
+  if (!goesOn) {
+    trace.radianceCount = uvec4(floatBitsToUint(path.radiance), depth);
+    counters.finishedSamples = 1u;
+  }
+}

@@ -1,0 +1,72 @@
+// Notes what a path computes, for the kernel that replays one sample. In every other kernel a note is no code at all, not
+// even code that a specialisation constant rules out: some drivers compile that before they drop it.
+#ifndef CANDELA_TRACE_GLSL
+#define CANDELA_TRACE_GLSL
+
+#ifdef CANDELA_TRACES_PATHS
+#include "bsdf.glsl"
+#include "lights.glsl"
+#include "normals.glsl"
+#include "shared/trace_rows.h"
+
+// The vertex at hand.
+TracedVertex traced;
+
+void noteStage(uint stage) { traced.throughputStages.w |= stage; }
+
+void noteSurface(Ray ray, Surface surface, float t) {
+  Normals normals = normalsTowards(surface, -ray.direction);
+  noteStage(kTracedHit | (normals.outside ? kTracedOutside : 0u));
+  traced.originDistance.w = t;
+  traced.positionPrimitive = uvec4(floatBitsToUint(surface.position), surface.index);
+  traced.normalMaterial = uvec4(floatBitsToUint(normals.geometric), surface.kind >> kMaterialShift);
+  traced.shadingNormalLobe = uvec4(floatBitsToUint(normals.shading), kLobeNone);
+}
+
+void noteEmission(vec3 emission, float weight) {
+  if (largest(emission) <= 0.0) return;
+  noteStage(kTracedEmission);
+  traced.emissionWeight = vec4(emission * weight, weight);
+}
+
+// `k`: the 24-bit number that chooses.
+void noteLightChoice(uint k) {
+  uint truncated = 0u;
+  noteStage(kTracedLight);
+  traced.lightPlace = uvec4(chooseLight(k, truncated), kRecordMiss, kShadowNotTraced, 0u);
+}
+
+void noteShadowRay(Light light, LightSample lit, float bsdfPdf, uint shadow) {
+  traced.lightPlace.z = shadow;
+  if (!lit.delta) traced.lightPlace.y = sceneRow(primitiveRow(light.slot) + 1u).w;
+  traced.lightDirectionDistance = vec4(lit.wi, lit.distance);
+  traced.lightDensities = vec4(lit.pdf, bsdfPdf, 0.0, 0.0);
+}
+
+void noteLit(float weight, vec3 radiance) {
+  traced.lightDensities.z = weight;
+  traced.lightRadiance = vec4(radiance, 0.0);
+}
+
+void noteScattering(BsdfSample next, vec3 direction) {
+  traced.shadingNormalLobe.w = next.lobe;
+  traced.nextDirectionPdf = vec4(direction, next.pdf);
+  traced.weightSurvival = vec4(next.weight, 1.0);
+}
+
+void noteRoulette(float survival) {
+  noteStage(kTracedRoulette);
+  traced.weightSurvival.w = survival;
+}
+
+#else
+#define noteSurface(ray, surface, t)
+#define noteEmission(emission, weight)
+#define noteLightChoice(k)
+#define noteShadowRay(light, lit, bsdfPdf, shadow)
+#define noteLit(weight, radiance)
+#define noteScattering(next, direction)
+#define noteRoulette(survival)
+#endif
+
+#endif

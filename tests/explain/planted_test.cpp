@@ -1,0 +1,175 @@
+// A difference that is planted on one side is named: at its vertex, by its quantity, with its size.
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "host/explain/explanation.h"
+#include "tests/render/render_support.h"
+
+using namespace candela;
+using namespace candela::explain;
+
+namespace {
+
+// Primitives: 0 lamp, 1 ball of glass, 2 shiny ball, 3 another far away, 4 and 5 floor. Materials in their order. None
+// of the changes below needs another kernel.
+const char* const kScene =
+    "b 0.1 0.2 0.3\nv\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
+    "f 1 1 1 1 0 0 0 0 1 0 1 12 11 10\ns 2 -1 6 1\n"
+    "f 0.9 0.9 0.9 0 0 0 0 0 1 1 1.5 0 0 0\ns -1.2 0 1 1\n"
+    "f 0.7 0.3 0.2 0.5 1 1 1 0.5 40 0 1 0 0 0\ns 1.2 0 1 1\ns 50 50 50 1\n"
+    "f 0.8 0.7 0.6 1 0 0 0 0 1 0 1 0 0 0\np 4\n-8 -8 0\n8 -8 0\n8 8 0\n-8 8 0\n";
+constexpr std::uint32_t kLamp = 0, kGlass = 1, kShiny = 2, kFarBall = 3, kFloor = 4;
+
+using Change = std::function<void(Scene&, RenderSettings&)>;
+using Wanted = std::function<bool(const VertexTrace& first)>;
+
+bool sees(const VertexTrace& vertex, std::uint32_t primitive) {
+  return vertex.hit && vertex.hit->primitive == primitive;
+}
+
+bool seesLitFloor(const VertexTrace& vertex) {
+  const bool floor = sees(vertex, kFloor) || sees(vertex, kFloor + 1);
+  return floor && vertex.light && vertex.light->shadow == ShadowOutcome::visible;
+}
+
+RenderSettings testSettings() {
+  RenderSettings settings = squareSettings(16, 1);
+  settings.rouletteStart = 0;
+  return settings;
+}
+
+ReplayingRenderer& deviceTracer() {
+  static const std::unique_ptr<ReplayingRenderer> tracer = makeGpuRenderer(testDevice());
+  return *tracer;
+}
+
+// A pixel whose first vertex is as wanted, by the reference.
+PixelSample findPixel(const Scene& scene, const RenderSettings& settings, const Wanted& wanted) {
+  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+  for (std::uint32_t y = 0; y < settings.size.height; ++y) {
+    for (std::uint32_t x = 0; x < settings.size.width; ++x) {
+      const Replay replay = reference->replay(scene, settings, {x, y, 0});
+      if (wanted(replay.path.vertices.front())) return {x, y, 0};
+    }
+  }
+  FAIL("no pixel is as wanted");
+  return {};
+}
+
+// The explanation of a wanted pixel where one side, either one, has a changed scene or changed settings.
+Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDevice) {
+  const Scene scene = sceneFromText(kScene);
+  const RenderSettings settings = testSettings();
+  REQUIRE(scene.primitives.size() == 6);
+  const PixelSample pixel = findPixel(scene, settings, wanted);
+  Scene changedScene = scene;
+  RenderSettings changedSettings = settings;
+  change(changedScene, changedSettings);
+  const auto replay = [&](ReplayingRenderer& tracer, bool changed) {
+    return tracer.replay(changed ? changedScene : scene, changed ? changedSettings : settings, pixel);
+  };
+  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+  return explainReplays(scene, settings, pixel, replay(deviceTracer(), onDevice), replay(*reference, !onDevice));
+}
+
+void requireFirst(const Wanted& wanted, const Change& change, const std::string& stage, const std::string& quantity) {
+  const bool onDevice = GENERATE(true, false);
+  const Explanation explanation = explainPlanted(wanted, change, onDevice);
+  CAPTURE(onDevice, toText(explanation));
+  REQUIRE(explanation.firstDifference);
+  CHECK(explanation.stages[explanation.firstDifference->stage].title == stage);
+  CHECK(explanation.at(*explanation.firstDifference).name == quantity);
+}
+
+}  // namespace
+
+TEST_CASE("nothing planted, nothing named") {
+  const Explanation explanation = explainPlanted(
+      seesLitFloor, [](Scene&, RenderSettings&) {}, true);
+  CAPTURE(toText(explanation));
+  CHECK_FALSE(explanation.firstDifference);
+  CHECK(explanation.furthestBefore);
+}
+
+TEST_CASE("another albedo is named where the surface is lit, with its size") {
+  const auto brighter = [](Scene& scene, RenderSettings&) { scene.materials[3].diffuse *= 1.005f; };
+  requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
+  const Explanation explanation = explainPlanted(seesLitFloor, brighter, true);
+  CHECK(explanation.at(*explanation.firstDifference).apart == Approx(0.005 / 1.005).epsilon(0.01));
+}
+
+TEST_CASE("another radius is named by the position") {
+  requireFirst([](const VertexTrace& v) { return sees(v, kShiny); },
+               [](Scene& scene, RenderSettings&) { scene.spheres[kShiny].radius = 1.01f; }, "vertex 1", "position");
+}
+
+TEST_CASE("another index of refraction is named by the direction in the glass") {
+  const auto refracts = [](const VertexTrace& v) {
+    return sees(v, kGlass) && v.scattering && v.scattering->lobe == Lobe::refract;
+  };
+  requireFirst(
+      refracts, [](Scene& scene, RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1", "direction");
+}
+
+TEST_CASE("a surface that is gone is named by the primitive") {
+  requireFirst(
+      seesLitFloor,
+      [](Scene& scene, RenderSettings&) {
+        for (Triangle& triangle : scene.triangles) {
+          for (glm::vec3& corner : triangle.p) corner.z -= 1000;
+        }
+      },
+      "vertex 1", "primitive");
+}
+
+TEST_CASE("another material of a primitive is named as such") {
+  requireFirst([](const VertexTrace& v) { return sees(v, kShiny); },
+               [](Scene& scene, RenderSettings&) { scene.primitives[kShiny].material = 3; }, "vertex 1", "material");
+}
+
+TEST_CASE("a lamp that shines more is named where it is seen, and by the light that it adds") {
+  const auto brighter = [](Scene& scene, RenderSettings&) { scene.materials[0].emission *= 1.01f; };
+  requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
+}
+
+TEST_CASE("a lamp elsewhere is named by the direction to it") {
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; }, "vertex 1",
+      "light direction");
+}
+
+TEST_CASE("something in the way of the light is named by the shadow ray") {
+  const auto blocked = [](Scene& scene, RenderSettings&) { scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f}; };
+  const auto belowLamp = [](const VertexTrace& v) {
+    return seesLitFloor(v) && glm::length(glm::dvec2(v.hit->position) - glm::dvec2(2, -1)) < 1;
+  };
+  requireFirst(belowLamp, blocked, "vertex 1", "shadow ray");
+}
+
+TEST_CASE("another roulette is named as a decision") {
+  requireFirst([](const VertexTrace& v) { return seesLitFloor(v) && v.roulette && v.roulette->survived; },
+               [](Scene&, RenderSettings& settings) { settings.rouletteStart = 5; }, "vertex 1", "roulette");
+}
+
+TEST_CASE("another camera is named by its ray, another seed by the first random number") {
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera", "ray origin");
+  requireFirst(
+      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->angle += 0.1f; }, "camera", "ray direction");
+  requireFirst(
+      seesLitFloor, [](Scene&, RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
+}
+
+TEST_CASE("a difference at a later vertex is named there") {
+  // Off the shiny ball onto the floor, whose albedo differs: all up to there is equal.
+  const auto viaBall = [](const VertexTrace& v) {
+    return sees(v, kShiny) && v.scattering && v.scattering->direction.z < -0.5;
+  };
+  const bool onDevice = GENERATE(true, false);
+  const Explanation explanation = explainPlanted(
+      viaBall, [](Scene& scene, RenderSettings&) { scene.materials[3].diffuse *= 1.005f; }, onDevice);
+  CAPTURE(toText(explanation));
+  REQUIRE(explanation.firstDifference);
+  CHECK(explanation.stages[explanation.firstDifference->stage].title == "vertex 2");
+  CHECK(explanation.reference.vertices[1].hit->material == 3);
+}
