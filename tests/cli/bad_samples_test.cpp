@@ -82,7 +82,7 @@ TEST_CASE("bad samples are told with their number, their pixels and a replay") {
   CHECK(json["reference"]["firstPixels"].empty());
 }
 
-TEST_CASE("--strict turns success with bad samples into a difference, and leaves other ends as they are") {
+TEST_CASE("the option --strict turns success with bad samples into a difference, and leaves other ends as they are") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::quiet);
   Arguments arguments;

@@ -62,7 +62,7 @@ TEST_CASE("films of the same seed have no verdict, and none can be asked for") {
   CHECK_THAT(asked.err, Contains("--alpha: A and B have the same seed"));
 }
 
-TEST_CASE("--alpha asks for variance and for two samples in every pixel") {
+TEST_CASE("the option --alpha asks for variance and for two samples in every pixel") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string bare = renderFilm(folder, "b.pfm", "2");

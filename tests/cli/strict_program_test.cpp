@@ -45,7 +45,7 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
   CHECK_THAT(result.err, Contains(first["replay"].get<std::string>()));
 }
 
-TEST_CASE("--strict ends a render that had bad samples with 3, and leaves its files as evidence") {
+TEST_CASE("the option --strict ends a render that had bad samples with 3, and leaves its files as evidence") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
@@ -62,7 +62,7 @@ TEST_CASE("--strict ends a render that had bad samples with 3, and leaves its fi
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }
 
-TEST_CASE("--strict changes nothing where no sample is bad") {
+TEST_CASE("the option --strict changes nothing where no sample is bad") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");
