@@ -40,6 +40,7 @@ void advancePixel(uvec2 inRegion) {
   Work work = Work(0u, 0u);
   uint segments = 0u;
   bool working = true;
+  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
   while (working) {
     SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
     if (path.depth == 0u) startPath(path, key, pixel);
@@ -54,8 +55,9 @@ void advancePixel(uvec2 inRegion) {
     }
     segments += 1u;
     working = sampleIndex < sampleEnd && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+    cutShort = working ? 1u : 0u;
   }
-  uint truncated = work.truncated + (working ? 1u : 0u);
+  uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
   pathStates[pixelIndex] = packPath(path, sampleIndex,
                                     uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w + work.steps));

@@ -44,6 +44,7 @@ void main() {
   uint depth = 0u;
   bool goesOn = true;
   bool working = true;
+  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
   while (working) {
     depth = path.depth;
     startVertex(path, key);
@@ -52,8 +53,9 @@ void main() {
     finishVertex(depth, path.radiance, decisions, goesOn);
     segments += 1u;
     working = goesOn && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+    cutShort = working ? 1u : 0u;
   }
-  uint truncated = work.truncated + (working ? 1u : 0u);
+  uint truncated = work.truncated + cutShort;
   pathState = packPath(path, sampleIndex, state.counts);
   counters.truncated += truncated;
   trace.cameraNumbers = sampleGroup(key, 0u);

@@ -110,6 +110,7 @@ void main() {
   uint segments = 0u;
   uint lightTurns = 0u;
   bool working = true;
+  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
   while (working) {
     SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
     if (tree.node == 0u) startTree(tree, key, pixel);
@@ -130,8 +131,9 @@ void main() {
     lightTurns += min(constants.limits.z, kLightsPerSegment);
     working = sampleIndex < sampleEnd && segments < dispatch.work.y &&
               work.steps + segments + lightTurns < dispatch.work.w;
+    cutShort = working ? 1u : 0u;
   }
-  uint truncated = work.truncated + (working ? 1u : 0u);
+  uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
   storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.leaving),
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),

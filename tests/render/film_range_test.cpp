@@ -15,12 +15,12 @@ Scene tooBright() {
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 1\n");
 }
 
-// Balls under a large lamp that nearly is the brightest a number can say: in single precision what a surface gets of it
-// is infinite, and where a red ball gets it from a white one, green is 0 times infinity.
+// Balls under a point light that nearly is the brightest a number can say: in single precision pi times it is infinite, and
+// a red ball's green is 0 times that.
 Scene overflowing() {
   return sceneFromText(
       "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"
-      "f 0 0 0 1 0 0 0 0 1 0 1 3e38 3e38 3e38\ns 0 40 0 30\n"
+      "l 0 10 9 1.1e38 1.1e38 1.1e38\n"
       "f 1 0 0 1 0 0 0 0 1 0 1\ns -1 0 0 1.2\n"
       "f .9 .9 .9 1 0 0 0 0 1 0 1\ns 1 0 0 1.2\n");
 }
@@ -58,10 +58,14 @@ TEST_CASE("what overflows on a device is counted there as on the reference, whic
   const RenderResult reference = renderOnReference(scene, settings);
   requireEqualCounts(device.film, reference.film);
   CHECK(device.statistics.badSamples == reference.statistics.badSamples);
-  // The top of the white ball: infinite there, too bright here.
-  const std::uint32_t x = 5, y = 3;
-  CHECK(device.film.at(x, y).badCount == 4);
-  CHECK(device.film.mean(x, y) == glm::dvec3(0));
-  CHECK(reference.film.mean(x, y) == glm::dvec3(kFilmMaximum));
+  // Where every sample overflows: infinite there, which counts as nothing; too bright here.
+  std::size_t overflowed = 0;
+  for (std::size_t i = 0; i < device.film.pixels().size(); ++i) {
+    const auto x = static_cast<std::uint32_t>(i % 8), y = static_cast<std::uint32_t>(i / 8);
+    if (device.film.at(x, y).badCount < 4 || device.film.mean(x, y).x != 0) continue;
+    ++overflowed;
+    CHECK(reference.film.mean(x, y).x == kFilmMaximum);
+  }
+  CHECK(overflowed > 0);
   for (const FilmPixel& pixel : device.film.pixels()) REQUIRE(pixel.sampleCount == 4);
 }
