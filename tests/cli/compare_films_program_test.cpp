@@ -72,7 +72,7 @@ TEST_CASE("the option --alpha asks for variance and for two samples in every pix
   CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err, Contains("B has pixels of fewer than two samples"));
 }
 
-TEST_CASE("a tolerance alone is judged alone; with --alpha both must be met") {
+TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1", "6 6 6");
   const std::string b = renderFilm(folder, "b.exr", "2");

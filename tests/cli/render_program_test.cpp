@@ -116,7 +116,7 @@ TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not fo
   CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
 }
 
-TEST_CASE("the same film, whatever the threads and the structure; another one for another seed") {
+TEST_CASE("the same film, whatever the threads and the structure, and another one for another seed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto filmHash = [&](const std::vector<std::string>& options) {
@@ -239,7 +239,7 @@ TEST_CASE("sizes have stated limits") {
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("help and version go to stdout and exit with 0; wrong usage exits with 1") {
+TEST_CASE("help and version go to stdout and exit with 0, wrong usage exits with 1") {
   const ProgramResult help = runCandela({"--help"});
   CHECK(help.exitCode == 0);
   CHECK(contains(help.out, "--segments-per-dispatch"));

@@ -72,7 +72,7 @@ TEST_CASE("the samples that are replayed add up to the rendered film, bit for bi
   }
 }
 
-TEST_CASE("a path of thousands of vertices is replayed over many dispatches; the first 64 are kept") {
+TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of which the first 64 are kept") {
   const Scene scene = loadTestScene("mirrors.p3f");
   RenderSettings settings = squareSettings(4, 1);
   settings.maxDepth = 3000;
