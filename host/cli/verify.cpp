@@ -16,12 +16,11 @@
 #include "host/render/make_renderer.h"
 
 namespace candela::cli {
-
 namespace {
 
 // Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the verdict.
 void explainWorst(const verify::VerifyReport& report, const RenderJob& job, ReplayingRenderer& device,
-             ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
+                  ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
   const std::optional<explain::Explanation> worst =
       explain::explainWorst(job.scene, job.settings, report.paths, device, reference);
   if (worst) requireComplete(worst->statistics);
