@@ -25,6 +25,13 @@ void requireSamePixels(const Scene& scene, RenderSettings settings) {
   CHECK(pixels.litShare() >= kRequiredLitShare);
 }
 
+void requireSameScenes(std::uint32_t side, bool nextEventEstimation) {
+  for (const auto& file : sceneFiles()) {
+    const Scene scene = loadScene(file).scene;
+    requireSamePixels(scene, settingsFor(scene, side, nextEventEstimation));
+  }
+}
+
 void requireSameMean(const Scene& scene, const RenderSettings& settings) {
   const double device = meanLuminance(renderOnDevice(scene, settings).film);
   const double reference = meanLuminance(renderOnReference(scene, settings).film);
@@ -34,18 +41,13 @@ void requireSameMean(const Scene& scene, const RenderSettings& settings) {
 
 }  // namespace
 
-TEST_CASE("every scene has the reference's pixels at one sample, with light sampling") {
-  for (const auto& file : sceneFiles()) {
-    const Scene scene = loadScene(file).scene;
-    requireSamePixels(scene, settingsFor(scene, 256, true));
-  }
-}
+TEST_CASE("every scene has the reference's pixels at one sample, with light sampling") { requireSameScenes(80, true); }
 
-TEST_CASE("every scene has the reference's pixels at one sample, without light sampling") {
-  for (const auto& file : sceneFiles()) {
-    const Scene scene = loadScene(file).scene;
-    requireSamePixels(scene, settingsFor(scene, 256, false));
-  }
+TEST_CASE("every scene has the reference's pixels at one sample, without light sampling") { requireSameScenes(80, false); }
+
+TEST_CASE("every scene has the reference's pixels at one sample in images of 256 x 256", "[slow]") {
+  requireSameScenes(256, true);
+  requireSameScenes(256, false);
 }
 
 TEST_CASE("every scene has the reference's mean at 64 samples, with light sampling and without", "[slow]") {
