@@ -1,6 +1,7 @@
 #include "host/report/html.h"
 
 #include "host/core/errors.h"
+#include "host/core/markup.h"
 
 namespace candela::report {
 namespace {
@@ -17,13 +18,11 @@ bool isControl(char character) {
 std::string escapeHtml(std::string_view text) {
   std::string out;
   for (const char character : text) {
-    switch (character) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: isControl(character) ? out += kReplacement : out += character;
+    const std::string_view entity = entityOf(character);
+    if (!entity.empty()) {
+      out += entity;
+    } else {
+      isControl(character) ? out += kReplacement : out += character;
     }
   }
   return out;

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "host/core/markup.h"
 #include "host/core/version.h"
 #include "host/verify/verify.h"
 
@@ -89,12 +89,11 @@ ordered_json lightJson(const LightTestResult& light) {
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char character : text) {
-    switch (character) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
+    const std::string_view entity = entityOf(character);
+    if (!entity.empty()) {
+      out += entity;
+    } else {
+      out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
     }
   }
   return out;
