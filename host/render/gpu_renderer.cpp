@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <vector>
 
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
@@ -13,6 +11,7 @@
 #include "host/render/kernel.h"
 #include "host/render/loop_budget.h"
 #include "host/render/make_renderer.h"
+#include "host/render/pipeline_store.h"
 #include "host/render/specialise.h"
 #include "host/vulkan/device.h"
 #include "host/vulkan/loop_limit.h"
@@ -61,27 +60,10 @@ class GpuRenderer final : public ReplayingRenderer {
   void renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
                    const RenderControl& control, RenderResult& result);
 
-  const vulkan::ComputePipeline& pipelineFor(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings,
-                                             bool texels);
-
   vulkan::Device device_;
   std::uint32_t loopLimit_;
-  // The pipeline of the last render: drivers take long to compile one, and the next render often needs the same.
-  const std::uint32_t* pipelineCode_ = nullptr;
-  std::vector<vulkan::Specialisation> pipelineKey_;
-  std::optional<vulkan::ComputePipeline> pipeline_;
+  PipelineStore pipelines_;
 };
-
-const vulkan::ComputePipeline& GpuRenderer::pipelineFor(const Kernel& kernel, const FlatScene& flat,
-                                                        const RenderSettings& settings, bool texels) {
-  const vulkan::PipelineOptions options = pipelineOptions(flat, settings, texels);
-  if (!pipeline_ || kernel.spirv.data() != pipelineCode_ || options.specialisations != pipelineKey_) {
-    pipeline_.emplace(device_, kernel.spirv, options);
-    pipelineCode_ = kernel.spirv.data();
-    pipelineKey_ = options.specialisations;
-  }
-  return *pipeline_;
-}
 
 void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                            RenderStatistics& statistics) const {
@@ -111,7 +93,8 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   statistics.seconds["upload"] = watch.lap();
   describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
-  const vulkan::ComputePipeline& pipeline = pipelineFor(kernel, flat, settings, deviceScene.readsTexels());
+  const vulkan::ComputePipeline& pipeline =
+      pipelines_.get(device_, kernel.spirv, pipelineOptions(flat, settings, deviceScene.readsTexels()));
   const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
   result.film = Film(settings.size.width, settings.size.height);
   Band band(device_, kernel, pipeline, deviceScene, settings, height);
@@ -152,7 +135,8 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
   const Kernel kernel = replayKernel();
   Replay replay;
   describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
-  const vulkan::ComputePipeline& pipeline = pipelineFor(kernel, flat, settings, deviceScene.readsTexels());
+  const vulkan::ComputePipeline& pipeline =
+      pipelines_.get(device_, kernel.spirv, pipelineOptions(flat, settings, deviceScene.readsTexels()));
   replay.path = replayOnDevice(device_, pipeline, deviceScene, sample, budget, replay.statistics);
   return replay;
 }

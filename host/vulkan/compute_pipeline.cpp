@@ -36,7 +36,7 @@ vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayo
   const vk::SpecializationInfo specialisation(static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               options.specialisations.size() * sizeof(Specialisation),
                                               options.specialisations.data());
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry,
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str(),
                                                 &specialisation);
   return {device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }

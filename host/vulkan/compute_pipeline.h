@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace candela::vulkan {
@@ -22,7 +23,8 @@ struct PipelineOptions {
   std::vector<BindingKind> bindings;    ///< bindings[i] is layout(set = 0, binding = i)
   std::uint32_t pushConstantBytes = 0;  ///< a multiple of 4, at most 128
   std::vector<Specialisation> specialisations{};
-  const char* entry = "main";
+  std::string entry = "main";
+  bool operator==(const PipelineOptions&) const = default;
 };
 
 /// A pipeline of one compute shader. Some drivers compile here, some (lavapipe) at the first dispatch.
