@@ -2,6 +2,7 @@
 // does, on the host. The walk through the grid is that of host/accel/grid.h.
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "host/accel/bvh.h"
 #include "host/accel/grid.h"
 #include "tests/accel/ray_tests.h"
+#include "tests/accel/wide_ray.h"
 
 namespace candela::test {
 
@@ -52,6 +54,27 @@ class Searcher {
       if (node.isLeaf()) continue;
       stack.push_back(node.first);
       stack.push_back(node.first + 1);
+    }
+    return best;
+  }
+
+  Hit<T> throughWideTree(const Ray<T>& ray, const WideBvh& wide) {
+    const WideRay<T> slabs(ray);
+    Hit<T> best;
+    std::vector<std::uint32_t> stack;
+    if (!wide.nodes.empty()) stack.push_back(0);
+    while (!stack.empty()) {
+      const WideNode& node = wide.nodes[stack.back()];
+      stack.pop_back();
+      ++steps;
+      std::uint32_t next = node.firstPrimitive;
+      for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+        const std::uint32_t leaf = node.leafMask >> (3 * child) & 7, first = next;
+        next += static_cast<std::uint32_t>(std::popcount(leaf));
+        if (!slabs.meets(node.boxes, child, best.t)) continue;
+        if (node.innerMask >> child & 1) stack.push_back(node.block * kWideChildren + child);
+        for (std::uint32_t i = first; i < next; ++i) test(ray, wide.primitiveIndices[i], best);
+      }
     }
     return best;
   }

@@ -13,16 +13,20 @@ namespace {
 struct Structures {
   explicit Structures(const std::vector<Aabb>& boxes)
       : trees{buildBvh(boxes, {.maxLeafSize = 8}), buildBvh(boxes, {.rule = SplitRule::midpoint, .maxLeafSize = 2})},
+        wide{collapse(buildBvh(boxes, {.maxLeafSize = kMaxWideLeaf})), collapse(trees[1])},
         grids{buildGrid(boxes), buildGrid(boxes, {.density = 1}), buildGrid(boxes, {.density = 5})} {}
 
   std::array<Bvh, 2> trees;
+  std::array<WideBvh, 2> wide;
   std::array<Grid, 3> grids;
 };
+
+using Counts = std::array<int, 7>;
 
 struct Outcome {
   int hits = 0;
   int ties = 0;                    ///< if counted
-  std::array<int, 5> differing{};  ///< by structure: SAH, midpoint, grids of density 2, 1 and 5
+  Counts differing{};              ///< by structure: SAH, midpoint, both collapsed, grids of density 2, 1 and 5
 };
 
 // Rays are of single precision; T is that of all tests and searches.
@@ -39,6 +43,7 @@ Outcome searchAll(const Scene& scene, int rayCount, std::uint64_t seed, bool cou
     const Hit<T> expected = searcher.bruteForce(ray);
     std::size_t place = 0;
     for (const Bvh& bvh : structures.trees) outcome.differing[place++] += searcher.throughTree(ray, bvh) != expected;
+    for (const WideBvh& wide : structures.wide) outcome.differing[place++] += searcher.throughWideTree(ray, wide) != expected;
     for (const Grid& grid : structures.grids) outcome.differing[place++] += searcher.throughGrid(ray, grid) != expected;
     if (expected.primitive == ~0u) continue;
     ++outcome.hits;
@@ -52,10 +57,10 @@ void requireEqual(const NamedScene& named, int rayCount, std::uint64_t seed) {
   INFO(named.name);
   const bool hasFinite = !boundPrimitives(named.scene).finite.empty();
   const Outcome single = searchAll<float>(named.scene, rayCount, seed);
-  CHECK(single.differing == std::array<int, 5>{});
+  CHECK(single.differing == Counts{});
   CHECK(single.hits >= (hasFinite ? rayCount / 100 : 0));
   const Outcome exact = searchAll<double>(named.scene, rayCount / 4, seed);
-  CHECK(exact.differing == std::array<int, 5>{});
+  CHECK(exact.differing == Counts{});
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ TEST_CASE("of equal distances the lower primitive index wins in every structure"
     if (named.name != "mixed") continue;  // half of everything stands there twice
     constexpr int kRays = 5000;
     const Outcome outcome = searchAll<float>(named.scene, kRays, 7, true);
-    CHECK(outcome.differing == std::array<int, 5>{});
+    CHECK(outcome.differing == Counts{});
     CHECK(outcome.ties > kRays / 5);
   }
 }
@@ -95,7 +100,7 @@ TEST_CASE("trees and grids save nearly all of brute force's tests") {
   Searcher<float> searcher(scene);
   const Structures structures(searcher.boxes());
   Random random(6);
-  std::array<std::uint64_t, 5> steps{};
+  std::array<std::uint64_t, 7> steps{};
   constexpr int kRays = 500;
   for (int i = 0; i < kRays; ++i) {
     const Ray<float> ray{glm::vec3(random.inCube(-20, 120)), glm::vec3(random.direction())};
@@ -106,6 +111,7 @@ TEST_CASE("trees and grids save nearly all of brute force's tests") {
       steps[place++] += searcher.steps;
     };
     for (const Bvh& bvh : structures.trees) count([&] { searcher.throughTree(ray, bvh); });
+    for (const WideBvh& wide : structures.wide) count([&] { searcher.throughWideTree(ray, wide); });
     for (const Grid& grid : structures.grids) count([&] { searcher.throughGrid(ray, grid); });
   }
   for (const std::uint64_t count : steps) CHECK(count < kRays * scene.primitives.size() / 50);

@@ -1,0 +1,158 @@
+// Collapses a two-wide tree into an eight-wide one.
+#include "host/accel/wide_bvh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "host/core/errors.h"
+
+namespace candela {
+namespace {
+
+// Up to eight descendants of a node that together hold what it holds.
+struct Family {
+  std::array<std::uint32_t, kWideChildren> members{};
+  std::uint32_t size = 0;
+};
+
+// A binary node's number by place in a wide node.
+constexpr std::uint32_t kNobody = ~0u;
+using Places = std::array<std::uint32_t, kWideChildren>;
+
+struct Pending {
+  std::uint32_t source;  ///< in the binary tree
+  std::uint32_t target;  ///< in the wide one
+  std::uint32_t depth;
+};
+
+class Collapser {
+ public:
+  explicit Collapser(const Bvh& bvh) : bvh_(bvh) {}
+
+  WideBvh run() {
+    wide_.primitiveIndices.reserve(bvh_.primitiveIndices.size());
+    wide_.nodes.resize(kWideChildren);
+    pending_ = {{0, 0, 0}};
+    while (!pending_.empty()) {
+      const Pending next = pending_.back();
+      pending_.pop_back();
+      collapse(next);
+    }
+    return std::move(wide_);
+  }
+
+ private:
+  void collapse(const Pending& pending) {
+    const Places places = arrange(familyOf(pending.source), bvh_.nodes[pending.source].bounds);
+    std::array<Aabb, kWideChildren> boxes;
+    WideNode node;
+    node.firstPrimitive = static_cast<std::uint32_t>(wide_.primitiveIndices.size());
+    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+      if (places[place] == kNobody) continue;
+      const BvhNode& child = bvh_.nodes[places[place]];
+      boxes[place] = child.bounds;
+      if (child.isLeaf()) {
+        node.leafMask |= appendLeaf(child) << (3 * place);
+      } else {
+        node.innerMask |= static_cast<std::uint8_t>(1u << place);
+      }
+    }
+    node.boxes = quantise(boxes);
+    if (node.innerMask != 0) node.block = addBlock(places, node.innerMask, pending.depth + 1);
+    wide_.nodes[pending.target] = node;
+    wide_.depth = std::max(wide_.depth, pending.depth);
+    ++wide_.nodeCount;
+  }
+
+  Family familyOf(std::uint32_t root) const {
+    Family family{{root}, 1};
+    while (family.size < kWideChildren) {
+      std::uint32_t* largest = nullptr;
+      double largestArea = -1;
+      for (std::uint32_t i = 0; i < family.size; ++i) {
+        const BvhNode& node = bvh_.nodes[family.members[i]];
+        if (node.isLeaf() || node.bounds.surfaceArea() <= largestArea) continue;
+        largest = &family.members[i];
+        largestArea = node.bounds.surfaceArea();
+      }
+      if (largest == nullptr) break;
+      const std::uint32_t first = bvh_.nodes[*largest].first;
+      *largest = first;
+      family.members[family.size++] = first + 1;
+    }
+    return family;
+  }
+
+  // Again and again the child and the free place that suit each other best: Ylitie et al. section 3.2, with a greedy choice
+  // instead of an auction.
+  Places arrange(const Family& family, const Aabb& bounds) const {
+    std::array<glm::dvec3, kWideChildren> offsets;
+    for (std::uint32_t i = 0; i < family.size; ++i) {
+      const Aabb& box = bvh_.nodes[family.members[i]].bounds;
+      offsets[i] = (glm::dvec3(box.min) - glm::dvec3(bounds.min)) + (glm::dvec3(box.max) - glm::dvec3(bounds.max));
+    }
+    Places places;
+    places.fill(kNobody);
+    std::array<bool, kWideChildren> placed{};
+    for (std::uint32_t round = 0; round < family.size; ++round) {
+      double bestGain = -std::numeric_limits<double>::infinity();
+      std::uint32_t bestChild = 0, bestPlace = 0;
+      for (std::uint32_t child = 0; child < family.size; ++child) {
+        if (placed[child]) continue;
+        for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+          const double gain = gainOf(offsets[child], place);
+          if (places[place] != kNobody || gain <= bestGain) continue;
+          bestGain = gain;
+          bestChild = child;
+          bestPlace = place;
+        }
+      }
+      places[bestPlace] = family.members[bestChild];
+      placed[bestChild] = true;
+    }
+    return places;
+  }
+
+  static double gainOf(const glm::dvec3& offset, std::uint32_t place) {
+    return (place & 1 ? offset.x : -offset.x) + (place & 2 ? offset.y : -offset.y) + (place & 4 ? offset.z : -offset.z);
+  }
+
+  // The leaf's primitives; returns their bits of a leaf mask.
+  std::uint32_t appendLeaf(const BvhNode& leaf) {
+    if (leaf.count > kMaxWideLeaf) {
+      throw InternalError(fmt::format("a leaf of {} primitives, a wide tree takes {}", leaf.count, kMaxWideLeaf));
+    }
+    const auto first = bvh_.primitiveIndices.begin() + leaf.first;
+    wide_.primitiveIndices.insert(wide_.primitiveIndices.end(), first, first + leaf.count);
+    return (1u << leaf.count) - 1;
+  }
+
+  std::uint32_t addBlock(const Places& places, std::uint32_t innerMask, std::uint32_t depth) {
+    const std::size_t first = wide_.nodes.size();
+    const std::size_t block = first / kWideChildren;
+    if (block >= kMaxWideBlocks) throw InternalError(fmt::format("a wide tree of {} blocks", block));
+    wide_.nodes.resize(first + kWideChildren);
+    for (std::uint32_t place = kWideChildren; place-- > 0;) {
+      if ((innerMask >> place & 1) == 0) continue;
+      pending_.push_back({places[place], static_cast<std::uint32_t>(first + place), depth});
+    }
+    return static_cast<std::uint32_t>(block);
+  }
+
+  const Bvh& bvh_;
+  WideBvh wide_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace
+
+WideBvh collapse(const Bvh& bvh) {
+  if (bvh.nodes.empty()) return {};
+  return Collapser(bvh).run();
+}
+
+}  // namespace candela

@@ -1,0 +1,150 @@
+// Whether a wide tree is right.
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "host/accel/wide_bvh.h"
+
+namespace candela {
+namespace {
+
+// Of the margin, what rounding in double may not take. The argument in quantised_boxes.h needs 11 / 16.
+constexpr double kLeastMargin = 0.75 * kPlaneMargin;
+
+struct Visit {
+  std::uint32_t node;
+  std::uint32_t parent;
+  std::uint32_t place;
+  std::uint32_t depth;
+};
+
+class Validator {
+ public:
+  Validator(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth)
+      : wide_(wide), bounds_(bounds), maxDepth_(maxDepth) {}
+
+  std::optional<std::string> run() {
+    if (wide_.primitiveIndices.size() != bounds_.size()) {
+      return fmt::format("{} primitive indices for {} primitives", wide_.primitiveIndices.size(), bounds_.size());
+    }
+    if (wide_.nodes.size() % kWideChildren != 0) return fmt::format("{} nodes are no whole blocks", wide_.nodes.size());
+    if (bounds_.empty() || wide_.nodes.empty()) {
+      if (bounds_.empty() && wide_.nodes.empty()) return std::nullopt;
+      return fmt::format("{} nodes for {} primitives", wide_.nodes.size(), bounds_.size());
+    }
+    if (auto problem = walk()) return problem;
+    return checkBoxes();
+  }
+
+ private:
+  // Blocks are named once, so that the walk ends on any input. Notes the order of nodes, parents first.
+  std::optional<std::string> walk() {
+    blockReached_.assign(wide_.nodes.size() / kWideChildren, false);
+    primitiveSeen_.assign(bounds_.size(), false);
+    blockReached_[0] = true;
+    order_ = {{0, 0, 0, 0}};
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const Visit visit = order_[i];
+      if (visit.depth > maxDepth_) return fmt::format("node {} is {} steps deep, the limit is {}", visit.node, visit.depth, maxDepth_);
+      if (auto problem = visitChildren(visit)) return problem;
+      if (auto problem = visitLeaves(visit.node)) return problem;
+    }
+    for (std::size_t i = 0; i < blockReached_.size(); ++i) {
+      if (!blockReached_[i]) return fmt::format("block {} is not reached", i);
+    }
+    for (std::size_t i = 0; i < primitiveSeen_.size(); ++i) {
+      if (!primitiveSeen_[i]) return fmt::format("primitive {} is in no leaf", i);
+    }
+    if (order_.size() != wide_.nodeCount) return fmt::format("{} nodes, said to be {}", order_.size(), wide_.nodeCount);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> visitChildren(const Visit& visit) {
+    const WideNode& node = wide_.nodes[visit.node];
+    if (node.innerMask == 0) return std::nullopt;
+    if (node.block >= blockReached_.size()) return fmt::format("node {} names block {}", visit.node, node.block);
+    if (blockReached_[node.block]) return fmt::format("block {} is named twice", node.block);
+    blockReached_[node.block] = true;
+    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+      if ((node.innerMask >> place & 1) == 0) continue;
+      if (leafSize(node, place) > 0) return fmt::format("child {} of node {} is both node and leaf", place, visit.node);
+      order_.push_back({node.block * kWideChildren + place, visit.node, place, visit.depth + 1});
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> visitLeaves(std::uint32_t index) {
+    const WideNode& node = wide_.nodes[index];
+    if (node.leafMask >> (3 * kWideChildren) != 0) return fmt::format("node {} has leaves beyond its children", index);
+    std::uint64_t next = node.firstPrimitive;
+    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+      const std::uint32_t bits = node.leafMask >> (3 * place) & 7;
+      if (bits != (1u << leafSize(node, place)) - 1) return fmt::format("leaf {} of node {} has gaps", place, index);
+      for (std::uint32_t i = 0; i < leafSize(node, place); ++i, ++next) {
+        if (next >= bounds_.size()) return fmt::format("node {} holds primitives up to {} of {}", index, next, bounds_.size());
+        const std::uint32_t primitive = wide_.primitiveIndices[next];
+        if (primitive >= bounds_.size()) return fmt::format("node {} names primitive {}", index, primitive);
+        if (primitiveSeen_[primitive]) return fmt::format("primitive {} is in two leaves", primitive);
+        primitiveSeen_[primitive] = true;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // From the leaves up: what lies in each child against its quantised box.
+  std::optional<std::string> checkBoxes() {
+    std::vector<std::array<Aabb, kWideChildren>> contents(wide_.nodes.size());
+    for (std::size_t i = order_.size(); i-- > 0;) {
+      const Visit& visit = order_[i];
+      std::array<Aabb, kWideChildren>& children = contents[visit.node];
+      addLeaves(wide_.nodes[visit.node], children);
+      Aabb all;
+      for (const Aabb& child : children) all.extend(child);
+      for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+        if (children[place].isEmpty() || holds(wide_.nodes[visit.node].boxes, place, children[place], all)) continue;
+        return fmt::format("child {} of node {} reaches out of its quantised box", place, visit.node);
+      }
+      if (i > 0) contents[visit.parent][visit.place] = all;
+    }
+    return std::nullopt;
+  }
+
+  void addLeaves(const WideNode& node, std::array<Aabb, kWideChildren>& children) const {
+    std::uint32_t next = node.firstPrimitive;
+    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
+      for (std::uint32_t i = 0; i < leafSize(node, place); ++i) {
+        children[place].extend(bounds_[wide_.primitiveIndices[next++]]);
+      }
+    }
+  }
+
+  static bool holds(const QuantisedBoxes& boxes, std::uint32_t place, const Aabb& content, const Aabb& all) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double margin = kLeastMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
+      if (boxes.plane(axis, boxes.low[axis][place]) > content.min[axis] - margin) return false;
+      if (boxes.plane(axis, boxes.high[axis][place]) < content.max[axis] + margin) return false;
+    }
+    return true;
+  }
+
+  static std::uint32_t leafSize(const WideNode& node, std::uint32_t place) {
+    return static_cast<std::uint32_t>(std::popcount(node.leafMask >> (3 * place) & 7));
+  }
+
+  const WideBvh& wide_;
+  std::span<const Aabb> bounds_;
+  std::uint32_t maxDepth_;
+  std::vector<Visit> order_;
+  std::vector<bool> blockReached_;
+  std::vector<bool> primitiveSeen_;
+};
+
+}  // namespace
+
+std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth) {
+  return Validator(wide, bounds, maxDepth).run();
+}
+
+}  // namespace candela
