@@ -85,12 +85,14 @@ vec3 inverseDirection(vec3 direction) {
 }
 
 #include "bvh.glsl"
+#include "wide_bvh.glsl"
 #include "grid.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
   Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
   if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
+  else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
   else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
   else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
@@ -104,6 +106,7 @@ bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
   }
   if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
+  if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);
   return anyInRange(ray, 0u, constants.moreSections.z, ignored, limit, work);
 }

@@ -84,7 +84,8 @@ ordered_json rowJson(const StructureRow& row) {
   json["workgroup"] = extentText(m.statistics.workgroup);
   json["segmentsPerDispatch"] = m.statistics.maxSegmentsPerDispatch;
   json["kernel"] = m.statistics.kernel;
-  json["layout"] = m.statistics.sceneLoads;
+  json["layout"] = m.statistics.layout;
+  json["sceneLoads"] = m.statistics.sceneLoads;
   if (m.agrees) {
     json["medianMs"] = 1e3 * median(m.traceSeconds);
     json["spread"] = spread(m.traceSeconds);

@@ -55,6 +55,7 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--ao-distance", [](const RenderSettings& s) { return s.integrator == Integrator::ao; },
                   "--integrator ao"},
     SpecialOption{"--grid-density", [](const RenderSettings& s) { return s.accel == AccelKind::grid; }, "--accel grid"},
+    SpecialOption{"--layout", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"},
     SpecialOption{"--bvh-split", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"}};
 
 // Said rather than refused, so that one command line serves all renders.

@@ -120,6 +120,7 @@ ordered_json toJson(const RenderReport& report) {
   json["kernel"] = statistics.kernel;
   json["structure"] = statistics.structure;
   json["bvhSplit"] = statistics.bvhSplit;
+  json["layout"] = statistics.layout;
   json["structureQuality"] = statistics.structureQuality;
   json["sceneLoads"] = statistics.sceneLoads;
   json["workgroup"] = extentText(statistics.workgroup);

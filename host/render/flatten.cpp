@@ -153,7 +153,7 @@ std::vector<std::uint32_t> appendStructure(const SceneBounds& bounds, const Rend
                                            std::uint32_t maxGridSide, FlatScene& flat) {
   Stopwatch watch;
   std::vector<std::uint32_t> order = bounds.finite;
-  if (settings.accel == AccelKind::bvh) order = appendHierarchy(bounds, settings.bvhSplit, flat);
+  if (settings.accel == AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
   if (settings.accel == AccelKind::grid) order = appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
   flat.structureSeconds = watch.lap();
   flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));

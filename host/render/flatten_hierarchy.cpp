@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/render/flat_rows.h"
+#include "host/render/flatten_wide_hierarchy.h"
 #include "shaders/shared/render_data.h"
 
 namespace candela {
@@ -10,6 +11,7 @@ namespace {
 
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
+constexpr BvhOptions kWideOptions{.maxLeafSize = kMaxWideLeaf, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
 // So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf,
 // unless another tree was asked for.
 constexpr std::uint32_t kSingleLeaf = gpu::kMaxUniformSlots;
@@ -17,9 +19,10 @@ constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCo
 // Two primitives a leaf are part of the report's rule.
 constexpr BvhOptions kMidpointOptions{.rule = SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
 
-const BvhOptions& optionsFor(BvhSplit split, std::size_t primitiveCount) {
+const BvhOptions& optionsFor(BvhSplit split, BvhLayout layout, std::size_t primitiveCount) {
   if (split == BvhSplit::midpoint) return kMidpointOptions;
-  return primitiveCount <= kSingleLeaf ? kSingleLeafOptions : kBvhOptions;
+  if (primitiveCount <= kSingleLeaf) return kSingleLeafOptions;
+  return layout == BvhLayout::cwbvh ? kWideOptions : kBvhOptions;
 }
 
 // A child as its parent stores it: its box, and where it leads.
@@ -52,24 +55,42 @@ void noteQuality(const BvhQuality& measured, FlatScene& flat) {
                            {"maxLeafSize", measured.maxLeafSize}};
 }
 
-}  // namespace
-
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split) {
-  return buildBvh(bounds, optionsFor(split, bounds.size()));
-}
-
-std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, BvhSplit split, FlatScene& flat) {
-  const Bvh bvh = buildHierarchy(bounds.bounds, split);
-  const BvhQuality measured = quality(bvh, kBvhOptions);
-  noteQuality(measured, flat);
+// Both append nodes and give the primitives, by number among the finite ones, in the order of the leaves.
+std::vector<std::uint32_t> appendTwoWide(const Bvh& bvh, const BvhQuality& measured, FlatScene& flat) {
   if (bvh.nodes.size() > 1) flat.structure = gpu::kStructureBvh;
   flat.stackSize = std::max(1u, measured.depth);
-  flat.constants.sections.x = rowCount(flat.rows);
   const Rows nodes = nodeRows(bvh);
   flat.rows.insert(flat.rows.end(), nodes.begin(), nodes.end());
-  std::vector<std::uint32_t> order;
-  order.reserve(bvh.primitiveIndices.size());
-  for (const std::uint32_t i : bvh.primitiveIndices) order.push_back(bounds.finite[i]);
+  return bvh.primitiveIndices;
+}
+
+std::vector<std::uint32_t> appendWide(const Bvh& bvh, FlatScene& flat) {
+  WideBvh wide = collapse(bvh);
+  flat.structure = gpu::kStructureWideBvh;
+  flat.stackSize = std::max(1u, wide.depth);
+  flat.structureQuality["depth"] = wide.depth;
+  flat.structureQuality["nodes"] = wide.nodeCount;
+  appendWideNodes(wide, flat.rows);
+  return std::move(wide.primitiveIndices);
+}
+
+}  // namespace
+
+BvhLayout layoutFor(BvhLayout asked) { return asked == BvhLayout::automatic ? BvhLayout::bvh2 : asked; }
+
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout) {
+  return buildBvh(bounds, optionsFor(split, layout, bounds.size()));
+}
+
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat) {
+  const BvhLayout layout = layoutFor(settings.bvhLayout);
+  const Bvh bvh = buildHierarchy(bounds.bounds, settings.bvhSplit, layout);
+  const BvhQuality measured = quality(bvh, kBvhOptions);
+  noteQuality(measured, flat);
+  flat.constants.sections.x = rowCount(flat.rows);
+  const bool wide = bvh.nodes.size() > 1 && layout == BvhLayout::cwbvh;
+  std::vector<std::uint32_t> order = wide ? appendWide(bvh, flat) : appendTwoWide(bvh, measured, flat);
+  for (std::uint32_t& i : order) i = bounds.finite[i];
   return order;
 }
 

@@ -10,11 +10,15 @@
 
 namespace candela {
 
-/// The tree that the device's tracers traverse for such boxes. A single leaf where testing all primitives is faster.
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split);
+/// The layout in use: `asked`, or where that is automatic bvh2.
+BvhLayout layoutFor(BvhLayout asked);
+
+/// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
+/// eight-wide one. A single leaf where testing all primitives is faster.
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout = BvhLayout::bvh2);
 
 /// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
 /// in the order of its leaves.
-std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, BvhSplit split, FlatScene& flat);
+std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat);
 
 }  // namespace candela

@@ -13,6 +13,7 @@
 #include "host/render/make_renderer.h"
 #include "host/render/pipeline_store.h"
 #include "host/render/specialise.h"
+#include "host/render/workgroup.h"
 #include "host/vulkan/device.h"
 #include "host/vulkan/loop_limit.h"
 
@@ -26,16 +27,6 @@ vulkan::PipelineOptions pipelineOptions(const FlatScene& flat, const RenderSetti
           .specialisations = specialise(flat, settings, texels)};
 }
 
-void checkWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
-  const std::uint64_t lanes = std::uint64_t{workgroup.width} * workgroup.height;
-  const bool fits = lanes > 0 && lanes <= info.maxWorkgroupInvocations && workgroup.width <= info.maxWorkgroupSize[0] &&
-                    workgroup.height <= info.maxWorkgroupSize[1];
-  if (fits) return;
-  throw UsageError(fmt::format("--workgroup {}x{}: {} runs at most {} lanes in a workgroup, {} by {}", workgroup.width,
-                               workgroup.height, info.name, info.maxWorkgroupInvocations, info.maxWorkgroupSize[0],
-                               info.maxWorkgroupSize[1]));
-}
-
 const char* structureName(AccelKind accel) {
   switch (accel) {
     case AccelKind::none: return "none";
@@ -43,6 +34,12 @@ const char* structureName(AccelKind accel) {
     case AccelKind::bvh: break;
   }
   return "bvh";
+}
+
+// Of the nodes that rays meet; a tree of one leaf has none.
+const char* layoutName(std::uint32_t structure) {
+  if (structure == gpu::kStructureBvh) return "bvh2";
+  return structure == gpu::kStructureWideBvh ? "cwbvh" : "";
 }
 
 class GpuRenderer final : public ReplayingRenderer {
@@ -71,6 +68,7 @@ void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const Re
   statistics.driver = device_.info().driver;
   statistics.structure = structureName(settings.accel);
   if (settings.accel == AccelKind::bvh) statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
+  statistics.layout = layoutName(flat.structure);
   statistics.kernel = kernel.name;
   statistics.workgroup = settings.workgroup;
   statistics.sceneLoads = texels ? "texel" : "storage";
@@ -78,7 +76,7 @@ void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const Re
 }
 
 RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) {
-  checkWorkgroup(device_.info(), settings.workgroup);
+  requireWorkgroup(device_.info(), settings.workgroup);
   RenderResult result;
   RenderStatistics& statistics = result.statistics;
   Stopwatch watch;

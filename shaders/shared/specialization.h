@@ -41,10 +41,13 @@ CANDELA_CONST uint kSpecUniformKinds3 = 32u;
 CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
 // From 50 on, of the views alone.
 CANDELA_CONST uint kSpecView = 50u;         // kView...
+// From 60 on, of rays cast alone.
+CANDELA_CONST uint kSpecOcclusion = 60u;    // any hit instead of the closest
 
 CANDELA_CONST uint kStructureNone = 0u;     // brute force
 CANDELA_CONST uint kStructureGrid = 1u;
-CANDELA_CONST uint kStructureBvh = 2u;
+CANDELA_CONST uint kStructureBvh = 2u;      // two-wide
+CANDELA_CONST uint kStructureWideBvh = 3u;  // eight-wide, compressed
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;
 CANDELA_CONST uint kLensSquare = 2u;

@@ -20,6 +20,7 @@ struct Way {
   AccelKind accel;
   BvhSplit split = BvhSplit::sah;
   float density = 2;
+  BvhLayout layout = BvhLayout::bvh2;
 };
 
 const std::vector<Way> kWays{{"none", "", AccelKind::none},
@@ -27,11 +28,14 @@ const std::vector<Way> kWays{{"none", "", AccelKind::none},
                              {"bvh", "midpoint", AccelKind::bvh, BvhSplit::midpoint},
                              {"grid", "", AccelKind::grid},
                              {"grid", "", AccelKind::grid, BvhSplit::sah, 1},
-                             {"grid", "", AccelKind::grid, BvhSplit::sah, 5}};
+                             {"grid", "", AccelKind::grid, BvhSplit::sah, 5},
+                             {"bvh", "sah", AccelKind::bvh, BvhSplit::sah, 2, BvhLayout::cwbvh},
+                             {"bvh", "midpoint", AccelKind::bvh, BvhSplit::midpoint, 2, BvhLayout::cwbvh}};
 
 RenderSettings along(const Way& way, RenderSettings settings) {
   settings.accel = way.accel;
   settings.bvhSplit = way.split;
+  settings.bvhLayout = way.layout;
   settings.gridDensity = way.density;
   return settings;
 }
@@ -170,7 +174,7 @@ TEST_CASE("a segment too long for the device's loop limit is caught, whatever th
   // The renderer is told that there is no limit, so that it takes brute force on.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
   const Scene scene = crowdedCell();
-  for (const Way& way : {kWays[0], kWays[2], kWays[3]}) {
+  for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {
     RenderSettings settings = along(way, squareSettings(8, 1));
     settings.maxDepth = 2;
     const RenderResult result = careless->render(scene, settings, {});

@@ -1,0 +1,180 @@
+// Stack traversal of the compressed eight-wide BVH (Ylitie, Karras and Laine, HPG 2017), "while-while" as that of the
+// two-wide one. host/accel/wide_bvh.h has the nodes, host/accel/quantised_boxes.h why the box test misses nothing.
+#ifndef CANDELA_WIDE_BVH_GLSL
+#define CANDELA_WIDE_BVH_GLSL
+
+// The ray as box tests want it. The share of the boxes' padding that grows with the ray's own coordinates is in the
+// origins, as in BoxRay.
+struct WideRay {
+  vec3 nearOrigin;  // subtracted from the planes that the ray comes to first
+  vec3 farOrigin;
+  vec3 inverse;
+  bvec3 backward;   // the direction is negative
+  uint octant;      // the same as bits
+};
+
+// A plane's number times an inverse direction must not overflow, or it could meet its opposite and become NaN.
+// Coordinates are below 2^41, and 2^-80 still decides nothing.
+const float kLeastComponent = 8.3e-25;
+
+WideRay wideRay(Ray ray) {
+  WideRay result;
+  result.backward = lessThan(ray.direction, vec3(0.0));
+  vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * (largest(abs(ray.origin)) * (1.0 / 524288.0));
+  result.nearOrigin = ray.origin + pad;
+  result.farOrigin = ray.origin - pad;
+  vec3 magnitude = max(abs(ray.direction), vec3(kLeastComponent));
+  result.inverse = 1.0 / mix(magnitude, -magnitude, result.backward);
+  uvec3 bits = mix(uvec3(0u), uvec3(1u, 2u, 4u), result.backward);
+  result.octant = bits.x | bits.y | bits.z;
+  return result;
+}
+
+// A node's grid in units of the ray's distance.
+struct PlaneDistances {
+  vec3 step;
+  vec3 near;  // of plane 0 as the near side, and as the far one
+  vec3 far;
+};
+
+// Of the four children whose planes are in these words, by axis, bit i where the ray meets child i before `limit`.
+uint hitOne(uvec3 near, uvec3 far, uint byte, PlaneDistances at, float limit) {
+  vec3 t0 = vec3(ivec3((near >> (8u * byte)) & 255u)) * at.step + at.near;
+  vec3 t1 = vec3(ivec3((far >> (8u * byte)) & 255u)) * at.step + at.far;
+  float entry = max(max(t0.x, t0.y), max(t0.z, 0.0));
+  float exit = min(min(t1.x, t1.y), min(t1.z, limit));
+  return entry <= exit ? 1u << byte : 0u;
+}
+
+uint hitFour(uvec3 near, uvec3 far, PlaneDistances at, float limit) {
+  return hitOne(near, far, 0u, at, limit) | hitOne(near, far, 1u, at, limit) | hitOne(near, far, 2u, at, limit) |
+         hitOne(near, far, 3u, at, limit);
+}
+
+// The number of the lowest bit that is set: a power of two as a float has it in its exponent. Not for 0 or bit 31.
+uint lowestBit(uint bits) { return (floatBitsToUint(float(int(bits & (~bits + 1u)))) >> 23) - 127u; }
+
+// Eight bits, bit i moved to i ^ octant: children by number to children from near to far.
+uint fromNearToFar(uint bits, uint octant) {
+  uint x = (octant & 1u) == 0u ? bits : ((bits & 0x55u) << 1) | ((bits >> 1) & 0x55u);
+  uint y = (octant & 2u) == 0u ? x : ((x & 0x33u) << 2) | ((x >> 2) & 0x33u);
+  return (octant & 4u) == 0u ? y : ((y & 0x0fu) << 4) | (y >> 4);
+}
+
+// Eight bits, each become three.
+uint tripled(uint bits) {
+  uint x = (bits | (bits << 8)) & 0x00f00fu;
+  x = (x | (x << 4)) & 0x0c30c3u;
+  x = (x | (x << 2)) & 0x249249u;
+  return x | (x << 1) | (x << 2);
+}
+
+// The one traversal that a lane has under way. A word says which nodes of a block wait: the block << 8, and a bit for each
+// node, from near to far. The stack is bvh.glsl's.
+uint waiting;
+uint leafHits;        // of the current node's leaf mask, what is still to be tested
+uint leafMask;
+uint firstPrimitive;
+bool noneWaits;       // of all nodes
+uint wideUnfinished;  // 1 until the traversal ends: see Work
+
+void startWideTraversal(WideRay ray) {
+  stackTop = 0u;
+  waiting = 1u << ray.octant;
+  leafHits = 0u;
+  noneWaits = false;
+  wideUnfinished = 1u;
+}
+
+void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
+
+// Tests the children of the nearest node that waits.
+void visitWideNode(WideRay ray, float limit) {
+  uint child = lowestBit(waiting & 255u) ^ ray.octant;
+  uint row = constants.sections.x + ((waiting >> 8) * kWideChildCount + child) * kWideNodeRows;
+  waiting &= waiting - 1u;
+  bool more = (waiting & 255u) != 0u;
+  if (more) stack[stackTop] = waiting;
+  stackTop += more ? 1u : 0u;
+
+  uvec4 head = sceneRow(row);
+  uvec4 links = sceneRow(row + 1u);
+  uvec4 lowXy = sceneRow(row + 2u);
+  uvec4 lowZHighX = sceneRow(row + 3u);
+  uvec4 highYz = sceneRow(row + 4u);
+  vec3 origin = uintBitsToFloat(head.xyz);
+  vec3 step = uintBitsToFloat((uvec3(head.w) << uvec3(23u, 15u, 7u)) & 0x7f800000u);
+  PlaneDistances at = PlaneDistances(step * ray.inverse, (origin - ray.nearOrigin) * ray.inverse,
+                                     (origin - ray.farOrigin) * ray.inverse);
+  uvec3 low0 = uvec3(lowXy.x, lowXy.z, lowZHighX.x);
+  uvec3 low1 = uvec3(lowXy.y, lowXy.w, lowZHighX.y);
+  uvec3 high0 = uvec3(lowZHighX.z, highYz.x, highYz.z);
+  uvec3 high1 = uvec3(lowZHighX.w, highYz.y, highYz.w);
+  uint hits = hitFour(mix(low0, high0, ray.backward), mix(high0, low0, ray.backward), at, limit) |
+              (hitFour(mix(low1, high1, ray.backward), mix(high1, low1, ray.backward), at, limit) << 4);
+
+  uint inner = head.w >> 24;
+  leafMask = links.z;
+  firstPrimitive = links.y;
+  leafHits = tripled(hits & ~inner) & leafMask;
+  waiting = (links.x << 8) | fromNearToFar(hits & inner, ray.octant);
+}
+
+// If no node waits in the current block, goes on with the last one that was left.
+void popWaiting() {
+  bool empty = (waiting & 255u) == 0u;
+  noneWaits = empty && stackTop == 0u;
+  bool pops = empty && !noneWaits;
+  stackTop -= pops ? 1u : 0u;
+  uint top = stack[pops ? stackTop : 0u];
+  if (pops) waiting = top;
+}
+
+void descendToLeaves(WideRay ray, float limit, inout Work work) {
+  while (leafHits == 0u && !noneWaits) {
+    visitWideNode(ray, limit);
+    popWaiting();
+    noteWideEnd();
+    work.steps += 1u;
+  }
+}
+
+// The slot of the next primitive to be tested.
+uint takeLeafHit() {
+  uint bit = lowestBit(leafHits);
+  leafHits &= leafHits - 1u;
+  noteWideEnd();
+  return firstPrimitive + uint(bitCount(leafMask & ((1u << bit) - 1u)));
+}
+
+void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
+  WideRay wide = wideRay(ray);
+  startWideTraversal(wide);
+  while (!noneWaits || leafHits != 0u) {
+    descendToLeaves(wide, hit.t, work);
+    while (leafHits != 0u) {
+      uint slot = takeLeafHit();
+      keepCloser(hit, hitPrimitive(ray, slot), slot);
+      work.steps += 1u;
+    }
+  }
+  work.truncated += wideUnfinished;
+}
+
+bool anyInWideHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
+  WideRay wide = wideRay(ray);
+  bool blocked = false;
+  startWideTraversal(wide);
+  while ((!noneWaits || leafHits != 0u) && !blocked) {
+    descendToLeaves(wide, limit, work);
+    while (leafHits != 0u && !blocked) {
+      uint slot = takeLeafHit();
+      blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
+      work.steps += 1u;
+    }
+  }
+  work.truncated += blocked ? 0u : wideUnfinished;
+  return blocked;
+}
+
+#endif
