@@ -111,16 +111,18 @@ ExitCode publish(const StructureReport& report, const Arguments& arguments, cons
 ExitCode runBench(const Arguments& arguments, const Log& log) {
   const std::string& kind = arguments.files.front();
   const bool table1 = kind == "table1";
-  if (!table1 && kind != "accel") {
-    throw UsageError(fmt::format("bench {}: unknown benchmark, expected table1 or accel\nsee candela bench --help", kind));
+  if (!table1 && kind != "accel" && kind != "rays") {
+    throw UsageError(
+        fmt::format("bench {}: unknown benchmark, expected table1, accel or rays\nsee candela bench --help", kind));
   }
   if (table1 && arguments.files.size() > 1) throw UsageError("bench table1: has its own scenes; bench accel takes others");
-  if (!table1 && arguments.files.size() < 2) throw UsageError("bench accel: no scene given");
+  if (!table1 && arguments.files.size() < 2) throw UsageError(fmt::format("bench {}: no scene given", kind));
   if (arguments.settings.integrator == Integrator::cost) {
     throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
   }
   requireWritableReport(arguments.json);
   requireWritableReport(arguments.markdown);
+  if (kind == "rays") return runBenchRays(arguments, log);
   StructureReport report;
   report.repeats = arguments.repeats;
   const bool complete = table1 ? measureTable1(arguments, log, report) : measureFiles(arguments, log, report);

@@ -32,6 +32,7 @@ ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runExplain(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);
+ExitCode runBenchRays(const Arguments& arguments, const Log& log);  ///< of runBench(), for `bench rays`
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 

@@ -15,13 +15,17 @@ bool fitsTexels(const DeviceInfo& info, const FlatScene& flat) {
   return flat.rows.size() <= info.maxTexelBufferElements;
 }
 
+bool fitsStorage(const DeviceInfo& info, const FlatScene& flat) {
+  return flat.rows.size() * kRowBytes <= info.maxStorageBufferRange;
+}
+
 bool choosesTexels(const vulkan::Device& device, const FlatScene& flat, SceneLoads loads) {
   const bool fits = fitsTexels(device.info(), flat);
   if (loads == SceneLoads::texel && !fits) {
     throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads",
                                 flat.rows.size(), device.info().name, device.info().maxTexelBufferElements));
   }
-  if (loads != SceneLoads::texel && !fits && flat.rows.size() * kRowBytes > device.info().maxStorageBufferRange) {
+  if (loads != SceneLoads::texel && !fits && !fitsStorage(device.info(), flat)) {
     throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: make it smaller{}",
                                 flat.rows.size() * kRowBytes >> 20, device.info().name,
                                 device.info().maxStorageBufferRange >> 20,
@@ -38,6 +42,11 @@ vulkan::Buffer makeRows(vulkan::Device& device, const FlatScene& flat, bool real
 }
 
 }  // namespace
+
+bool canBind(const DeviceInfo& info, const FlatScene& flat, SceneLoads loads) {
+  if (loads != SceneLoads::storage && fitsTexels(info, flat)) return true;
+  return loads != SceneLoads::texel && fitsStorage(info, flat);
+}
 
 DeviceScene::DeviceScene(vulkan::Device& device, const FlatScene& flat, SceneLoads loads)
     : readsTexels_(choosesTexels(device, flat, loads)),

@@ -6,6 +6,9 @@
 
 namespace candela {
 
+/// Whether a device can bind the scene's rows read so; automatic: in one way or the other.
+bool canBind(const DeviceInfo& info, const FlatScene& flat, SceneLoads loads);
+
 /// Buffers that the kernel's scene bindings stand for. The rows are bound twice, as storage and as texels; which of the
 /// two the kernel reads is compiled into it, and the other is a single row.
 class DeviceScene {

@@ -52,9 +52,11 @@ TEST_CASE("bench accel compares structures on any scenes, and says so in text") 
 }
 
 TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {
-  CHECK_THAT(runBench({"tabel1"}).err, Contains("expected table1 or accel"));
+  CHECK_THAT(runBench({"tabel1"}).err, Contains("expected table1, accel or rays"));
   CHECK(runBench({"tabel1"}).exitCode == 1);
   CHECK(runBench({"accel"}).exitCode == 1);
+  CHECK_THAT(runBench({"rays"}).err, Contains("bench rays: no scene given"));
+  CHECK_THAT(runBench({"rays", "absent.p3f"}).err, Contains("the reference has no rays of their own"));
   CHECK(runBench({"table1", "a.p3f"}).exitCode == 1);
   CHECK(runBench({"accel", "absent.p3f"}).exitCode == 2);
   CHECK(runBench({"table1", "--integrator", "cost"}).exitCode == 1);

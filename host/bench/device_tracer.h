@@ -1,0 +1,33 @@
+// A device's layouts as tracers of rays.
+#pragma once
+#include <memory>
+
+#include "host/bench/measure_rays.h"
+
+namespace candela::bench {
+
+/// A scene on a device in one layout.
+class DeviceTracer : public RayTracer {
+ public:
+  /// As RayCaster's constructor.
+  DeviceTracer(vulkan::Device& device, FlatScene flat, const RenderSettings& settings);
+
+  RaySets makeRays() { return caster_.makeRays(); }
+  void load(std::span<const gpu::CastRay> rays, bool anyHit) override { caster_.load(rays, anyHit); }
+  double trace() override { return caster_.trace(); }
+  std::vector<gpu::CastHit> hits() override { return caster_.hits(); }
+
+  const char* layout() const;  ///< "bvh2", "cwbvh", or "none" where all primitives are tested
+  const char* sceneLoads() const { return caster_.readsTexels() ? "texel" : "storage"; }
+  std::uint64_t sceneBytes() const { return caster_.scene().rows.size() * sizeof(gpu::uvec4); }
+
+ private:
+  RayCaster caster_;
+};
+
+/// A tracer for each layout of a BVH and each way to read it that the device can bind; of both, one only if `settings`
+/// say so. Throws FileError if the device can bind none.
+std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const Scene& scene,
+                                                         const RenderSettings& settings);
+
+}  // namespace candela::bench

@@ -1,0 +1,68 @@
+// `candela bench rays`: rays alone, through every layout of a scene that the device takes.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/bench/device_tracer.h"
+#include "host/bench/ray_report.h"
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/render_job.h"
+#include "host/cli/text_output.h"
+#include "host/core/interrupt.h"
+
+namespace candela::cli {
+namespace {
+
+using bench::DeviceTracer;
+using bench::RayMeasurement;
+using bench::RayReport;
+using bench::RayTracer;
+
+// False if it was interrupted.
+bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
+  const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
+  const RaySets sets = tracers.front()->makeRays();
+  log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, {} runs each", job.scene.name,
+                       sets[gpu::kPrimaryRay].size(), sets[gpu::kDiffuseRay].size(), sets[gpu::kShadowRay].size(),
+                       tracers.size(), report.repeats));
+  std::vector<RayTracer*> all;
+  for (const auto& tracer : tracers) all.push_back(tracer.get());
+  std::vector<RayMeasurement> measurements = bench::measureRays(all, sets, report.repeats, &watchInterrupts());
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    const DeviceTracer& tracer = *tracers[i % tracers.size()];
+    report.rows.push_back({job.scene.name, job.scene.hash, tracer.layout(), tracer.sceneLoads(), tracer.sceneBytes(),
+                           std::move(measurements[i])});
+  }
+  return !measurements.empty();
+}
+
+}  // namespace
+
+ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
+  vulkan::Device device = vulkan::Device::open(arguments.device);
+  RayReport report;
+  report.device = device.info().name;
+  report.driver = device.info().driver;
+  report.repeats = arguments.repeats;
+  for (std::size_t i = 1; i < arguments.files.size(); ++i) {
+    Arguments one = arguments;
+    one.files = {arguments.files[i]};
+    const RenderJob job = loadJob(one, log);
+    report.size = job.settings.size;
+    report.workgroup = job.settings.workgroup;
+    if (measureScene(device, job, log, report)) continue;
+    log.note("interrupted; nothing is written");
+    return ExitCode::interrupted;
+  }
+  if (arguments.wantsText() && arguments.markdown != "-") std::cout << bench::toText(report) << std::flush;
+  writeText(arguments.markdown, bench::toMarkdown(report));
+  writeJson(arguments.json, bench::toJson(report));
+  if (report.agree()) return ExitCode::done;
+  log.problem("the layouts did not give the same hits: where they differ, no time counts");
+  return ExitCode::differ;
+}
+
+}  // namespace candela::cli

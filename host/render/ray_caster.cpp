@@ -1,0 +1,117 @@
+#include "host/render/ray_caster.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/core/errors.h"
+#include "host/render/specialise.h"
+#include "host/render/workgroup.h"
+#include "spirv/cast_rays.h"
+#include "spirv/make_rays.h"
+
+namespace candela {
+namespace {
+
+constexpr std::uint32_t kFirstChunk = 1u << 14;
+constexpr std::uint32_t kLastChunk = 1u << 21;
+constexpr double kShortSeconds = 0.025;  // a dispatch below it may be twice as large
+
+std::uint32_t lanesOf(const Extent& workgroup) { return workgroup.width * workgroup.height; }
+
+vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv, const FlatScene& flat,
+                                     const RenderSettings& settings, bool texels, bool anyHit) {
+  using enum vulkan::BindingKind;
+  std::vector<vulkan::Specialisation> constants = specialise(flat, settings, texels);
+  constants.push_back({gpu::kSpecOcclusion, anyHit});
+  return {device, spirv,
+          {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
+           .pushConstantBytes = sizeof(gpu::CastConstants),
+           .specialisations = std::move(constants)}};
+}
+
+vulkan::Buffer storage(vulkan::Device& device, std::uint64_t count, std::uint64_t bytes) {
+  return {device, std::max<std::uint64_t>(count, 1) * bytes, vulkan::Usage::storage};
+}
+
+const RenderSettings& checked(const vulkan::Device& device, const RenderSettings& settings) {
+  requireWorkgroup(device.info(), settings.workgroup);
+  return settings;
+}
+
+}  // namespace
+
+RayCaster::RayCaster(vulkan::Device& device, FlatScene flat, const RenderSettings& settings)
+    : device_(device),
+      settings_(checked(device, settings)),
+      flat_(std::move(flat)),
+      deviceScene_(device, flat_, settings.sceneLoads),
+      casts_{castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), false),
+             castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), true)},
+      unused_(storage(device, 1, sizeof(gpu::CastHit))),
+      rays_(storage(device, 1, sizeof(gpu::CastRay))),
+      hits_(storage(device, 1, sizeof(gpu::CastHit))),
+      chunk_(kFirstChunk) {}
+
+double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan::BindingSet& bindings,
+                           std::uint32_t count) {
+  const std::uint32_t lanes = lanesOf(settings_.workgroup);
+  double seconds = 0;
+  for (std::uint32_t first = 0; first < count;) {
+    const std::uint32_t end = first + std::min(count - first, chunk_);
+    const gpu::CastConstants constants{{first, end, lanes, 0}};
+    const double took = device_.run([&](vulkan::CommandRecorder& recorder) {
+      recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {(end - first + lanes - 1) / lanes});
+    });
+    seconds += took;
+    const bool whole = end - first == chunk_;
+    first = end;
+    if (whole && took < kShortSeconds) chunk_ = std::min({2 * chunk_, kLastChunk, 65535 * lanes});
+  }
+  return seconds;
+}
+
+RaySets RayCaster::makeRays() {
+  const vulkan::ComputePipeline pipeline =
+      castPipeline(device_, spirv::make_rays, flat_, settings_, readsTexels(), false);
+  const std::uint32_t pixels = settings_.size.width * settings_.size.height;
+  const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));
+  const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &all, &hits_, &unused_, &deviceScene_.texels(),
+                                               &deviceScene_.constants()});
+  dispatch(pipeline, bindings, pixels);
+  std::vector<gpu::CastRay> made(std::size_t{gpu::kRayKindCount} * pixels);
+  all.download(std::as_writable_bytes(std::span(made)));
+  RaySets sets;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const std::size_t kind = i % gpu::kRayKindCount;
+    if (kind == gpu::kPrimaryRay && made[i].direction.w != 0) throw InternalError("a loop was stopped while rays were made");
+    if (made[i].originLimit.w > 0) sets[kind].push_back(made[i]);
+  }
+  return sets;
+}
+
+void RayCaster::load(std::span<const gpu::CastRay> rays, bool anyHit) {
+  rayCount_ = static_cast<std::uint32_t>(rays.size());
+  anyHit_ = anyHit;
+  rays_ = storage(device_, rays.size(), sizeof(gpu::CastRay));
+  hits_ = storage(device_, rays.size(), sizeof(gpu::CastHit));
+  if (!rays.empty()) rays_.upload(std::as_bytes(rays));
+}
+
+double RayCaster::trace() {
+  const vulkan::ComputePipeline& pipeline = casts_[anyHit_];
+  const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &rays_, &hits_, &unused_, &deviceScene_.texels(),
+                                               &deviceScene_.constants()});
+  return dispatch(pipeline, bindings, rayCount_);
+}
+
+std::vector<gpu::CastHit> RayCaster::hits() const {
+  std::vector<gpu::CastHit> result(rayCount_);
+  if (!result.empty()) hits_.download(std::as_writable_bytes(std::span(result)));
+  const bool stopped = std::any_of(result.begin(), result.end(), [](const gpu::CastHit& hit) { return hit.found.w != 0; });
+  if (stopped) throw InternalError("the device stopped a loop before a ray's search was over");
+  return result;
+}
+
+}  // namespace candela

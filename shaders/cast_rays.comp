@@ -1,0 +1,27 @@
+// Entry point that traces given rays and nothing else, one a lane.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/cast_ray.h"
+#include "traversal.glsl"
+
+layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
+layout(constant_id = kSpecOcclusion) const bool kOcclusion = false;
+layout(push_constant) uniform Dispatch { CastConstants range; };
+layout(set = 0, binding = kBindingPathStates, std430) readonly buffer Rays { CastRay rays[]; };
+layout(set = 0, binding = kBindingFilm, std430) writeonly buffer Hits { CastHit hits[]; };
+
+void main() {
+  uint i = range.work.x + gl_WorkGroupID.x * range.work.z + gl_LocalInvocationIndex;
+  if (i >= range.work.y) return;
+  vec4 start = rays[i].originLimit;
+  Ray ray = makeRay(start.xyz, rays[i].direction.xyz, kNoSlot);
+  Work work = Work(0u, 0u);
+  uvec2 found;
+  if (kOcclusion) {
+    found = uvec2(0u, traceAny(ray, kNoSlot, start.w, work) ? 1u : 0u);
+  } else {
+    Hit hit = traceClosest(ray, work);
+    found = uvec2(floatBitsToUint(hit.t), hit.index);
+  }
+  hits[i].found = uvec4(found, work.steps, work.truncated);
+}

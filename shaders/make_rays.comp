@@ -1,0 +1,55 @@
+// Entry point that makes the rays of a benchmark, three a pixel: one lane a pixel, by the path tracer's own means.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "camera.glsl"
+#include "lights.glsl"
+#include "normals.glsl"
+#include "shared/cast_ray.h"
+#include "traversal.glsl"
+
+layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
+layout(push_constant) uniform Dispatch { CastConstants range; };
+layout(set = 0, binding = kBindingPathStates, std430) writeonly buffer Rays { CastRay rays[]; };
+
+const CastRay kNoRay = CastRay(vec4(0.0), vec4(0.0, 0.0, 1.0, 0.0));
+
+// Off the surface by a few roundings of its coordinates, also where the path tracer knows better than to move.
+vec3 originBeside(Surface surface, Normals normals) {
+  return surface.position + normals.geometric * (largest(abs(surface.position)) * (1.0 / 262144.0));
+}
+
+CastRay diffuseRay(Surface surface, Normals normals, SampleKey key) {
+  vec2 numbers = toUnit(sampleGroup(key, vertexGroup(1u, kDimensionBsdfU))).xy;
+  vec3 direction = unit(frameAround(normals.geometric) * sampleCosineHemisphere(numbers));
+  return CastRay(vec4(originBeside(surface, normals), kNoHit), vec4(direction, 0.0));
+}
+
+CastRay shadowRay(Surface surface, Normals normals, SampleKey key, inout Work work) {
+  uvec4 numbers = sampleGroup(key, vertexGroup(1u, kDimensionLightChoice));
+  LightSample lit = sampleLight(loadLight(chooseLight(numbers.x >> 8, work.truncated)), surface, toUnit(numbers).yz);
+  if (lit.pdf <= 0.0 || dot(lit.wi, normals.geometric) <= 0.0) return kNoRay;
+  return CastRay(vec4(originBeside(surface, normals), lit.distance * (1.0 - 1.0 / 1024.0)), vec4(lit.wi, 0.0));
+}
+
+void main() {
+  uint i = range.work.x + gl_WorkGroupID.x * range.work.z + gl_LocalInvocationIndex;
+  if (i >= range.work.y) return;
+  uvec2 pixel = uvec2(i % constants.imageSeed.x, i / constants.imageSeed.x);
+  SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, 0u, constants.imageSeed.z, constants.imageSeed.w);
+  vec3 origin, direction;
+  cameraRay(pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
+  Ray ray = makeRay(origin, direction, kNoSlot);
+  Work work = Work(0u, 0u);
+  Hit hit = traceClosest(ray, work);
+  CastRay diffuse = kNoRay;
+  CastRay shadow = kNoRay;
+  if (hit.t < kNoHit) {
+    Surface surface = surfaceAt(ray, hit.slot, hit.t);
+    Normals normals = normalsTowards(surface, -direction);
+    diffuse = diffuseRay(surface, normals, key);
+    if (kHasLights) shadow = shadowRay(surface, normals, key, work);
+  }
+  rays[i * kRayKindCount + kPrimaryRay] = CastRay(vec4(origin, kNoHit), vec4(direction, float(work.truncated)));
+  rays[i * kRayKindCount + kDiffuseRay] = diffuse;
+  rays[i * kRayKindCount + kShadowRay] = shadow;
+}

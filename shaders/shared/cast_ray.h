@@ -1,0 +1,29 @@
+// Rays that are traced alone, for benchmarks, and what they hit.
+#ifndef CANDELA_SHARED_CAST_RAY_H
+#define CANDELA_SHARED_CAST_RAY_H
+#include "language.h"
+CANDELA_BEGIN
+
+// Starts beside the surface that it leaves, so that no primitive needs to be left out.
+struct CastRay {
+  vec4 originLimit;  // xyz; w: how far it looks, 0: there is no such ray
+  vec4 direction;    // xyz, unit; w of a primary ray: loops truncated while its pixel's rays were made
+};
+
+struct CastHit {
+  uvec4 found;  // distance as its bits, primitive index (a shadow ray: 0 and 1 if blocked), steps, truncated
+};
+
+// For each pixel three rays, in this order.
+CANDELA_CONST uint kPrimaryRay = 0u;
+CANDELA_CONST uint kDiffuseRay = 1u;  // in a random direction, by the cosine, from where the primary ray hits
+CANDELA_CONST uint kShadowRay = 2u;   // from there to a random point of the lights
+CANDELA_CONST uint kRayKindCount = 3u;
+
+// One per dispatch.
+struct CastConstants {
+  uvec4 work;  // first ray or pixel, end, lanes of a workgroup, 0
+};
+
+CANDELA_END
+#endif
