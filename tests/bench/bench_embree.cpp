@@ -1,0 +1,75 @@
+// A device's traversal beside Embree's, in turn on the same primitives and rays: rays alone, by kind.
+// Not a test: machines differ. Built where Embree 3 is found (libembree-dev), on request:
+//   ninja bench_embree && tests/bench/bench_embree SCENE [pixels a side] [runs] [device]
+#include <fmt/format.h>
+
+#include "host/bench/device_tracer.h"
+#include "host/bench/ray_report.h"
+#include "host/core/errors.h"
+#include "host/scene/load.h"
+#include "tests/bench/embree_tracer.h"
+
+using namespace candela;
+using namespace candela::bench;
+
+namespace {
+
+// Rays that pass by an edge may meet either side of it: so many may find another primitive.
+constexpr double kEdgeShare = 0.01;
+
+RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint32_t repeats, const std::string& selector) {
+  vulkan::Device device = vulkan::Device::open(selector);
+  const auto tracers = deviceTracers(device, scene, settings);
+  EmbreeTracer embree(scene);
+  std::vector<RayTracer*> all;
+  for (const auto& tracer : tracers) all.push_back(tracer.get());
+  all.push_back(&embree);
+  const RaySets sets = tracers.front()->makeRays();
+  RayReport report{device.info().name, device.info().driver, settings.workgroup, settings.size, repeats, {}};
+  std::size_t place = 0;
+  for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
+    const std::size_t i = place++ % all.size();
+    RayRow row{scene.name, scene.hash, "Embree", "", 0, std::move(measurement), 1 - kEdgeShare};
+    if (i < tracers.size()) {
+      row = {scene.name, scene.hash, tracers[i]->layout(), tracers[i]->sceneLoads(), tracers[i]->sceneBytes(),
+             std::move(row.measurement)};
+    }
+    report.rows.push_back(std::move(row));
+  }
+  return report;
+}
+
+// Each layout's rate over that of Embree in the same kind of rays.
+void printRatios(const RayReport& report) {
+  for (const RayRow& row : report.rows) {
+    for (const RayRow& peer : report.rows) {
+      if (peer.tracer != "Embree" || row.tracer == "Embree" || peer.measurement.kind != row.measurement.kind) continue;
+      fmt::print("{:<8} {:<6} {:<8} {:.3f} of Embree by the clock, {:.3f} by processor time; Embree finds {:.4f} of the hits\n",
+                 rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
+                 row.measurement.mraysPerSecond() / peer.measurement.mraysPerSecond(),
+                 row.measurement.mraysPerProcessorSecond() / peer.measurement.mraysPerProcessorSecond(), peer.measurement.share);
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argumentCount, char** arguments) {
+  const auto argument = [&](int i, const char* otherwise) { return std::string(argumentCount > i ? arguments[i] : otherwise); };
+  if (argumentCount < 2) {
+    fmt::print("bench_embree SCENE [pixels a side] [runs] [device]\n");
+    return static_cast<int>(ExitCode::usage);
+  }
+  try {
+    RenderSettings settings;
+    const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
+    settings.size = {side, side};
+    const Scene scene = loadScene(arguments[1]).scene;
+    const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))), argument(4, ""));
+    fmt::print("{}\n", toText(report));
+    printRatios(report);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench_embree: {}\n", error.what());
+    return static_cast<int>(ExitCode::internal);
+  }
+}
