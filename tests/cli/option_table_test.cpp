@@ -60,6 +60,8 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--light-size", "S", "0"},
                                       {"--accel", "none|grid|bvh", "bvh"},
                                       {"--bvh-split", "sah|midpoint", "sah"},
+                                      {"--layout", "auto|bvh2|cwbvh", "auto"},
+                                      {"--loads", "auto|texel|storage", "auto"},
                                       {"--grid-density", "M", "2"},
                                       {"--one-sided", "", ""},
                                       {"--lenient", "", ""},
