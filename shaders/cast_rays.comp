@@ -21,7 +21,7 @@ void main() {
     found = uvec2(0u, traceAny(ray, kNoSlot, start.w, work) ? 1u : 0u);
   } else {
     Hit hit = traceClosest(ray, work);
-    found = uvec2(floatBitsToUint(hit.t), hit.index);
+    found = uvec2(floatBitsToUint(hit.t), hit.t < kNoHit ? hit.index : kNoPrimitive);
   }
   hits[i].found = uvec4(found, work.steps, work.truncated);
 }

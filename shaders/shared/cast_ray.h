@@ -11,8 +11,10 @@ struct CastRay {
 };
 
 struct CastHit {
-  uvec4 found;  // distance as its bits, primitive index (a shadow ray: 0 and 1 if blocked), steps, truncated
+  // Distance as its bits, primitive index or kNoPrimitive (a shadow ray: 0, and 1 if blocked), steps, truncated.
+  uvec4 found;
 };
+CANDELA_CONST uint kNoPrimitive = 0xffffffffu;
 
 // For each pixel three rays, in this order.
 CANDELA_CONST uint kPrimaryRay = 0u;

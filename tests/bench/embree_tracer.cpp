@@ -116,7 +116,7 @@ gpu::CastHit EmbreeTracer::closest(const gpu::CastRay& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {{std::bit_cast<std::uint32_t>(kDeviceNoHit), ~0u, 0, 0}};
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {{std::bit_cast<std::uint32_t>(kDeviceNoHit), gpu::kNoPrimitive, 0, 0}};
   return {{std::bit_cast<std::uint32_t>(query.ray.tfar), indices_[query.hit.geomID][query.hit.primID], 0, 0}};
 }
 
