@@ -110,13 +110,15 @@ PointLight loadPointLight(uint light) {
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
   uint high = constants.limits.z - 1u;
+  uint cutShort = low < high ? 1u : 0u;  // see Work
   while (low < high) {
     uint middle = (low + high) / 2u;
     bool right = k >= sceneRow(lightRow(middle)).x;
     low = right ? middle + 1u : low;
     high = right ? high : middle;
+    cutShort = low < high ? 1u : 0u;
   }
-  truncated += low < high ? 1u : 0u;
+  truncated += cutShort;
   return low;
 }
 

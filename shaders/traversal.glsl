@@ -27,23 +27,27 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
 
 void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
   uint slot = first;
+  uint cutShort = first < end ? 1u : 0u;
   while (slot < end) {
     keepCloser(hit, hitPrimitive(ray, slot), slot);
     ++slot;
+    cutShort = slot < end ? 1u : 0u;
   }
   work.steps += slot - first;
-  work.truncated += slot < end ? 1u : 0u;
+  work.truncated += cutShort;
 }
 
 bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout Work work) {
   uint slot = first;
   bool blocked = false;
+  uint cutShort = first < end ? 1u : 0u;
   while (slot < end && !blocked) {
     blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     ++slot;
+    cutShort = slot < end && !blocked ? 1u : 0u;
   }
   work.steps += slot - first;
-  work.truncated += slot < end && !blocked ? 1u : 0u;
+  work.truncated += cutShort;
   return blocked;
 }
 
