@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "host/core/errors.h"
@@ -18,7 +20,37 @@ constexpr std::uint32_t kFirstChunk = 1u << 14;
 constexpr std::uint32_t kLastChunk = 1u << 21;
 constexpr double kShortSeconds = 0.025;  // a dispatch below it may be twice as large
 
+std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
+
 std::uint32_t lanesOf(const Extent& workgroup) { return workgroup.width * workgroup.height; }
+
+// Prime to `units`, and near their golden section: any run of units is then spread over all of the rays.
+std::uint32_t strideOver(std::uint32_t units) {
+  auto stride = std::max(1u, static_cast<std::uint32_t>(units / std::numbers::phi));
+  while (std::gcd(stride, units) != 1) ++stride;
+  return stride;
+}
+
+// Bit i becomes bit 2 i.
+std::uint32_t spread(std::uint32_t bits) {
+  std::uint32_t result = 0;
+  for (std::uint32_t i = 0; i < 16; ++i) result |= (bits >> i & 1) << (2 * i);
+  return result;
+}
+
+// Row-major numbers of an image's pixels along Morton's curve, so that the lanes of a group have neighbours on all sides.
+std::vector<std::uint32_t> alongMortonCurve(const Extent& size) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> keyed;
+  keyed.reserve(std::size_t{size.width} * size.height);
+  for (std::uint32_t y = 0; y < size.height; ++y) {
+    for (std::uint32_t x = 0; x < size.width; ++x) keyed.emplace_back(spread(x) | spread(y) << 1, y * size.width + x);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> pixels;
+  pixels.reserve(keyed.size());
+  for (const auto& [key, pixel] : keyed) pixels.push_back(pixel);
+  return pixels;
+}
 
 vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv, const FlatScene& flat,
                                      const RenderSettings& settings, bool texels, bool anyHit) {
@@ -60,14 +92,15 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
   double seconds = 0;
   for (std::uint32_t first = 0; first < count;) {
     const std::uint32_t end = first + std::min(count - first, chunk_);
-    const gpu::CastConstants constants{{first, end, lanes, 0}};
+    const std::uint32_t units = divideUp(divideUp(end - first, lanes), gpu::kCastUnit);
+    const gpu::CastConstants constants{{first, end, lanes, strideOver(units)}};
     const double took = device_.run([&](vulkan::CommandRecorder& recorder) {
-      recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {(end - first + lanes - 1) / lanes});
+      recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {units * gpu::kCastUnit});
     });
     seconds += took;
     const bool whole = end - first == chunk_;
     first = end;
-    if (whole && took < kShortSeconds) chunk_ = std::min({2 * chunk_, kLastChunk, 65535 * lanes});
+    if (whole && took < kShortSeconds) chunk_ = std::min({2 * chunk_, kLastChunk, 65535 / gpu::kCastUnit * gpu::kCastUnit * lanes});
   }
   return seconds;
 }
@@ -83,10 +116,12 @@ RaySets RayCaster::makeRays() {
   std::vector<gpu::CastRay> made(std::size_t{gpu::kRayKindCount} * pixels);
   all.download(std::as_writable_bytes(std::span(made)));
   RaySets sets;
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    const std::size_t kind = i % gpu::kRayKindCount;
-    if (kind == gpu::kPrimaryRay && made[i].direction.w != 0) throw InternalError("a loop was stopped while rays were made");
-    if (made[i].originLimit.w > 0) sets[kind].push_back(made[i]);
+  for (const std::uint32_t pixel : alongMortonCurve(settings_.size)) {
+    for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
+      const gpu::CastRay& ray = made[std::size_t{pixel} * gpu::kRayKindCount + kind];
+      if (kind == gpu::kPrimaryRay && ray.direction.w != 0) throw InternalError("a loop was stopped while rays were made");
+      if (ray.originLimit.w > 0) sets[kind].push_back(ray);
+    }
   }
   return sets;
 }

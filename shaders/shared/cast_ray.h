@@ -22,9 +22,12 @@ CANDELA_CONST uint kDiffuseRay = 1u;  // in a random direction, by the cosine, f
 CANDELA_CONST uint kShadowRay = 2u;   // from there to a random point of the lights
 CANDELA_CONST uint kRayKindCount = 3u;
 
+// Workgroups that stay together: a dispatch has a multiple of them.
+CANDELA_CONST uint kCastUnit = 8u;
+
 // One per dispatch.
 struct CastConstants {
-  uvec4 work;  // first ray or pixel, end, lanes of a workgroup, 0
+  uvec4 work;  // first ray or pixel, end, lanes of a workgroup, stride between units
 };
 
 CANDELA_END
