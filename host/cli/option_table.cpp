@@ -111,7 +111,7 @@ std::vector<Option> executionOptions() {
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
     valued({"--bvh-split", kRender | kCompare | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
-    valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: two"},
+    valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: eight, with midpoint splits two"},
            choice<BvhLayout>({{"auto", BvhLayout::automatic}, {"bvh2", BvhLayout::bvh2}, {"cwbvh", BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
     valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as texels where they fit"},
            choice<SceneLoads>({{"auto", SceneLoads::automatic}, {"texel", SceneLoads::texel}, {"storage", SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),

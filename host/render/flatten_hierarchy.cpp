@@ -76,14 +76,17 @@ std::vector<std::uint32_t> appendWide(const Bvh& bvh, FlatScene& flat) {
 
 }  // namespace
 
-BvhLayout layoutFor(BvhLayout asked) { return asked == BvhLayout::automatic ? BvhLayout::bvh2 : asked; }
+BvhLayout layoutFor(BvhLayout asked, BvhSplit split) {
+  if (asked != BvhLayout::automatic) return asked;
+  return split == BvhSplit::midpoint ? BvhLayout::bvh2 : BvhLayout::cwbvh;
+}
 
 Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout) {
-  return buildBvh(bounds, optionsFor(split, layout, bounds.size()));
+  return buildBvh(bounds, optionsFor(split, layoutFor(layout, split), bounds.size()));
 }
 
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat) {
-  const BvhLayout layout = layoutFor(settings.bvhLayout);
+  const BvhLayout layout = layoutFor(settings.bvhLayout, settings.bvhSplit);
   const Bvh bvh = buildHierarchy(bounds.bounds, settings.bvhSplit, layout);
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);

@@ -10,12 +10,14 @@
 
 namespace candela {
 
-/// The layout in use: `asked`, or where that is automatic bvh2.
-BvhLayout layoutFor(BvhLayout asked);
+/// The layout in use: `asked`, or where that is automatic the faster one (docs/performance.md), but two-wide nodes for the
+/// report's trees, which are two-wide.
+BvhLayout layoutFor(BvhLayout asked, BvhSplit split);
 
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
 /// eight-wide one. A single leaf where testing all primitives is faster.
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout = BvhLayout::bvh2);
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split,
+                   BvhLayout layout = BvhLayout::automatic);
 
 /// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
 /// in the order of its leaves.
