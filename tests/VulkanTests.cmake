@@ -29,19 +29,22 @@ function(candela_vulkan_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE candela_vulkan_test_support ${ARG_LIBRARIES})
   candela_compile_options(${name})
-  candela_discover_on_driver(${name} lavapipe "${CANDELA_LAVAPIPE_ICD}" mesa-vulkan-drivers)
-  candela_discover_on_driver(${name} swiftshader "${CANDELA_SWIFTSHADER_ICD}" chromium-common)
+  candela_discover_on_driver(${name} lavapipe "${CANDELA_LAVAPIPE_ICD}" mesa-vulkan-drivers "[slow]")
+  candela_discover_on_driver(${name} swiftshader "${CANDELA_SWIFTSHADER_ICD}" chromium-common "[slow],[swiftshader-slow]")
 endfunction()
 
-function(candela_discover_on_driver name driver icd package)
+# `slow`: the cases that carry the label `slow` on this driver. SwiftShader takes five seconds to compile a path tracer, so
+# that cases which need many kernels are slow there, and only there.
+function(candela_discover_on_driver name driver icd package slow)
   if(NOT EXISTS "${icd}")
     add_test(NAME "${driver}: ${name}" COMMAND sh -c "echo '${driver} is not installed: apt-get install ${package}, then configure again'; exit 1")
     return()
   endif()
   # OUTPUT_SUFFIX only keeps the files of two discoveries of one program apart; nothing is written under that name.
-  catch_discover_tests(${name} TEST_SPEC "~[slow]" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
+  string(REGEX REPLACE ",?\\[" "~[" fast "${slow}")
+  catch_discover_tests(${name} TEST_SPEC "${fast}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
                        EXTRA_ARGS --warn NoTests TEST_LIST ${name}_${driver})
-  catch_discover_tests(${name} TEST_SPEC "[slow]" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
+  catch_discover_tests(${name} TEST_SPEC "${slow}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
                        EXTRA_ARGS --warn NoTests TEST_LIST ${name}_${driver}_slow PROPERTIES LABELS slow)
   # A list of variables does not pass through catch_discover_tests; it is set when ctest reads the discovered tests.
   # VK_ICD_FILENAMES is what loaders before 1.3.207 read. Drivers and the layer leak a few hundred bytes when they are

@@ -53,7 +53,7 @@ TEST_CASE("a render on a device writes an image that names device and driver") {
   CHECK_FALSE(image.metadata.at("candela.driver").empty());
 }
 
-TEST_CASE("what was asked for is in use, and changes no bit of the film") {
+TEST_CASE("what was asked for is in use, and changes no bit of the film", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const json plain = reportOf(scene, {});
@@ -130,7 +130,8 @@ TEST_CASE("verify finds the same light on both sides, and says so to people, pro
   CHECK(contains(readFile(junit), "failures=\"0\""));
 }
 
-TEST_CASE("compare SCENE and verify write a page that names the device, with pictures, maps and the verdict") {
+TEST_CASE("compare SCENE and verify write a page that names the device, with pictures, maps and the verdict",
+          "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string page = folder.path("report.html");
@@ -157,7 +158,7 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
   CHECK(contains(result.out, "NOT with the answer that the scene states"));
 }
 
-TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same") {
+TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write(
       "bright.p3f",

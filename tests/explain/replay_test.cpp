@@ -57,7 +57,7 @@ void requireFilmOfReplays(ReplayingRenderer& tracer, const Scene& scene, const R
 
 }  // namespace
 
-TEST_CASE("the samples that are replayed add up to the rendered film, bit for bit") {
+TEST_CASE("the samples that are replayed add up to the rendered film, bit for bit", "[swiftshader-slow]") {
   const auto onBoth = [](const Scene& scene, const RenderSettings& settings) {
     SECTION("device") { requireFilmOfReplays(deviceTracer(), scene, settings); }
     SECTION("reference") { requireFilmOfReplays(referenceTracer(), scene, settings); }

@@ -73,7 +73,7 @@ TEST_CASE("a corridor of two mirrors dims its end once for every mirror that unf
   CHECK(mostMirrors >= 20);
 }
 
-TEST_CASE("a slab of glass transmits and reflects by the series of its inner reflections") {
+TEST_CASE("a slab of glass transmits and reflects by the series of its inner reflections", "[swiftshader-slow]") {
   for (const double degrees : {0.0, 45.0, 70.0}) {
     const double angle = degrees * std::numbers::pi / 180;
     SceneBuilder b;

@@ -57,7 +57,8 @@ RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
 
 }  // namespace
 
-TEST_CASE("a ball, two triangles and a point light light the floor by their closed forms, each in its channel") {
+TEST_CASE("a ball, two triangles and a point light light the floor by their closed forms, each in its channel",
+          "[swiftshader-slow]") {
   for (const vec3& seen : {vec3(0), vec3(0.25f, -0.5f, 0)}) {  // places from which no lamp hides another
     const dvec3 at(seen);
     const dvec3 towardsPoint = dvec3(0, -4, 3) - at;
@@ -76,7 +77,8 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
   }
 }
 
-TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without") {
+TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without",
+          "[swiftshader-slow]") {
   for (const float albedo : {0.25f, 0.5f, 0.75f}) {
     Scene furnace = boxMesh(1, 4).scene();
     furnace.materials[0] = diffuseMaterial(vec3(albedo), vec3(1));

@@ -59,7 +59,7 @@ TEST_CASE("the tile does not change the image") {
   }
 }
 
-TEST_CASE("structure and scene loads do not change the image") {
+TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slow]") {
   for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
     const Scene scene = loadTestScene(name);
     RenderSettings settings = baseSettings();

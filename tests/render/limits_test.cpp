@@ -50,7 +50,8 @@ std::uint64_t residentBytes() {
 
 }  // namespace
 
-TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the segments per dispatch") {
+TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the segments per dispatch",
+          "[swiftshader-slow]") {
   const Scene scene = heightField(64);
   REQUIRE(scene.primitives.size() > 8000);
   RenderSettings settings = squareSettings(32, 1);

@@ -122,7 +122,7 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
   CHECK(steps.size() == kWays.size());
 }
 
-TEST_CASE("a grid or the report's BVH is used even where a few tests in a row would be faster") {
+TEST_CASE("a grid or the report's BVH is used even where a few tests in a row would be faster", "[swiftshader-slow]") {
   const Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
   const RenderSettings settings = shortPaths(16, 1);
@@ -138,23 +138,24 @@ TEST_CASE("a grid or the report's BVH is used even where a few tests in a row wo
   }
 }
 
-TEST_CASE("rays that come to a grid from very far away miss nothing") {
+TEST_CASE("rays that come to a grid from very far away miss nothing", "[swiftshader-slow]") {
   RenderSettings settings = squareSettings(48, 4);
   settings.maxDepth = 4;
   requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});
 }
 
-TEST_CASE("one object, no object, and a camera within an object look the same through a grid") {
+TEST_CASE("one object, no object, and a camera within an object look the same through a grid", "[swiftshader-slow]") {
   requireSameFilms({spheres({{0, 0, 0.5, 1}}), spheresAroundTheCamera()}, shortPaths(24, 2), {kWays[0], kWays[3]});
   requireSameFilms({spheres({})}, shortPaths(24, 2), {kWays[0], kWays[3]});
 }
 
-TEST_CASE("a flat scene looks the same through a grid") {
+TEST_CASE("a flat scene looks the same through a grid", "[swiftshader-slow]") {
   requireSameFilms({flatScene()}, shortPaths(24, 2), {kWays[0], kWays[3], kWays[5]});
 }
 
 TEST_CASE(
-    "overlapping shells look the same through a grid, and through the coarser one of a device that limits loops") {
+    "overlapping shells look the same through a grid, and through the coarser one of a device that limits loops",
+    "[swiftshader-slow]") {
   const Scene scene = loadSpdScene("shells_1.nff");
   const RenderSettings settings = squareSettings(40, 2);
   requireSameFilms({scene}, settings, {kWays[0], kWays[4], kWays[5]});
@@ -168,7 +169,7 @@ TEST_CASE(
   CHECK(coarse.film.hash() == renderOnDevice(scene, along(kWays[4], settings)).film.hash());
 }
 
-TEST_CASE("a segment too long for the device's loop limit is caught, whatever the structure") {
+TEST_CASE("a segment too long for the device's loop limit is caught, whatever the structure", "[swiftshader-slow]") {
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
   // The renderer is told that there is no limit, so that it takes brute force on.

@@ -212,7 +212,8 @@ TEST_CASE("every view of all kinds of primitives has the reference's pixels") {
   }
 }
 
-TEST_CASE("neither work's division, nor its structure, nor what concerns paths alone changes a view") {
+TEST_CASE("neither work's division, nor its structure, nor what concerns paths alone changes a view",
+          "[swiftshader-slow]") {
   const Scene scene = loadTestScene("primitives.p3f");
   RenderSettings settings = viewSettings(Integrator::ao, 64, 4);
   settings.size.height = 50;  // no multiple of any workgroup

@@ -58,7 +58,7 @@ TEST_CASE("lights, mirrors, glass and every primitive look as in the reference")
   requireAgreement(scene, whittedSettings(256), kFlat);
 }
 
-TEST_CASE("procedural databases look as in the reference") {
+TEST_CASE("procedural databases look as in the reference", "[swiftshader-slow]") {
   requireAgreement(loadDatabase("balls_2.nff"), whittedSettings(192), kCurvedMirrors);
   requireAgreement(loadDatabase("gears_1.nff"), whittedSettings(192), kFlat);
 }

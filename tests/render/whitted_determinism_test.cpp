@@ -18,7 +18,7 @@ RenderSettings baseSettings() {
 
 }  // namespace
 
-TEST_CASE("neither workgroup nor segments nor tile change a tree") {
+TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader-slow]") {
   const Scene scene = primitivesUnderLights();
   const RenderResult base = renderOnDevice(scene, baseSettings());
   CHECK(base.statistics.kernel == "whitted");
@@ -68,7 +68,7 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
   CHECK(bounceRays[3] > bounceRays[2]);
 }
 
-TEST_CASE("structure and scene loads do not change a tree") {
+TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]") {
   const Scene scene = primitivesUnderLights();
   RenderSettings settings = baseSettings();
   settings.sceneLoads = SceneLoads::texel;
