@@ -1,7 +1,10 @@
 #include "host/bench/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+
+#include "host/image/metrics.h"
 
 namespace candela::bench {
 namespace {
@@ -13,7 +16,9 @@ void insertAscending(std::vector<double>& values, double value) {
 }
 
 void addRun(RenderStatistics statistics, std::uint64_t hash, Measurement& measurement) {
-  measurement.agrees &= measurement.traceSeconds.empty() || hash == measurement.filmHash;
+  const bool first = measurement.traceSeconds.empty();
+  measurement.agrees &= first || hash == measurement.filmHash;
+  if (first) measurement.pipelineSeconds = statistics.seconds["pipeline"];
   measurement.filmHash = hash;
   measurement.statistics = std::move(statistics);
   measurement.agrees &= measurement.statistics.truncated == 0;
@@ -21,8 +26,13 @@ void addRun(RenderStatistics statistics, std::uint64_t hash, Measurement& measur
   insertAscending(measurement.buildSeconds, measurement.statistics.seconds["structure"]);
 }
 
-// The image of most runs. Where images are equally frequent none of them is more credible than the others.
-std::uint64_t commonHash(const std::map<std::uint64_t, std::uint32_t>& runsByHash, std::uint32_t runs) {
+// How often each film came of an image.
+using RunsByHash = std::map<std::uint64_t, std::uint32_t>;
+
+// The film of most runs. Where films are equally frequent none of them is more credible than the others.
+std::uint64_t commonHash(const RunsByHash& runsByHash) {
+  std::uint32_t runs = 0;
+  for (const auto& [hash, count] : runsByHash) runs += count;
   for (const auto& [hash, count] : runsByHash) {
     if (2 * count > runs) return hash;
   }
@@ -59,6 +69,8 @@ double Measurement::msamplesPerSecond() const {
   return ratio(static_cast<double>(statistics.samples) / 1e6, median(traceSeconds));
 }
 
+double Measurement::efficiency() const { return ratio(1, relMse.value_or(0) * median(traceSeconds)); }
+
 double Measurement::stepsPerRay() const {
   return ratio(static_cast<double>(statistics.traversalSteps), static_cast<double>(statistics.rays()));
 }
@@ -68,7 +80,7 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
   const std::uint32_t runs = repeats * static_cast<std::uint32_t>(variants.size());
   std::vector<Measurement> measurements;
   for (const Variant& variant : variants) measurements.push_back({.variant = variant});
-  std::map<std::uint64_t, std::uint32_t> runsByHash;
+  std::map<std::string, RunsByHash> runsByImage;
   std::uint64_t samples = 0;
   for (std::uint32_t run = 0; run < runs; ++run) {
     Measurement& measurement = measurements[run % variants.size()];
@@ -77,12 +89,35 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
     if (result.interrupted) return {};
     samples += result.statistics.samples;
     const std::uint64_t hash = result.film.hash();
-    ++runsByHash[hash];
+    ++runsByImage[measurement.variant.image][hash];
     addRun(std::move(result.statistics), hash, measurement);
   }
-  const std::uint64_t common = commonHash(runsByHash, runs);
-  for (Measurement& measurement : measurements) measurement.agrees &= measurement.filmHash == common;
+  for (Measurement& measurement : measurements) {
+    measurement.agrees &= measurement.filmHash == commonHash(runsByImage.at(measurement.variant.image));
+  }
   return measurements;
+}
+
+bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements, const RenderControl& control) {
+  RenderControl silent = control;  // what is left of the progress is over
+  silent.progress = nullptr;
+  std::map<std::string, double> noiseOf;
+  for (Measurement& measurement : measurements) {
+    const Variant& variant = measurement.variant;
+    if (!noiseOf.contains(variant.image)) {
+      std::array<Image, 2> images;
+      for (std::uint32_t i = 0; i < images.size(); ++i) {
+        RenderSettings settings = variant.settings;
+        settings.seed += 1 + i;
+        const RenderResult result = renderer.render(scene, settings, silent);
+        if (result.interrupted) return false;
+        images[i] = toImage(result.film);
+      }
+      noiseOf[variant.image] = compareImages(images[0], images[1]).relativeMeanSquaredError / 2;
+    }
+    measurement.relMse = noiseOf[variant.image];
+  }
+  return true;
 }
 
 }  // namespace candela::bench

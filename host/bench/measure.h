@@ -1,6 +1,7 @@
 // Renders variants of one scene again and again, in turn, so that a noisy machine hurts all alike.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace candela::bench {
 struct Variant {
   std::string name;
   RenderSettings settings;
+  std::string image{};  ///< of variants for which this is the same the films must be the same, bit for bit
 };
 
 /// What the renders of one variant took.
@@ -20,13 +22,18 @@ struct Measurement {
   Variant variant;
   RenderStatistics statistics{};      ///< of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
-  std::vector<double> traceSeconds{};   ///< one per run, ascending; without the pipeline's compilation
-  std::vector<double> buildSeconds{};   ///< of the search structure, one per run, ascending
-  bool agrees = true;                 ///< every run was complete and gave the image that most runs of all variants gave
+  std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
+  std::vector<double> buildSeconds{};  ///< of the search structure, one per run, ascending
+  double pipelineSeconds = 0;          ///< of the first run, in which a driver compiles
+  bool agrees = true;                  ///< every run was complete and gave what most runs of the same image gave
+  /// relMSE (compareImages) of the image to what it converges to; absent where nobody has measured it: measureNoise().
+  std::optional<double> relMse{};
 
   double mraysPerSecond() const;      ///< at the median time
   double msamplesPerSecond() const;
   double stepsPerRay() const;
+  /// 1 / (seconds x relMSE), the figure of merit of a way to sample; 0 without either.
+  double efficiency() const;
 };
 
 /// The middle of ascending values, the mean of both middles if their number is even; 0 for none.
@@ -39,5 +46,9 @@ double spread(std::span<const double> ascending);
 /// Throws what Renderer::render throws.
 std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& scene, std::span<const Variant> variants,
                                             std::uint32_t repeats, const RenderControl& control);
+
+/// Renders each image twice more, with two other seeds, and takes half of the relMSE between the two for what either
+/// has: that holds for evenly spread samples, too. False if `control` stops a run.
+bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements, const RenderControl& control);
 
 }  // namespace candela::bench

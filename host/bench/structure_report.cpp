@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
-#include "host/core/hash_text.h"
-#include "host/core/version.h"
 
 namespace candela::bench {
 namespace {
@@ -62,42 +61,9 @@ TextTable tableOf(const StructureReport& report) {
   return table;
 }
 
-std::string headline(const StructureReport& report) {
-  const RenderStatistics& first = report.rows.front().measurement.statistics;
-  const std::string driver = first.driver.empty() ? "" : ", " + first.driver;
-  return fmt::format("candela {} on {}{}; median of {}, runs interleaved", versionText(), first.device, driver,
-                     report.repeats);
-}
+const RenderStatistics& first(const StructureReport& report) { return report.rows.front().measurement.statistics; }
 
-ordered_json rowJson(const StructureRow& row) {
-  const Measurement& m = row.measurement;
-  ordered_json json;
-  json["scene"] = row.scene;
-  json["sceneHash"] = hashText(row.sceneHash);
-  json["filmHash"] = hashText(m.filmHash);
-  json["sameImage"] = m.agrees;
-  json["variant"] = m.variant.name;
-  json["structure"] = m.statistics.structure;
-  json["bvhSplit"] = m.statistics.bvhSplit;
-  json["size"] = extentText(m.variant.settings.size);
-  json["samplesPerPixel"] = m.variant.settings.sampleCount;
-  json["workgroup"] = extentText(m.statistics.workgroup);
-  json["segmentsPerDispatch"] = m.statistics.maxSegmentsPerDispatch;
-  json["kernel"] = m.statistics.kernel;
-  json["layout"] = m.statistics.layout;
-  json["sceneLoads"] = m.statistics.sceneLoads;
-  if (m.agrees) {
-    json["medianMs"] = 1e3 * median(m.traceSeconds);
-    json["spread"] = spread(m.traceSeconds);
-    json["buildMs"] = 1e3 * median(m.buildSeconds);
-    json["msamplesPerSecond"] = m.msamplesPerSecond();
-    json["mraysPerSecond"] = m.mraysPerSecond();
-    json["stepsPerRay"] = m.stepsPerRay();
-    json["structureQuality"] = m.statistics.structureQuality;
-  }
-  if (row.publishedSeconds) json["publishedSeconds"] = *row.publishedSeconds;
-  return json;
-}
+std::string headline(const StructureReport& report) { return bench::headline(first(report), report.repeats); }
 
 }  // namespace
 
@@ -118,14 +84,11 @@ std::string toMarkdown(const StructureReport& report) {
 }
 
 ordered_json toJson(const StructureReport& report) {
-  const RenderStatistics& first = report.rows.front().measurement.statistics;
-  ordered_json json;
-  json["schema"] = "candela-bench/1";
-  json["version"] = versionText();
-  json["device"] = first.device;
-  json["driver"] = first.driver;
-  json["repeats"] = report.repeats;
-  for (const StructureRow& row : report.rows) json["rows"].push_back(rowJson(row));
+  ordered_json json = reportJson(first(report), report.repeats);
+  for (const StructureRow& row : report.rows) {
+    json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
+    if (row.publishedSeconds) json["rows"].back()["publishedSeconds"] = *row.publishedSeconds;
+  }
   return json;
 }
 

@@ -56,7 +56,10 @@ struct Arguments {
   std::optional<std::uint32_t> boxDepth;       ///< level of a BVH, the root's being 0; absent: all
 
   std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
+  std::vector<std::string> sweeps;  ///< as sweepOver() reads them
+  double threshold = 0.05;    ///< share of its speed that a row may lose
   std::string markdown;       ///< as `json`
+  std::string svg;            ///< as `json`
 
   std::filesystem::path report;  ///< a page; empty for none
   std::string json;  ///< a file, "-" for stdout, empty for none
@@ -70,7 +73,7 @@ struct Arguments {
   std::set<std::string> given;  ///< names (the long ones) of the options that the command line had
 
   /// Whether a command that only reports prints its report as text.
-  bool wantsText() const { return !quiet && json != "-"; }
+  bool wantsText() const { return !quiet && json != "-" && markdown != "-" && svg != "-"; }
   Verbosity verbosity() const {
     if (quiet) return Verbosity::quiet;
     return verbose ? Verbosity::verbose : Verbosity::normal;

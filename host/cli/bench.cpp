@@ -1,136 +1,74 @@
-// `candela bench`: what is measured, with figures that another machine can repeat.
+// `candela bench`: which benchmark is meant, and what all of them check first.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <iostream>
-#include <nlohmann/json.hpp>
+#include <filesystem>
 
-#include "embedded/balls.h"
-#include "embedded/mirror.h"
-#include "host/bench/structure_report.h"
 #include "host/cli/commands.h"
-#include "host/cli/json_output.h"
+#include "host/cli/did_you_mean.h"
 #include "host/cli/output_check.h"
-#include "host/cli/render_job.h"
-#include "host/cli/text_output.h"
-#include "host/core/progress.h"
-#include "host/scene/load.h"
 
 namespace candela::cli {
 namespace {
 
-using bench::Measurement;
-using bench::StructureReport;
-using bench::StructureRow;
-using bench::Variant;
-
-// A scene of the path-tracing report's Table 1, and its seconds at 512 x 512 with 15 x 15 rays per pixel.
-struct PublishedScene {
+struct Benchmark {
   const char* name;
-  const std::string_view& text;
-  bool oneSided;
-  double gridSeconds;
-  double bvhSeconds;
+  std::size_t fewestFiles;  ///< behind the name
+  std::size_t mostFiles;
+  ExitCode (*run)(const Arguments&, const Log&);
 };
-const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0, 327.78},
-                         PublishedScene{"balls", embedded::balls, false, 526.6, 512.43}};
-constexpr std::uint32_t kTable1Samples = 15 * 15;
 
-// The rows of one scene; none if the run was interrupted.
-std::vector<StructureRow> measureScene(const Scene& scene, const RenderSettings& settings, const Arguments& arguments,
-                                       Renderer& renderer, const Log& log) {
-  const std::vector<Variant> variants = bench::structureVariants(settings);
-  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.size.width,
-                       settings.size.height, settings.sampleCount, variants.size(), arguments.repeats));
-  Progress progress(std::cerr, progressStyle(log.verbosity()));
-  std::vector<StructureRow> rows;
-  for (Measurement& measurement :
-       bench::measureInterleaved(renderer, scene, variants, arguments.repeats, makeControl(progress))) {
-    rows.push_back({scene.name, scene.hash, std::move(measurement), std::nullopt});
+constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
+constexpr std::array kBenchmarks{Benchmark{"table1", 0, 0, runBenchStructures}, Benchmark{"accel", 1, kAnyNumber, runBenchStructures},
+                                 Benchmark{"rays", 1, kAnyNumber, runBenchRays},
+                                 Benchmark{"compare", 2, 2, runBenchCompare}};
+
+// A word that is neither a benchmark nor a file is a benchmark that was mistyped.
+[[noreturn]] void refuse(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Benchmark& benchmark : kBenchmarks) names.emplace_back(benchmark.name);
+  throw UsageError(fmt::format("bench {}: neither a benchmark (table1, accel, rays, compare) nor a scene file{}\nsee candela bench --help",
+                               word, didYouMean(word, names)));
+}
+
+void requireFiles(const Benchmark& benchmark, std::size_t count) {
+  if (count < benchmark.fewestFiles) {
+    throw UsageError(fmt::format("bench {}: {}", benchmark.name,
+                                 benchmark.mostFiles == 2 ? "expected two reports, the old one and the new one" : "no scene given"));
   }
-  return rows;
+  if (count <= benchmark.mostFiles) return;
+  throw UsageError(benchmark.mostFiles == 0 ? "bench table1: has its own scenes; bench accel takes others"
+                                            : "bench compare: expected two reports, the old one and the new one");
 }
 
-// The report's seconds are for this work alone.
-bool isPublishedWork(const RenderSettings& settings) {
-  return settings.integrator == Integrator::path && settings.sampleCount == kTable1Samples &&
-         settings.size.width == 512 && settings.size.height == 512;
-}
-
-bool append(std::vector<StructureRow> rows, StructureReport& report) {
-  for (StructureRow& row : rows) report.rows.push_back(std::move(row));
-  return !rows.empty();
-}
-
-bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
-  for (const PublishedScene& published : kTable1) {
-    const Scene scene = parseScene(std::string(published.text), published.name, ".").scene;
-    Arguments resolved = arguments;
-    if (!resolved.sampleCount) resolved.sampleCount = kTable1Samples;
-    if (!resolved.given.contains("--sampler")) resolved.settings.sampler = SamplerKind::stratified;
-    resolved.settings.oneSided |= published.oneSided;
-    resolveRequests(resolved, scene, log);
-    requirePossible(resolved, scene, log);
-    std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
-    for (StructureRow& row : rows) {
-      const RenderSettings& settings = row.measurement.variant.settings;
-      if (!isPublishedWork(settings)) break;
-      if (settings.accel == AccelKind::grid) row.publishedSeconds = published.gridSeconds;
-      if (settings.accel == AccelKind::bvh && settings.bvhSplit == BvhSplit::midpoint) {
-        row.publishedSeconds = published.bvhSeconds;
-      }
-    }
-    if (!append(std::move(rows), report)) return false;
+// What the other benchmarks choose themselves.
+void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& arguments) {
+  for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
+    if (!arguments.given.contains(option)) continue;
+    throw UsageError(fmt::format("bench {} {}: is for bench SCENE alone", benchmark.name, option));
   }
-  return true;
 }
 
-bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
-  for (std::size_t i = 1; i < arguments.files.size(); ++i) {
-    Arguments one = arguments;
-    one.files = {arguments.files[i]};
-    const RenderJob job = loadJob(one, log);
-    if (!append(measureScene(job.scene, job.settings, job.arguments, *renderer, log), report)) return false;
+void requireScores(const Arguments& arguments) {
+  if (arguments.settings.integrator == Integrator::cost) {
+    throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
   }
-  return true;
-}
-
-ExitCode publish(const StructureReport& report, const Arguments& arguments, const Log& log) {
-  if (arguments.wantsText() && arguments.markdown != "-") std::cout << bench::toText(report) << std::flush;
-  writeText(arguments.markdown, bench::toMarkdown(report));
-  writeJson(arguments.json, bench::toJson(report));
-  if (report.agree()) return ExitCode::done;
-  log.problem("the structures did not give the same image: where they differ, no time counts");
-  return ExitCode::differ;
+  for (const std::string& target : {arguments.json, arguments.markdown, arguments.svg}) requireWritableReport(target);
 }
 
 }  // namespace
 
 ExitCode runBench(const Arguments& arguments, const Log& log) {
-  const std::string& kind = arguments.files.front();
-  const bool table1 = kind == "table1";
-  if (!table1 && kind != "accel" && kind != "rays") {
-    throw UsageError(
-        fmt::format("bench {}: unknown benchmark, expected table1, accel or rays\nsee candela bench --help", kind));
-  }
-  if (table1 && arguments.files.size() > 1) throw UsageError("bench table1: has its own scenes; bench accel takes others");
-  if (!table1 && arguments.files.size() < 2) throw UsageError(fmt::format("bench {}: no scene given", kind));
-  if (arguments.settings.integrator == Integrator::cost) {
-    throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
-  }
-  requireWritableReport(arguments.json);
-  requireWritableReport(arguments.markdown);
-  if (kind == "rays") return runBenchRays(arguments, log);
-  StructureReport report;
-  report.repeats = arguments.repeats;
-  const bool complete = table1 ? measureTable1(arguments, log, report) : measureFiles(arguments, log, report);
-  if (!complete) {
-    log.note("interrupted; nothing is written");
-    return ExitCode::interrupted;
-  }
-  return publish(report, arguments, log);
+  requireScores(arguments);
+  const std::string& word = arguments.files.front();
+  const auto found = std::find_if(kBenchmarks.begin(), kBenchmarks.end(), [&](const Benchmark& b) { return b.name == word; });
+  const bool ofScenes = found == kBenchmarks.end();
+  if (ofScenes && !std::filesystem::path(word).has_extension() && !std::filesystem::exists(word)) refuse(word);
+  if (ofScenes) return runBenchScenes(arguments, log);
+  requireFiles(*found, arguments.files.size() - 1);
+  refuseOptionsOfScenes(*found, arguments);
+  return found->run(arguments, log);
 }
 
 }  // namespace candela::cli

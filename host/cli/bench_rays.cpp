@@ -57,7 +57,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  if (arguments.wantsText() && arguments.markdown != "-") std::cout << bench::toText(report) << std::flush;
+  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
   writeText(arguments.markdown, bench::toMarkdown(report));
   writeJson(arguments.json, bench::toJson(report));
   if (report.agree()) return ExitCode::done;

@@ -140,6 +140,7 @@ void requireTreeDepth(const Arguments& arguments) {
 void requireOneReaderOfStdout(const Arguments& arguments) {
   const std::pair<const char*, bool> writers[]{{"--stats", arguments.printStatistics},
                                                {"--markdown -", arguments.markdown == "-"},
+                                               {"--svg -", arguments.svg == "-"},
                                                {"--junit -", arguments.junit == "-"},
                                                {"--json -", arguments.json == "-"}};
   const char* first = nullptr;

@@ -22,8 +22,8 @@ std::span<const CommandInfo> commandTable() {
       {Command::generate, "generate", "generate KIND", "writes a procedural scene; its help lists the kinds", "kind", 1,
        1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "writes the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
-      {Command::bench, "bench", "bench table1 | accel SCENE... | rays SCENE...",
-       "times search structures, on the scenes of the report's Table 1 or on others, or rays alone", "benchmark", 1, kAnyNumber, runBench},
+      {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
+       "times renders of scenes, search structures (on those of the report's Table 1 or on others) or rays alone, or compares two such reports", "benchmark", 1, kAnyNumber, runBench},
   }};
   return table;
 }

@@ -32,7 +32,11 @@ ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runExplain(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);
-ExitCode runBenchRays(const Arguments& arguments, const Log& log);  ///< of runBench(), for `bench rays`
+// Of runBench(), each for its own first words.
+ExitCode runBenchStructures(const Arguments& arguments, const Log& log);  ///< `table1`, `accel`
+ExitCode runBenchRays(const Arguments& arguments, const Log& log);        ///< `rays`
+ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< scenes
+ExitCode runBenchCompare(const Arguments& arguments, const Log& log);     ///< `compare`
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 

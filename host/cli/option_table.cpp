@@ -107,9 +107,9 @@ std::vector<Option> executionOptions() {
   return {
     valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
-    valued({"--accel", kRender | kCompare | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
+    valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
-    valued({"--bvh-split", kRender | kCompare | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
     valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: eight, with midpoint splits two"},
            choice<BvhLayout>({{"auto", BvhLayout::automatic}, {"bvh2", BvhLayout::bvh2}, {"cwbvh", BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
@@ -183,8 +183,14 @@ std::vector<Option> benchmarkOptions() {
   return {
     valued({"--repeat", kBench, kGroup, "runs of each variant, in turn; the median counts"},
            wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
+    paths({"--sweep", kBench, kGroup, "of scenes: each value of an option, without its dashes; repeatable, for all combinations"}, "NAME=V,V,...",
+          [](auto& a) -> auto& { return a.sweeps; }),
+    valued({"--threshold", kBench, kGroup, "of `compare`: share of its speed that a row may lose"},
+           share("SHARE", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued({"--markdown", kBench, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
+    valued({"--svg", kBench, kGroup, "of scenes: draw samples per second; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
   };
 }
 

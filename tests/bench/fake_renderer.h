@@ -21,6 +21,7 @@ class FakeRenderer final : public Renderer {
   RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
     const ScriptedRun& run = runs_.at(accels.size());
     accels.push_back(settings.accel);
+    seeds.push_back(settings.seed);
     RenderResult result;
     result.film = Film(1, 1);
     result.film.addSample(0, 0, glm::dvec3(run.value), 0);
@@ -38,6 +39,7 @@ class FakeRenderer final : public Renderer {
   }
 
   std::vector<AccelKind> accels;  ///< of the runs so far, in their order
+  std::vector<std::uint32_t> seeds;
 
  private:
   std::vector<ScriptedRun> runs_;

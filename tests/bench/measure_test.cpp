@@ -66,6 +66,32 @@ TEST_CASE("where no image has a majority, none is taken for right") {
   for (const Measurement& measurement : measure({{1}, {2}, {3}}, 1)) CHECK_FALSE(measurement.agrees);
 }
 
+TEST_CASE("films are compared among variants of the same image alone") {
+  std::vector<Variant> variants = threeVariants();
+  variants[2].image = "another";
+  FakeRenderer renderer({{1}, {1}, {2}});
+  for (const Measurement& measurement : measureInterleaved(renderer, Scene{}, variants, 1, {})) CHECK(measurement.agrees);
+}
+
+TEST_CASE("noise is half of the relMSE between two other seeds, measured once for each image") {
+  std::vector<Variant> variants = threeVariants();
+  variants[2].image = "another";
+  FakeRenderer renderer({{1}, {1}, {2}, {1}, {3}, {2}, {2}});
+  std::vector<Measurement> measurements = measureInterleaved(renderer, Scene{}, variants, 1, {});
+  REQUIRE(measureNoise(renderer, Scene{}, measurements, {}));
+  CHECK(measurements[0].relMse == Approx((1.0 - 3) * (1.0 - 3) / (9 + 0.01) / 2));
+  CHECK(measurements[1].relMse == measurements[0].relMse);
+  CHECK(measurements[2].relMse == 0);
+  CHECK(measurements[0].efficiency() == Approx(1 / *measurements[0].relMse));
+  CHECK(renderer.seeds == std::vector<std::uint32_t>{0, 0, 0, 1, 2, 1, 2});
+}
+
+TEST_CASE("noise that nobody waited for is not measured") {
+  FakeRenderer renderer({{1}, {1}, {1}, {.interrupted = true}});
+  std::vector<Measurement> measurements = measureInterleaved(renderer, Scene{}, threeVariants(), 1, {});
+  CHECK_FALSE(measureNoise(renderer, Scene{}, measurements, {}));
+}
+
 TEST_CASE("a variant whose work was truncated does not agree, whatever its image") {
   const auto measurements = measure({{1}, {.truncated = 1}, {1}}, 1);
   CHECK(measurements[0].agrees);

@@ -52,7 +52,7 @@ TEST_CASE("bench accel compares structures on any scenes, and says so in text") 
 }
 
 TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {
-  CHECK_THAT(runBench({"tabel1"}).err, Contains("expected table1, accel or rays"));
+  CHECK_THAT(runBench({"tabel1"}).err, Contains("did you mean table1?"));
   CHECK(runBench({"tabel1"}).exitCode == 1);
   CHECK(runBench({"accel"}).exitCode == 1);
   CHECK_THAT(runBench({"rays"}).err, Contains("bench rays: no scene given"));

@@ -1,0 +1,92 @@
+#include "host/bench/render_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/core/hash_text.h"
+#include "host/core/version.h"
+
+namespace candela::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+double perSecond(std::uint64_t count, double seconds) {
+  return seconds > 0 ? 1e-6 * static_cast<double>(count) / seconds : 0;
+}
+
+ordered_json raysJson(const RenderStatistics& statistics, double seconds) {
+  return {{"camera", perSecond(statistics.cameraRays, seconds)},
+          {"bounce", perSecond(statistics.bounceRays, seconds)},
+          {"shadow", perSecond(statistics.shadowRays, seconds)}};
+}
+
+ordered_json dispatchesJson(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  if (seconds.empty()) return nullptr;
+  const std::size_t last = (seconds.size() - 1) * 99 / 100;
+  return {{"count", seconds.size()},
+          {"medianMs", 1e3 * median(seconds)},
+          {"p99Ms", 1e3 * seconds[last]},
+          {"maxMs", 1e3 * seconds.back()}};
+}
+
+void addFigures(const Measurement& m, ordered_json& json) {
+  const double seconds = median(m.traceSeconds);
+  json["medianMs"] = 1e3 * seconds;
+  json["spread"] = spread(m.traceSeconds);
+  json["buildMs"] = 1e3 * median(m.buildSeconds);
+  json["pipelineMs"] = 1e3 * m.pipelineSeconds;
+  json["msamplesPerSecond"] = m.msamplesPerSecond();
+  json["mraysPerSecond"] = m.mraysPerSecond();
+  json["mraysPerSecondByKind"] = raysJson(m.statistics, seconds);
+  json["stepsPerRay"] = m.stepsPerRay();
+  json["dispatches"] = dispatchesJson(m.statistics.dispatchSeconds);
+  json["deviceBytes"] = m.statistics.deviceBytes;
+  json["structureQuality"] = m.statistics.structureQuality;
+  if (!m.relMse) return;
+  json["relMse"] = *m.relMse;
+  json["efficiency"] = m.efficiency();
+}
+
+}  // namespace
+
+ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Measurement& m) {
+  ordered_json json;
+  json["scene"] = scene;
+  json["sceneHash"] = hashText(sceneHash);
+  json["filmHash"] = hashText(m.filmHash);
+  json["sameImage"] = m.agrees;
+  json["variant"] = m.variant.name;
+  json["structure"] = m.statistics.structure;
+  json["bvhSplit"] = m.statistics.bvhSplit;
+  json["size"] = extentText(m.variant.settings.size);
+  json["samplesPerPixel"] = m.variant.settings.sampleCount;
+  json["workgroup"] = extentText(m.statistics.workgroup);
+  json["segmentsPerDispatch"] = m.statistics.maxSegmentsPerDispatch;
+  json["kernel"] = m.statistics.kernel;
+  json["layout"] = m.statistics.layout;
+  json["sceneLoads"] = m.statistics.sceneLoads;
+  if (m.agrees) addFigures(m, json);
+  return json;
+}
+
+ordered_json reportJson(const RenderStatistics& statistics, std::uint32_t repeats) {
+  ordered_json json;
+  json["schema"] = "candela-bench/1";
+  json["version"] = versionText();
+  json["device"] = statistics.device;
+  json["driver"] = statistics.driver;
+  json["repeats"] = repeats;
+  return json;
+}
+
+std::string headline(const RenderStatistics& statistics, std::uint32_t repeats) {
+  const std::string driver = statistics.driver.empty() ? "" : ", " + statistics.driver;
+  return fmt::format("candela {} on {}{}; median of {}, runs interleaved", versionText(), statistics.device, driver,
+                     repeats);
+}
+
+}  // namespace candela::bench

@@ -1,0 +1,112 @@
+#include "host/bench/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/bench/render_rows.h"
+#include "host/bench/text_table.h"
+#include "host/core/version.h"
+#include "host/report/bar_chart.h"
+
+namespace candela::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+const RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
+
+double raysPerSample(const Measurement& m) {
+  return m.statistics.samples > 0 ? static_cast<double>(m.statistics.rays()) / static_cast<double>(m.statistics.samples) : 0;
+}
+
+std::vector<std::string> figures(const Measurement& m) {
+  if (!m.agrees) return {"differs", "", "", "", "", "", ""};
+  return {fmt::format("{:.1f}", 1e3 * median(m.traceSeconds)),
+          fmt::format("{:.0f} %", 100 * spread(m.traceSeconds)),
+          fmt::format("{:.3f}", m.msamplesPerSecond()),
+          fmt::format("{:.2f}", m.mraysPerSecond()),
+          fmt::format("{:.2f}", raysPerSample(m)),
+          m.relMse ? fmt::format("{:.3g}", *m.relMse) : "",
+          m.relMse ? fmt::format("{:.3g}", m.efficiency()) : ""};
+}
+
+TextTable tableOf(const SweepReport& report) {
+  TextTable table;
+  table.header = {"scene",   "variant",         "ms",     "spread",       "Msamples/s",
+                  "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)"};
+  for (const SweepRow& row : report.rows) {
+    std::vector<std::string> cells{row.scene, row.measurement.variant.name};
+    for (std::string& figure : figures(row.measurement)) cells.push_back(std::move(figure));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string headline(const SweepReport& report) { return bench::headline(first(report), report.repeats); }
+
+// The fastest variant of the rows from `from` on that are of one scene; `from` moves behind them.
+const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
+  const SweepRow* fastest = nullptr;
+  const SweepRow& start = report.rows[from];
+  for (; from < report.rows.size() && report.rows[from].scene == start.scene; ++from) {
+    const SweepRow& row = report.rows[from];
+    if (!row.measurement.agrees) continue;
+    if (fastest == nullptr || row.measurement.msamplesPerSecond() > fastest->measurement.msamplesPerSecond()) fastest = &row;
+  }
+  return fastest;
+}
+
+std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
+  const Measurement& m = row.measurement;
+  const RenderStatistics& s = m.statistics;
+  return fmt::format("candela {} | {} | {} {} x {} spp | {} | {:.3f} Msamples/s, {:.2f} Mrays/s | median of {}, spread {:.0f} %\n",
+                     versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.size),
+                     m.variant.settings.sampleCount, m.variant.name, m.msamplesPerSecond(), m.mraysPerSecond(), repeats,
+                     100 * spread(m.traceSeconds));
+}
+
+std::string linesToPaste(const SweepReport& report) {
+  std::string lines;
+  for (std::size_t from = 0; from < report.rows.size();) {
+    if (const SweepRow* const row = fastestOfScene(report, from)) lines += lineOf(*row, report.repeats);
+  }
+  return lines;
+}
+
+report::Bar barOf(const Measurement& m) {
+  if (!m.agrees) return {m.variant.name + " (differs)", 0, 0, 0};
+  const double samples = static_cast<double>(m.statistics.samples) * 1e-6;
+  return {m.variant.name, m.msamplesPerSecond(), samples / m.traceSeconds.back(), samples / m.traceSeconds.front()};
+}
+
+}  // namespace
+
+bool SweepReport::agree() const {
+  return std::all_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.measurement.agrees; });
+}
+
+std::string toText(const SweepReport& report) {
+  return headline(report) + "\n\n" + toText(tableOf(report)) + "\n" + linesToPaste(report);
+}
+
+std::string toMarkdown(const SweepReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
+
+ordered_json toJson(const SweepReport& report) {
+  ordered_json json = reportJson(first(report), report.repeats);
+  json["processBytes"] = report.processBytes;
+  for (const SweepRow& row : report.rows) json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
+  return json;
+}
+
+std::string toSvg(const SweepReport& report) {
+  std::vector<report::BarGroup> groups;
+  for (const SweepRow& row : report.rows) {
+    if (groups.empty() || groups.back().title != row.scene) groups.push_back({row.scene, {}});
+    groups.back().bars.push_back(barOf(row.measurement));
+  }
+  return report::barChart(headline(report), "Msamples/s", groups);
+}
+
+}  // namespace candela::bench

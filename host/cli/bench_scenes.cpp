@@ -1,0 +1,82 @@
+// `candela bench SCENE...`: whole renders, with every combination of the options that are swept.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/bench/sweep_report.h"
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/option_table.h"
+#include "host/cli/render_job.h"
+#include "host/cli/sweep.h"
+#include "host/cli/text_output.h"
+#include "host/core/progress.h"
+
+namespace candela::cli {
+namespace {
+
+using bench::Measurement;
+using bench::SweepReport;
+using bench::Variant;
+
+std::uint64_t peakProcessBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+// Options of the image group alone decide what its film is.
+std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArguments>& sweeps, const Log& log) {
+  std::vector<Variant> variants;
+  for (const SweptArguments& swept : sweeps) {
+    Arguments resolved = swept.arguments;
+    resolveRequests(resolved, job.scene, log);
+    requirePossible(resolved, job.scene, log);
+    variants.push_back({swept.name, resolved.settings, commandLineOf(resolved, OptionGroup::image, false)});
+  }
+  return variants;
+}
+
+// False if it was interrupted.
+bool measureScene(const Arguments& arguments, Renderer& renderer, const Log& log, SweepReport& report) {
+  const RenderJob job = loadJob(arguments, log);
+  const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
+  log.note(fmt::format("{}: {} variants, {} runs each", job.scene.name, variants.size(), arguments.repeats));
+  Progress progress(std::cerr, progressStyle(log.verbosity()));
+  const RenderControl control = makeControl(progress);
+  std::vector<Measurement> measurements =
+      bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats, control);
+  if (measurements.empty() || !bench::measureNoise(renderer, job.scene, measurements, control)) return false;
+  for (Measurement& measurement : measurements) {
+    report.rows.push_back({job.scene.name, job.scene.hash, std::move(measurement)});
+  }
+  return true;
+}
+
+}  // namespace
+
+ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
+  sweepOver(arguments);  // says what is wrong with it before anything is loaded
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  SweepReport report;
+  report.repeats = arguments.repeats;
+  for (const std::string& file : arguments.files) {
+    Arguments one = arguments;
+    one.files = {file};
+    if (measureScene(one, *renderer, log, report)) continue;
+    log.note("interrupted; nothing is written");
+    return ExitCode::interrupted;
+  }
+  report.processBytes = peakProcessBytes();
+  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
+  writeText(arguments.markdown, bench::toMarkdown(report));
+  writeText(arguments.svg, bench::toSvg(report));
+  writeJson(arguments.json, bench::toJson(report));
+  if (report.agree()) return ExitCode::done;
+  log.problem("variants did not give the same image: where they differ, no time counts");
+  return ExitCode::differ;
+}
+
+}  // namespace candela::cli

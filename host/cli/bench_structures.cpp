@@ -1,0 +1,122 @@
+// `candela bench table1` and `bench accel SCENE...`: search structures on the same scenes.
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "embedded/balls.h"
+#include "embedded/mirror.h"
+#include "host/bench/structure_report.h"
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/render_job.h"
+#include "host/cli/text_output.h"
+#include "host/core/progress.h"
+#include "host/scene/load.h"
+
+namespace candela::cli {
+namespace {
+
+using bench::Measurement;
+using bench::StructureReport;
+using bench::StructureRow;
+using bench::Variant;
+
+// A scene of the path-tracing report's Table 1, and its seconds at 512 x 512 with 15 x 15 rays per pixel.
+struct PublishedScene {
+  const char* name;
+  const std::string_view& text;
+  bool oneSided;
+  double gridSeconds;
+  double bvhSeconds;
+};
+const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0, 327.78},
+                         PublishedScene{"balls", embedded::balls, false, 526.6, 512.43}};
+constexpr std::uint32_t kTable1Samples = 15 * 15;
+
+// The rows of one scene; none if the run was interrupted.
+std::vector<StructureRow> measureScene(const Scene& scene, const RenderSettings& settings, const Arguments& arguments,
+                                       Renderer& renderer, const Log& log) {
+  const std::vector<Variant> variants = bench::structureVariants(settings);
+  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.size.width,
+                       settings.size.height, settings.sampleCount, variants.size(), arguments.repeats));
+  Progress progress(std::cerr, progressStyle(log.verbosity()));
+  std::vector<StructureRow> rows;
+  for (Measurement& measurement :
+       bench::measureInterleaved(renderer, scene, variants, arguments.repeats, makeControl(progress))) {
+    rows.push_back({scene.name, scene.hash, std::move(measurement), std::nullopt});
+  }
+  return rows;
+}
+
+// The report's seconds are for this work alone.
+bool isPublishedWork(const RenderSettings& settings) {
+  return settings.integrator == Integrator::path && settings.sampleCount == kTable1Samples &&
+         settings.size.width == 512 && settings.size.height == 512;
+}
+
+bool append(std::vector<StructureRow> rows, StructureReport& report) {
+  for (StructureRow& row : rows) report.rows.push_back(std::move(row));
+  return !rows.empty();
+}
+
+bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& report) {
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  for (const PublishedScene& published : kTable1) {
+    const Scene scene = parseScene(std::string(published.text), published.name, ".").scene;
+    Arguments resolved = arguments;
+    if (!resolved.sampleCount) resolved.sampleCount = kTable1Samples;
+    if (!resolved.given.contains("--sampler")) resolved.settings.sampler = SamplerKind::stratified;
+    resolved.settings.oneSided |= published.oneSided;
+    resolveRequests(resolved, scene, log);
+    requirePossible(resolved, scene, log);
+    std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
+    for (StructureRow& row : rows) {
+      const RenderSettings& settings = row.measurement.variant.settings;
+      if (!isPublishedWork(settings)) break;
+      if (settings.accel == AccelKind::grid) row.publishedSeconds = published.gridSeconds;
+      if (settings.accel == AccelKind::bvh && settings.bvhSplit == BvhSplit::midpoint) {
+        row.publishedSeconds = published.bvhSeconds;
+      }
+    }
+    if (!append(std::move(rows), report)) return false;
+  }
+  return true;
+}
+
+bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& report) {
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  for (std::size_t i = 1; i < arguments.files.size(); ++i) {
+    Arguments one = arguments;
+    one.files = {arguments.files[i]};
+    const RenderJob job = loadJob(one, log);
+    if (!append(measureScene(job.scene, job.settings, job.arguments, *renderer, log), report)) return false;
+  }
+  return true;
+}
+
+ExitCode publish(const StructureReport& report, const Arguments& arguments, const Log& log) {
+  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
+  writeText(arguments.markdown, bench::toMarkdown(report));
+  writeJson(arguments.json, bench::toJson(report));
+  if (report.agree()) return ExitCode::done;
+  log.problem("the structures did not give the same image: where they differ, no time counts");
+  return ExitCode::differ;
+}
+
+}  // namespace
+
+ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
+  StructureReport report;
+  report.repeats = arguments.repeats;
+  const bool table1 = arguments.files.front() == "table1";
+  const bool complete = table1 ? measureTable1(arguments, log, report) : measureFiles(arguments, log, report);
+  if (!complete) {
+    log.note("interrupted; nothing is written");
+    return ExitCode::interrupted;
+  }
+  return publish(report, arguments, log);
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,96 @@
+#include "host/cli/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/cli/did_you_mean.h"
+#include "host/cli/option_table.h"
+#include "host/core/errors.h"
+
+namespace candela::cli {
+namespace {
+
+struct Sweep {
+  std::string name;
+  const Option* option;
+  std::vector<std::string> values;
+};
+
+// One renderer serves all variants, so that its device is none of them.
+bool canBeSwept(const Option& option) {
+  const bool ofRenders = option.group == OptionGroup::image || option.group == OptionGroup::execution;
+  return ofRenders && option.isFor(Command::bench) && !option.isFlag() && option.name() != "--device";
+}
+
+const Option& optionNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Option& option : optionTable()) {
+    if (!canBeSwept(option)) continue;
+    if (option.name() == "--" + name) return option;
+    names.push_back(option.name().substr(2));
+  }
+  throw UsageError(fmt::format("--sweep {}: no option that can be swept{}", name, didYouMean(name, names)));
+}
+
+std::vector<std::string> split(const std::string& values) {
+  std::vector<std::string> words(1);
+  for (const char character : values) {
+    if (character == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += character;
+    }
+  }
+  return words;
+}
+
+Sweep parse(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("--sweep {}: expected an option and its values, as in workgroup=8x8,16x4", text));
+  }
+  const std::string name = text.substr(0, equals);
+  return {name, &optionNamed(name), split(text.substr(equals + 1))};
+}
+
+void setOption(const Sweep& sweep, const std::string& value, Arguments& arguments) {
+  if (!sweep.option->apply(arguments, value)) {
+    throw UsageError(fmt::format("--sweep {}: '{}' is no value, expected {}", sweep.name, value, sweep.option->expected));
+  }
+  arguments.given.insert(sweep.option->name());
+}
+
+std::vector<SweptArguments> withEach(const std::vector<SweptArguments>& before, const Sweep& sweep) {
+  std::vector<SweptArguments> all;
+  for (const SweptArguments& one : before) {
+    for (const std::string& value : sweep.values) {
+      const std::string setting = sweep.name + "=" + value;
+      all.push_back({one.name.empty() ? setting : one.name + " " + setting, one.arguments});
+      setOption(sweep, value, all.back().arguments);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<SweptArguments> sweepOver(const Arguments& arguments) {
+  std::vector<SweptArguments> all{{"", arguments}};
+  std::vector<const Option*> swept;
+  for (const std::string& text : arguments.sweeps) {
+    const Sweep sweep = parse(text);
+    if (std::find(swept.begin(), swept.end(), sweep.option) != swept.end()) {
+      throw UsageError(fmt::format("--sweep {}: swept twice", sweep.name));
+    }
+    swept.push_back(sweep.option);
+    if (all.size() * sweep.values.size() > kMostVariants) {
+      throw UsageError(fmt::format("--sweep: more than {} combinations", kMostVariants));
+    }
+    all = withEach(all, sweep);
+  }
+  if (arguments.sweeps.empty()) all.front().name = "as given";
+  return all;
+}
+
+}  // namespace candela::cli

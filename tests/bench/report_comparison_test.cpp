@@ -1,0 +1,89 @@
+// Two reports of a benchmark: what counts as slower.
+#include "host/bench/report_comparison.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/core/errors.h"
+
+namespace candela::bench {
+namespace {
+
+using Catch::Contains;
+using nlohmann::json;
+
+json row(const char* variant, double score) {
+  return {{"scene", "a.p3f"}, {"sceneHash", "1"}, {"variant", variant}, {"segmentsPerDispatch", 8}, {"mraysPerSecond", score}, {"spread", 0.1}};
+}
+
+json reportOf(std::vector<json> rows) {
+  return {{"schema", "candela-bench/1"}, {"device", "d"}, {"driver", "v"}, {"rows", std::move(rows)}};
+}
+
+ReportComparison compare(const json& before, const json& after) {
+  return compareReports(before, "old.json", after, "new.json", 0.05);
+}
+
+RowVerdict verdictOn(double before, double after) {
+  return compare(reportOf({row("x", before)}), reportOf({row("x", after)})).rows.at(0).verdict;
+}
+
+TEST_CASE("a row is slower or faster only beyond the threshold") {
+  CHECK(verdictOn(100, 100) == RowVerdict::alike);
+  CHECK(verdictOn(100, 95.1) == RowVerdict::alike);
+  CHECK(verdictOn(100, 94.9) == RowVerdict::slower);
+  CHECK(verdictOn(100, 104.9) == RowVerdict::alike);
+  CHECK(verdictOn(100, 105.1) == RowVerdict::faster);
+}
+
+TEST_CASE("a report regresses where a row is slower, missing or without its score, and only there") {
+  const json before = reportOf({row("x", 10), row("y", 10)});
+  CHECK_FALSE(compare(before, before).regressed());
+  CHECK_FALSE(compare(before, reportOf({row("x", 20), row("y", 10), row("z", 1)})).regressed());
+  CHECK(compare(before, reportOf({row("x", 10), row("y", 9)})).regressed());
+  CHECK(compare(before, reportOf({row("y", 10)})).regressed());
+  json without = row("x", 10);
+  without.erase("mraysPerSecond");
+  CHECK(compare(before, reportOf({without, row("y", 10)})).regressed());
+  CHECK_FALSE(compare(reportOf({without, row("y", 10)}), before).regressed());
+}
+
+TEST_CASE("rows are found by what was measured, wherever they stand and however many segments were chosen") {
+  json other = row("x", 10);
+  other["segmentsPerDispatch"] = 64;
+  const ReportComparison comparison = compare(reportOf({row("x", 10), row("y", 5)}), reportOf({row("y", 5), other}));
+  REQUIRE(comparison.rows.size() == 2);
+  CHECK(comparison.rows[0].verdict == RowVerdict::alike);
+  CHECK(comparison.rows[1].verdict == RowVerdict::alike);
+}
+
+TEST_CASE("another scene under the same name is no regression, but is said") {
+  json changed = row("x", 1);
+  changed["sceneHash"] = "2";
+  const ReportComparison comparison = compare(reportOf({row("x", 10)}), reportOf({changed}));
+  CHECK(comparison.rows.at(0).verdict == RowVerdict::changed);
+  CHECK_FALSE(comparison.regressed());
+  CHECK_THAT(toText(comparison), Contains("another scene"));
+}
+
+TEST_CASE("a file that is no report is refused by its name") {
+  const json good = reportOf({});
+  for (const json& bad : {json::object(), json::array(), json(3), json{{"schema", "other/1"}},
+                          json{{"schema", "candela-bench/1"}}, reportOf({json::object()}), reportOf({json(1)}),
+                          json{{"schema", "candela-bench/1"}, {"rows", 3}}}) {
+    INFO(bad.dump());
+    CHECK_THROWS_AS(compare(good, bad), FileError);
+    CHECK_THROWS_WITH(compare(bad, good), Contains("old.json: not a report of candela bench"));
+  }
+}
+
+TEST_CASE("the comparison's text and JSON have both scores and the change") {
+  const ReportComparison comparison = compare(reportOf({row("x", 10)}), reportOf({row("x", 8)}));
+  CHECK_THAT(toText(comparison), Contains("10.000") && Contains("8.000") && Contains("-20.0 %") && Contains("slower") &&
+                                     Contains("1 of 1 rows slower by more than 5 %"));
+  CHECK(toJson(comparison)["regressed"] == true);
+  CHECK(toJson(comparison)["rows"][0]["newMraysPerSecond"] == 8);
+}
+
+}  // namespace
+}  // namespace candela::bench
