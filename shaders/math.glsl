@@ -10,6 +10,11 @@ const uint kNotANumber = 0x7fc00000u;
 // By bits: comparisons with NaN are not relied on.
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7f800000u) != 0x7f800000u; }
 
+// Of two numbers, neither of which is NaN. Where one is, max() and min() of some drivers for CPUs give the other, and pay
+// for it with two more instructions.
+float larger(float a, float b) { return a > b ? a : b; }
+float smaller(float a, float b) { return a < b ? a : b; }
+
 // (cos x, sin x) for |x| <= pi/4: Taylor series, truncated below 2^-26.
 vec2 cosSin(float x) {
   float x2 = x * x;

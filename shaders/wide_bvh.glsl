@@ -41,8 +41,8 @@ struct PlaneDistances {
 uint hitOne(uvec3 near, uvec3 far, uint byte, PlaneDistances at, float limit) {
   vec3 t0 = vec3(ivec3((near >> (8u * byte)) & 255u)) * at.step + at.near;
   vec3 t1 = vec3(ivec3((far >> (8u * byte)) & 255u)) * at.step + at.far;
-  float entry = max(max(t0.x, t0.y), max(t0.z, 0.0));
-  float exit = min(min(t1.x, t1.y), min(t1.z, limit));
+  float entry = larger(larger(t0.x, t0.y), larger(t0.z, 0.0));
+  float exit = smaller(smaller(t1.x, t1.y), smaller(t1.z, limit));
   return entry <= exit ? 1u << byte : 0u;
 }
 
@@ -70,16 +70,28 @@ uint tripled(uint bits) {
 }
 
 // The one traversal that a lane has under way. A word says which nodes of a block wait: the block << 8, and a bit for each
-// node, from near to far. The stack is bvh.glsl's.
+// node, from near to far; none does if the bits are 0.
 uint waiting;
+uint left;            // of a block, once its nearest node was visited
 uint leafHits;        // of the current node's leaf mask, what is still to be tested
 uint leafMask;
 uint firstPrimitive;
 bool noneWaits;       // of all nodes
 uint wideUnfinished;  // 1 until the traversal ends: see Work
 
+// The words above the current block's, the last one first, the rest 0. They are moved at every step rather than indexed:
+// a driver for CPUs moves a word of all lanes at once, but stores into an array lane by lane. Trees so deep that they
+// need more words have bvh.glsl's array.
+const uint kWordsKept = 12u;
+uvec4 kept0;
+uvec4 kept1;
+uvec4 kept2;
+
 void startWideTraversal(WideRay ray) {
   stackTop = 0u;
+  kept0 = uvec4(0u);
+  kept1 = uvec4(0u);
+  kept2 = uvec4(0u);
   waiting = 1u << ray.octant;
   leafHits = 0u;
   noneWaits = false;
@@ -92,10 +104,7 @@ void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
 void visitWideNode(WideRay ray, float limit) {
   uint child = lowestBit(waiting & 255u) ^ ray.octant;
   uint row = constants.sections.x + ((waiting >> 8) * kWideChildCount + child) * kWideNodeRows;
-  waiting &= waiting - 1u;
-  bool more = (waiting & 255u) != 0u;
-  if (more) stack[stackTop] = waiting;
-  stackTop += more ? 1u : 0u;
+  left = waiting & (waiting - 1u);
 
   uvec4 head = sceneRow(row);
   uvec4 links = sceneRow(row + 1u);
@@ -120,20 +129,41 @@ void visitWideNode(WideRay ray, float limit) {
   waiting = (links.x << 8) | fromNearToFar(hits & inner, ray.octant);
 }
 
-// If no node waits in the current block, goes on with the last one that was left.
-void popWaiting() {
-  bool empty = (waiting & 255u) == 0u;
-  noneWaits = empty && stackTop == 0u;
-  bool pops = empty && !noneWaits;
-  stackTop -= pops ? 1u : 0u;
-  uint top = stack[pops ? stackTop : 0u];
-  if (pops) waiting = top;
+bool anyWaits(uint word) { return (word & 255u) != 0u; }
+
+void nextOfKept() {
+  bool deeper = anyWaits(waiting) && anyWaits(left);
+  bool back = !anyWaits(waiting) && !anyWaits(left);
+  uvec4 next0 = deeper ? uvec4(left, kept0.xyz) : back ? uvec4(kept0.yzw, kept1.x) : kept0;
+  uvec4 next1 = deeper ? uvec4(kept0.w, kept1.xyz) : back ? uvec4(kept1.yzw, kept2.x) : kept1;
+  uvec4 next2 = deeper ? uvec4(kept1.w, kept2.xyz) : back ? uvec4(kept2.yzw, 0u) : kept2;
+  waiting = anyWaits(waiting) ? waiting : back ? kept0.x : left;
+  kept0 = next0;
+  if (kStackSize > 4u) kept1 = next1;
+  if (kStackSize > 8u) kept2 = next2;
+}
+
+void nextOfStack() {
+  bool deeper = anyWaits(waiting) && anyWaits(left);
+  bool back = !anyWaits(waiting) && !anyWaits(left) && stackTop > 0u;
+  if (deeper) stack[stackTop] = left;
+  stackTop += deeper ? 1u : 0u;
+  stackTop -= back ? 1u : 0u;
+  uint top = stack[back ? stackTop : 0u];
+  waiting = anyWaits(waiting) ? waiting : back ? top : left;
+}
+
+// Goes on in the block of the node's children, else with what was left of its own, else with the last one kept.
+void nextBlock() {
+  if (kStackSize <= kWordsKept) nextOfKept();
+  else nextOfStack();
+  noneWaits = !anyWaits(waiting);
 }
 
 void descendToLeaves(WideRay ray, float limit, inout Work work) {
   while (leafHits == 0u && !noneWaits) {
     visitWideNode(ray, limit);
-    popWaiting();
+    nextBlock();
     noteWideEnd();
     work.steps += 1u;
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -87,6 +88,24 @@ Scene crowdedCell() {
   return scene;
 }
 
+// Around one point, at 36 distances that double, three clusters of spheres each: a deep tree, of whose nodes several children
+// are nodes.
+Scene clustersOfAllSizes() {
+  std::mt19937 random(7);
+  const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
+  std::string text = std::string(kView) + "f .8 .7 .6 .5 0 0 0 0 1 .5 1.3 0 0 0\n";
+  for (int i = -30; i < 6; ++i) {
+    const double size = std::exp2(i);
+    for (int cluster = 0; cluster < 3; ++cluster) {
+      const double x = std::cos(2.1 * cluster) * size, z = std::sin(2.1 * cluster) * size;
+      for (int k = 0; k < 6; ++k) {
+        text += fmt::format("s {} {} {} {}\n", x + 0.4 * size * uniform(), 0.4 * size * uniform(), z + 0.4 * size * uniform(), 0.06 * size);
+      }
+    }
+  }
+  return sceneFromText(text);
+}
+
 RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   RenderSettings settings = squareSettings(side, samples);
   settings.maxDepth = 6;
@@ -120,6 +139,14 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
   }
   CHECK(hashes.size() == 1);
   CHECK(steps.size() == kWays.size());
+}
+
+TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
+  const Scene scene = clustersOfAllSizes();
+  const RenderSettings settings = shortPaths(24, 2);
+  constexpr double kWordsKept = 12;  // wide_bvh.glsl
+  REQUIRE(renderOnDevice(scene, along(kWays[6], settings)).statistics.structureQuality.at("depth") > kWordsKept);
+  requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
 TEST_CASE("a grid or the report's BVH is used even where a few tests in a row would be faster", "[swiftshader-slow]") {
