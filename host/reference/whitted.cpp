@@ -109,7 +109,8 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
       continue;
     }
     if (record.shadow == ShadowOutcome::notTraced) record.shadow = ShadowOutcome::visible;
-    record.visibleLights ^= 1u << (i % VertexRecord::kRecordedLights);
+    const unsigned seen = record.visibleLights ^ 1u << (i % VertexRecord::kRecordedLights);
+    record.visibleLights = static_cast<std::uint16_t>(seen);
     sum += lights_[i].colour * localColour(material, surface.shadingNormal, -node.ray.direction, wi);
   }
   return sum;
