@@ -93,7 +93,8 @@ TEST_CASE("depth limit and roulette agree with the reference") {
 }
 
 // A row of objects on a floor: a sphere that is seen from inside only, with the camera outside; a flat box of glass; a
-// box so thin that it is flat at its distance; a lamp that lets light through; and a capped mixture in white light.
+// box so thin that it is flat at its distance; a lamp that lets light through; a capped mixture in white light; and, above
+// them, the back of a triangle with normals of its own.
 const char* const kSeldomMet = R"(
 b 0.3 0.4 0.5
 v
@@ -120,6 +121,11 @@ f 0.8 0.8 0.8 0 1 1 1 0.5 50 0.5 1.3 0 0 0
 c
 4.4 0 -1 0.8
 4.4 0 1 0.2
+f 0.8 0.7 0.6 1 0 0 0 0 1 0 1 0 0 0
+pp 3
+-3 0 1.4 -0.5 0.8 0.1
+-1 0 4.2 0 0.8 0.5
+1 0 1.4 0.5 0.8 0.1
 )";
 
 TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshader-slow]") {

@@ -111,3 +111,13 @@ TEST_CASE("the device's film adds up to the host's") {
     REQUIRE(high(films[lane].luminanceSquared) == Approx(high(host.luminanceSquared)).epsilon(1e-6).margin(kPerLane));
   }
 }
+
+TEST_CASE("a carry of the device's film runs through a word that is full") {
+  // 2^24 - 2^-9 fills the middle one of three words, in units of 2^-40; 2^-9 more go into the last.
+  std::vector<glm::vec4> samples(15, glm::vec4(0x1p20f));
+  for (const float value : {0x1p20f - 0x1p-4f, 0x1p-4f - 0x1p-9f, 0x1p-9f}) samples.emplace_back(value);
+  const auto perLane = static_cast<std::uint32_t>(samples.size());
+  const auto films = runLeaf<FilmPixel>(spirv::film_leaf, samples, 1, {1, perLane});
+  CHECK(films.at(0).red == FixedSum{0, 0, 1});
+  CHECK(films.at(0).blue == FixedSum{0, 0, 1});
+}

@@ -106,6 +106,16 @@ Scene clustersOfAllSizes() {
   return sceneFromText(text);
 }
 
+// Red spheres, and green ones of higher numbers in the same places.
+Scene coincidentSpheres() {
+  std::string text = kView;
+  for (const char* const colour : {"1 0 0", "0 1 0"}) {
+    text += fmt::format("f 0 0 0 1 0 0 0 0 1 0 1 {}\n", colour);
+    for (int i = 0; i < 49; ++i) text += fmt::format("s {} 0 {} .25\n", 0.6 * (i % 7) - 1.8, 0.6 * (i / 7) - 1.3);
+  }
+  return sceneFromText(text);
+}
+
 RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   RenderSettings settings = squareSettings(side, samples);
   settings.maxDepth = 6;
@@ -139,6 +149,21 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
   }
   CHECK(hashes.size() == 1);
   CHECK(steps.size() == kWays.size());
+}
+
+TEST_CASE("of equal distances the lower primitive wins, through every structure") {
+  const Scene scene = coincidentSpheres();
+  for (const Way& way : kWays) {
+    const Film film = renderOnDevice(scene, along(way, shortPaths(24, 1))).film;
+    int red = 0, green = 0;
+    for (std::uint32_t i = 0; i < 24 * 24; ++i) {
+      red += film.mean(i % 24, i / 24).x > 0.9;
+      green += film.mean(i % 24, i / 24).y > 0.9;
+    }
+    CAPTURE(way.structure, way.bvhSplit);
+    CHECK(red > 100);
+    CHECK(green == 0);
+  }
 }
 
 TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
