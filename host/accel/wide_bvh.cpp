@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <thread>
 #include <utility>
 
+#include "host/accel/task_pool.h"
 #include "host/core/errors.h"
 
 namespace candela {
@@ -29,21 +31,33 @@ struct Pending {
   std::uint32_t depth;
 };
 
+// Below the top of the tree so many subtrees, or a few more, are collapsed apart from each other, by all threads.
+constexpr std::size_t kSubtrees = 64;
+constexpr std::size_t kFewNodes = 20000;  // which one thread collapses while others would start
+
+// Collapses the tree below one binary node.
 class Collapser {
  public:
-  explicit Collapser(const Bvh& bvh) : bvh_(bvh) {}
+  Collapser(const Bvh& bvh, std::uint32_t root) : bvh_(bvh), pending_{{root, 0, 0}} { wide_.nodes.resize(kWideChildren); }
 
-  WideBvh run() {
-    wide_.primitiveIndices.reserve(bvh_.primitiveIndices.size());
-    wide_.nodes.resize(kWideChildren);
-    pending_ = {{0, 0, 0}};
+  // Level by level, until that many nodes are left to do.
+  std::vector<Pending> runUntil(std::size_t count) {
+    for (std::size_t next = 0;; ++next) {
+      if (next == pending_.size() || pending_.size() - next >= count) return {pending_.begin() + static_cast<std::ptrdiff_t>(next), pending_.end()};
+      collapse(Pending(pending_[next]));
+    }
+  }
+
+  // Everything, depth first.
+  void run() {
     while (!pending_.empty()) {
       const Pending next = pending_.back();
       pending_.pop_back();
       collapse(next);
     }
-    return std::move(wide_);
   }
+
+  WideBvh take() { return std::move(wide_); }
 
  private:
   void collapse(const Pending& pending) {
@@ -134,7 +148,6 @@ class Collapser {
   std::uint32_t addBlock(const Places& places, std::uint32_t innerMask, std::uint32_t depth) {
     const std::size_t first = wide_.nodes.size();
     const std::size_t block = first / kWideChildren;
-    if (block >= kMaxWideBlocks) throw InternalError(fmt::format("a wide tree of {} blocks", block));
     wide_.nodes.resize(first + kWideChildren);
     for (std::uint32_t place = kWideChildren; place-- > 0;) {
       if ((innerMask >> place & 1) == 0) continue;
@@ -148,11 +161,49 @@ class Collapser {
   std::vector<Pending> pending_;
 };
 
+// A node of a subtree, where the subtree's blocks but the first, which has its root alone, follow `blocks` others and its
+// primitives follow `primitives` others.
+WideNode moved(WideNode node, std::size_t blocks, std::size_t primitives) {
+  if (node.innerMask != 0) node.block += static_cast<std::uint32_t>(blocks) - 1;
+  node.firstPrimitive += static_cast<std::uint32_t>(primitives);
+  return node;
+}
+
+// `roots[i]` is where the root of `subtrees[i]` goes.
+WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideBvh> subtrees) {
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const WideBvh& part = subtrees[i];
+    const std::size_t blocks = wide.nodes.size() / kWideChildren;
+    const std::size_t primitives = wide.primitiveIndices.size();
+    wide.nodes[roots[i].target] = moved(part.nodes.front(), blocks, primitives);
+    for (std::size_t k = kWideChildren; k < part.nodes.size(); ++k) wide.nodes.push_back(moved(part.nodes[k], blocks, primitives));
+    wide.primitiveIndices.insert(wide.primitiveIndices.end(), part.primitiveIndices.begin(), part.primitiveIndices.end());
+    wide.depth = std::max(wide.depth, roots[i].depth + part.depth);
+    wide.nodeCount += part.nodeCount;
+  }
+  if (wide.nodes.size() / kWideChildren > kMaxWideBlocks) {
+    throw InternalError(fmt::format("a wide tree of {} blocks", wide.nodes.size() / kWideChildren));
+  }
+  return wide;
+}
+
 }  // namespace
 
 WideBvh collapse(const Bvh& bvh) {
   if (bvh.nodes.empty()) return {};
-  return Collapser(bvh).run();
+  Collapser top(bvh, 0);
+  const std::vector<Pending> roots = top.runUntil(kSubtrees);
+  std::vector<WideBvh> subtrees(roots.size());
+  TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : std::max(1u, std::thread::hardware_concurrency()));
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    pool.submit([&, i] {
+      Collapser collapser(bvh, roots[i].source);
+      collapser.run();
+      subtrees[i] = collapser.take();
+    });
+  }
+  pool.wait();
+  return join(top.take(), roots, subtrees);
 }
 
 }  // namespace candela

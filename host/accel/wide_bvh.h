@@ -31,7 +31,7 @@ struct WideNode {
   std::uint32_t leafMask = 0;        ///< bits 3 i to 3 i + 2: as many are set, from the lowest, as child i has primitives
 };
 
-/// The root is node 0. Blocks are in depth-first order; nodes of a block that no parent names are of no account.
+/// The root is node 0. Blocks are in depth-first order but for those next to the root; nodes of a block that no parent names are of no account.
 struct WideBvh {
   std::vector<WideNode> nodes;  ///< a multiple of eight
   std::vector<std::uint32_t> primitiveIndices;
