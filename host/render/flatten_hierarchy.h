@@ -16,8 +16,7 @@ BvhLayout layoutFor(BvhLayout asked, BvhSplit split);
 
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
 /// eight-wide one. A single leaf where testing all primitives is faster.
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split,
-                   BvhLayout layout = BvhLayout::automatic);
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout = BvhLayout::bvh2);
 
 /// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
 /// in the order of its leaves.
