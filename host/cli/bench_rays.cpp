@@ -1,15 +1,11 @@
 // `candela bench rays`: rays alone, through every layout of a scene that the device takes.
 #include <fmt/format.h>
 
-#include <iostream>
-#include <nlohmann/json.hpp>
-
 #include "host/bench/device_tracer.h"
 #include "host/bench/ray_report.h"
+#include "host/cli/bench_output.h"
 #include "host/cli/commands.h"
-#include "host/cli/json_output.h"
 #include "host/cli/render_job.h"
-#include "host/cli/text_output.h"
 #include "host/core/interrupt.h"
 
 namespace candela::cli {
@@ -57,12 +53,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
-  writeText(arguments.markdown, bench::toMarkdown(report));
-  writeJson(arguments.json, bench::toJson(report));
-  if (report.agree()) return ExitCode::done;
-  log.problem("the layouts did not give the same hits: where they differ, no time counts");
-  return ExitCode::differ;
+  return publish(report, arguments, log, "the layouts did not give the same hits: where they differ, no time counts");
 }
 
 }  // namespace candela::cli

@@ -3,15 +3,13 @@
 #include <sys/resource.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "host/bench/sweep_report.h"
+#include "host/cli/bench_output.h"
 #include "host/cli/commands.h"
-#include "host/cli/json_output.h"
 #include "host/cli/option_table.h"
 #include "host/cli/render_job.h"
 #include "host/cli/sweep.h"
-#include "host/cli/text_output.h"
 #include "host/core/progress.h"
 
 namespace candela::cli {
@@ -70,13 +68,8 @@ ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
     return ExitCode::interrupted;
   }
   report.processBytes = peakProcessBytes();
-  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
-  writeText(arguments.markdown, bench::toMarkdown(report));
   writeText(arguments.svg, bench::toSvg(report));
-  writeJson(arguments.json, bench::toJson(report));
-  if (report.agree()) return ExitCode::done;
-  log.problem("variants did not give the same image: where they differ, no time counts");
-  return ExitCode::differ;
+  return publish(report, arguments, log, "variants did not give the same image: where they differ, no time counts");
 }
 
 }  // namespace candela::cli

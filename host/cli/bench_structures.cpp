@@ -3,15 +3,13 @@
 
 #include <array>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "embedded/balls.h"
 #include "embedded/mirror.h"
 #include "host/bench/structure_report.h"
+#include "host/cli/bench_output.h"
 #include "host/cli/commands.h"
-#include "host/cli/json_output.h"
 #include "host/cli/render_job.h"
-#include "host/cli/text_output.h"
 #include "host/core/progress.h"
 #include "host/scene/load.h"
 
@@ -96,15 +94,6 @@ bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& r
   return true;
 }
 
-ExitCode publish(const StructureReport& report, const Arguments& arguments, const Log& log) {
-  if (arguments.wantsText()) std::cout << bench::toText(report) << std::flush;
-  writeText(arguments.markdown, bench::toMarkdown(report));
-  writeJson(arguments.json, bench::toJson(report));
-  if (report.agree()) return ExitCode::done;
-  log.problem("the structures did not give the same image: where they differ, no time counts");
-  return ExitCode::differ;
-}
-
 }  // namespace
 
 ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
@@ -116,7 +105,7 @@ ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log);
+  return publish(report, arguments, log, "the structures did not give the same image: where they differ, no time counts");
 }
 
 }  // namespace candela::cli
