@@ -100,6 +100,7 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
   vec3 wo = -tree.ray.direction;
   vec3 sum = vec3(0.0);
   uint end = min(constants.limits.z, tree.nextLight + kLightsPerSegment);
+  uint cutShort = tree.nextLight < end ? 1u : 0u;  // see Work
   while (tree.nextLight < end) {
     PointLight light = loadPointLight(tree.nextLight);
     uint shadow;
@@ -108,8 +109,9 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
     decisions.shadow = max(decisions.shadow, shadow);
     decisions.visibleLights ^= shadow == kShadowVisible ? 1u << (tree.nextLight % kRecordedLights) : 0u;
     tree.nextLight += 1u;
+    cutShort = tree.nextLight < end ? 1u : 0u;
   }
-  work.truncated += tree.nextLight < end ? 1u : 0u;
+  work.truncated += cutShort;
   return sum;
 }
 
