@@ -6,7 +6,6 @@
 #include <array>
 #include <atomic>
 #include <memory>
-#include <thread>
 
 #include "host/accel/build_range.h"
 #include "host/accel/task_pool.h"
@@ -80,7 +79,7 @@ class Builder {
  private:
   static std::uint32_t threadCount(const BvhOptions& options, std::size_t itemCount) {
     if (itemCount < 2 * kTaskItems) return 1;
-    return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    return threadsFor(options.threads);
   }
 
   // Forks large ranges, each side a task of its own; small ones become subtrees at once.

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <numeric>
-#include <thread>
 
 #include "host/accel/task_pool.h"
 #include "host/core/errors.h"
@@ -59,7 +58,7 @@ class Builder {
  private:
   static std::uint32_t threadCount(const GridOptions& options, std::size_t primitiveCount) {
     if (primitiveCount <= kChunk) return 1;
-    return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    return threadsFor(options.threads);
   }
 
   std::size_t chunkCount() const { return (bounds_.size() + kChunk - 1) / kChunk; }

@@ -1,10 +1,14 @@
 // One queue, taken from its end, so that a large task's own halves come first.
 #include "host/accel/task_pool.h"
 
+#include <algorithm>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace candela {
+
+std::uint32_t threadsFor(std::uint32_t asked) { return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency()); }
 
 TaskPool::TaskPool(std::uint32_t threadCount) {
   try {

@@ -11,6 +11,9 @@
 
 namespace candela {
 
+/// `asked`, or one per core for 0.
+std::uint32_t threadsFor(std::uint32_t asked);
+
 /// Threads live from construction to destruction. The thread that calls wait() works too, so `threadCount` 1 starts
 /// none. Tasks run in no particular order.
 class TaskPool {

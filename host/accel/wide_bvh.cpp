@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "host/accel/task_pool.h"
@@ -194,7 +193,7 @@ WideBvh collapse(const Bvh& bvh) {
   Collapser top(bvh, 0);
   const std::vector<Pending> roots = top.runUntil(kSubtrees);
   std::vector<WideBvh> subtrees(roots.size());
-  TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : std::max(1u, std::thread::hardware_concurrency()));
+  TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : threadsFor(0));
   for (std::size_t i = 0; i < roots.size(); ++i) {
     pool.submit([&, i] {
       Collapser collapser(bvh, roots[i].source);

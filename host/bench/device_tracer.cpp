@@ -16,9 +16,8 @@ DeviceTracer::DeviceTracer(vulkan::Device& device, FlatScene flat, const RenderS
     : caster_(device, std::move(flat), settings) {}
 
 const char* DeviceTracer::layout() const {
-  const std::uint32_t structure = caster_.scene().structure;
-  if (structure == gpu::kStructureWideBvh) return "cwbvh";
-  return structure == gpu::kStructureBvh ? "bvh2" : "none";
+  const char* const name = layoutName(caster_.scene().structure);
+  return *name != '\0' ? name : "none";
 }
 
 std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const Scene& scene,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "host/image/metrics.h"
@@ -55,6 +56,12 @@ double median(std::span<const double> ascending) {
   if (ascending.empty()) return 0;
   const std::size_t middle = ascending.size() / 2;
   return ascending.size() % 2 == 1 ? ascending[middle] : (ascending[middle - 1] + ascending[middle]) / 2;
+}
+
+double percentile(std::span<const double> ascending, double q) {
+  if (ascending.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(ascending.size())));
+  return ascending[std::max<std::size_t>(rank, 1) - 1];
 }
 
 double spread(std::span<const double> ascending) {

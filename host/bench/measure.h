@@ -38,6 +38,8 @@ struct Measurement {
 
 /// The middle of ascending values, the mean of both middles if their number is even; 0 for none.
 double median(std::span<const double> ascending);
+/// The smallest of ascending values that is not below a share `q` of all (nearest rank); 0 for none.
+double percentile(std::span<const double> ascending, double q);
 /// (largest - smallest) / median; 0 for none.
 double spread(std::span<const double> ascending);
 

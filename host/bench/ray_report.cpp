@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/bench/measure.h"
+#include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
@@ -77,13 +78,8 @@ std::string toText(const RayReport& report) { return headline(report) + "\n\n" +
 std::string toMarkdown(const RayReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const RayReport& report) {
-  ordered_json json;
-  json["schema"] = "candela-bench/1";
-  json["version"] = versionText();
-  json["device"] = report.device;
-  json["driver"] = report.driver;
+  ordered_json json = reportJson(report.device, report.driver, report.repeats);
   json["size"] = extentText(report.size);
-  json["repeats"] = report.repeats;
   for (const RayRow& row : report.rows) json["rows"].push_back(rowJson(report, row));
   return json;
 }

@@ -11,7 +11,7 @@ namespace candela::bench {
 struct RayRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
-  std::string tracer;            ///< "bvh2", "cwbvh", "brute force" or a peer's name
+  std::string tracer;            ///< "bvh2", "cwbvh", "none" or a peer's name
   std::string sceneLoads;        ///< "texel" or "storage"; empty of a peer
   std::uint64_t sceneBytes = 0;  ///< of nodes, primitives and all else of the scene; 0 of a peer
   RayMeasurement measurement;

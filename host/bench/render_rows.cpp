@@ -26,10 +26,9 @@ ordered_json raysJson(const RenderStatistics& statistics, double seconds) {
 ordered_json dispatchesJson(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   if (seconds.empty()) return nullptr;
-  const std::size_t last = (seconds.size() - 1) * 99 / 100;
   return {{"count", seconds.size()},
           {"medianMs", 1e3 * median(seconds)},
-          {"p99Ms", 1e3 * seconds[last]},
+          {"p99Ms", 1e3 * percentile(seconds, 0.99)},
           {"maxMs", 1e3 * seconds.back()}};
 }
 
@@ -73,12 +72,12 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   return json;
 }
 
-ordered_json reportJson(const RenderStatistics& statistics, std::uint32_t repeats) {
+ordered_json reportJson(const std::string& device, const std::string& driver, std::uint32_t repeats) {
   ordered_json json;
   json["schema"] = "candela-bench/1";
   json["version"] = versionText();
-  json["device"] = statistics.device;
-  json["driver"] = statistics.driver;
+  json["device"] = device;
+  json["driver"] = driver;
   json["repeats"] = repeats;
   return json;
 }

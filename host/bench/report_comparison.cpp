@@ -77,6 +77,10 @@ const Row* find(const std::vector<Row>& rows, const std::string& name) {
   return found == rows.end() ? nullptr : &*found;
 }
 
+bool isRegression(const ComparedRow& row) {
+  return row.verdict == RowVerdict::slower || row.verdict == RowVerdict::missing;
+}
+
 const char* wordFor(RowVerdict verdict) {
   switch (verdict) {
     case RowVerdict::alike: return "alike";
@@ -110,9 +114,7 @@ std::string headline(const ReportComparison& comparison) {
   const std::string devices = comparison.oldDevice == comparison.newDevice
                                   ? comparison.newDevice
                                   : comparison.oldDevice + " before, now " + comparison.newDevice;
-  const auto regressions = std::count_if(comparison.rows.begin(), comparison.rows.end(), [](const ComparedRow& row) {
-    return row.verdict == RowVerdict::slower || row.verdict == RowVerdict::missing;
-  });
+  const auto regressions = std::count_if(comparison.rows.begin(), comparison.rows.end(), isRegression);
   return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing", devices, regressions,
                      comparison.rows.size(), 100 * comparison.threshold);
 }
@@ -120,9 +122,7 @@ std::string headline(const ReportComparison& comparison) {
 }  // namespace
 
 bool ReportComparison::regressed() const {
-  return std::any_of(rows.begin(), rows.end(), [](const ComparedRow& row) {
-    return row.verdict == RowVerdict::slower || row.verdict == RowVerdict::missing;
-  });
+  return std::any_of(rows.begin(), rows.end(), isRegression);
 }
 
 ReportComparison compareReports(const json& oldReport, const std::string& oldName, const json& newReport,

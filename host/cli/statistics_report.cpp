@@ -7,6 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "host/bench/measure.h"
 #include "host/cli/bad_samples.h"
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
@@ -60,19 +61,12 @@ ordered_json secondsJson(const RenderReport& report) {
   return seconds;
 }
 
-// The smallest value that is not below a share `q` of all (nearest rank); 0 for none.
-double percentile(const std::vector<double>& sorted, double q) {
-  if (sorted.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
 ordered_json dispatchJson(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   return {{"count", seconds.size()},
-          {"median", percentile(seconds, 0.5)},
-          {"p99", percentile(seconds, 0.99)},
-          {"max", percentile(seconds, 1)}};
+          {"median", bench::percentile(seconds, 0.5)},
+          {"p99", bench::percentile(seconds, 0.99)},
+          {"max", bench::percentile(seconds, 1)}};
 }
 
 ordered_json raysJson(const RenderStatistics& statistics) {

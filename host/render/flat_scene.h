@@ -25,6 +25,12 @@ struct SceneFeatures {
   bool sky = false;
 };
 
+/// Of a structure's nodes, as --layout names them; empty where it has none of a BVH.
+constexpr const char* layoutName(std::uint32_t structure) {
+  if (structure == gpu::kStructureBvh) return "bvh2";
+  return structure == gpu::kStructureWideBvh ? "cwbvh" : "";
+}
+
 inline constexpr std::uint32_t kAnyGridSide = 0xffffffffu;
 
 struct FlatScene {

@@ -20,13 +20,6 @@
 namespace candela {
 namespace {
 
-vulkan::PipelineOptions pipelineOptions(const FlatScene& flat, const RenderSettings& settings, bool texels) {
-  using enum vulkan::BindingKind;
-  return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
-          .pushConstantBytes = sizeof(gpu::DispatchConstants),
-          .specialisations = specialise(flat, settings, texels)};
-}
-
 const char* structureName(AccelKind accel) {
   switch (accel) {
     case AccelKind::none: return "none";
@@ -34,12 +27,6 @@ const char* structureName(AccelKind accel) {
     case AccelKind::bvh: break;
   }
   return "bvh";
-}
-
-// Of the nodes that rays meet; a tree of one leaf has none.
-const char* layoutName(std::uint32_t structure) {
-  if (structure == gpu::kStructureBvh) return "bvh2";
-  return structure == gpu::kStructureWideBvh ? "cwbvh" : "";
 }
 
 class GpuRenderer final : public ReplayingRenderer {
@@ -92,7 +79,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
   const vulkan::ComputePipeline& pipeline =
-      pipelines_.get(device_, kernel.spirv, pipelineOptions(flat, settings, deviceScene.readsTexels()));
+      pipelines_.get(device_, kernel.spirv, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
   result.film = Film(settings.size.width, settings.size.height);
   Band band(device_, kernel, pipeline, deviceScene, settings, height);
@@ -134,7 +121,7 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
   Replay replay;
   describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
   const vulkan::ComputePipeline& pipeline =
-      pipelines_.get(device_, kernel.spirv, pipelineOptions(flat, settings, deviceScene.readsTexels()));
+      pipelines_.get(device_, kernel.spirv, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   replay.path = replayOnDevice(device_, pipeline, deviceScene, sample, budget, replay.statistics);
   return replay;
 }

@@ -54,13 +54,9 @@ std::vector<std::uint32_t> alongMortonCurve(const Extent& size) {
 
 vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv, const FlatScene& flat,
                                      const RenderSettings& settings, bool texels, bool anyHit) {
-  using enum vulkan::BindingKind;
-  std::vector<vulkan::Specialisation> constants = specialise(flat, settings, texels);
-  constants.push_back({gpu::kSpecOcclusion, anyHit});
-  return {device, spirv,
-          {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
-           .pushConstantBytes = sizeof(gpu::CastConstants),
-           .specialisations = std::move(constants)}};
+  vulkan::PipelineOptions options = kernelOptions(flat, settings, texels, sizeof(gpu::CastConstants));
+  options.specialisations.push_back({gpu::kSpecOcclusion, anyHit});
+  return {device, spirv, options};
 }
 
 vulkan::Buffer storage(vulkan::Device& device, std::uint64_t count, std::uint64_t bytes) {

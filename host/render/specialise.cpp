@@ -79,4 +79,12 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecView, viewOf(settings.integrator)}};
 }
 
+vulkan::PipelineOptions kernelOptions(const FlatScene& flat, const RenderSettings& settings, bool texels,
+                                      std::uint32_t pushConstantBytes) {
+  using enum vulkan::BindingKind;
+  return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
+          .pushConstantBytes = pushConstantBytes,
+          .specialisations = specialise(flat, settings, texels)};
+}
+
 }  // namespace candela

@@ -10,4 +10,8 @@ namespace candela {
 /// `texels`: scene rows are read through the texel buffer.
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels);
 
+/// The same, and the bindings of shared/bindings.h, which all kernels have that read a scene.
+vulkan::PipelineOptions kernelOptions(const FlatScene& flat, const RenderSettings& settings, bool texels,
+                                      std::uint32_t pushConstantBytes);
+
 }  // namespace candela

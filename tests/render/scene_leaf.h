@@ -42,10 +42,7 @@ class SceneLeaf {
 
  private:
   static vulkan::PipelineOptions optionsFor(const FlatScene& flat, const RenderSettings& settings) {
-    using enum vulkan::BindingKind;
-    return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
-            .pushConstantBytes = 2 * sizeof(std::uint32_t),
-            .specialisations = specialise(flat, settings, false)};
+    return kernelOptions(flat, settings, false, 2 * sizeof(std::uint32_t));
   }
 
   vulkan::Device device_;
