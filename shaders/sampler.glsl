@@ -3,7 +3,7 @@
 #define CANDELA_SAMPLER_GLSL
 #include "options.glsl"
 #include "shared/dimensions.h"
-#include "sobol_directions.glsl"
+#include "sobol_points.glsl"
 
 // What all numbers of one pixel sample have in common.
 struct SampleKey {
