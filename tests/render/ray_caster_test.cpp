@@ -2,9 +2,11 @@
 #include "host/render/ray_caster.h"
 
 #include <array>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <optional>
 
+#include "tests/generate/generated_text.h"
 #include "tests/render/render_support.h"
 #include "tests/vulkan_support/test_device.h"
 
@@ -27,6 +29,18 @@ Words wordsOf(RayCaster& caster, const RaySets& sets, std::uint32_t kind) {
   Words words;
   for (const gpu::CastHit& hit : caster.hits()) words.push_back({hit.found.x, hit.found.y});
   return words;
+}
+
+Scene scaledTriangles(Scene scene, float factor) {
+  for (Triangle& triangle : scene.triangles) {
+    for (glm::vec3& vertex : triangle.p) vertex *= factor;
+  }
+  return scene;
+}
+
+std::vector<gpu::CastRay> scaledRays(std::vector<gpu::CastRay> rays, float factor) {
+  for (gpu::CastRay& ray : rays) ray.originLimit *= factor;
+  return rays;
 }
 
 }  // namespace
@@ -58,4 +72,33 @@ TEST_CASE("rays alone find the same hits through every layout, however it is rea
   for (const auto& word : expected[gpu::kShadowRay]) blocked += word[1];
   CHECK(blocked > 0);
   CHECK(blocked < expected[gpu::kShadowRay].size());
+}
+
+TEST_CASE("a terrain scaled into a unit cube has the same hits") {
+  vulkan::Device device = openTestDevice();
+  const float factor = 0x1p-7f;  // the terrain's side is 100: no rounding, so that hits agree to the last bit
+  const Scene scene = generatedScene("terrain", 40).scene;
+  REQUIRE(scene.primitives.size() == scene.triangles.size());
+  RenderSettings settings = squareSettings(64, 1);
+  settings.bvhLayout = GENERATE(BvhLayout::bvh2, BvhLayout::cwbvh);
+  RayCaster large(device, flatten(scene, settings), settings);
+  RayCaster small(device, flatten(scaledTriangles(scene, factor), settings), settings);
+  const RaySets sets = large.makeRays();
+  for (const std::uint32_t kind : {gpu::kPrimaryRay, gpu::kDiffuseRay}) {
+    REQUIRE(sets[kind].size() > 1000);
+    large.load(sets[kind], false);
+    small.load(scaledRays(sets[kind], factor), false);
+    large.trace();
+    small.trace();
+    const std::vector<gpu::CastHit> expected = large.hits(), found = small.hits();
+    std::size_t met = 0, differing = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const bool meets = expected[i].found.y != gpu::kNoPrimitive;
+      const float distance = std::bit_cast<float>(expected[i].found.x);
+      met += meets;
+      differing += found[i].found.y != expected[i].found.y || (meets && std::bit_cast<float>(found[i].found.x) != factor * distance);
+    }
+    CHECK(met > 100);
+    CHECK(differing == 0);
+  }
 }
