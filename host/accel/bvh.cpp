@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "host/accel/build_range.h"
+#include "host/accel/reinsertion.h"
 #include "host/accel/task_pool.h"
 #include "host/core/errors.h"
 
@@ -154,7 +155,7 @@ class Builder {
 Bvh buildBvh(std::span<const Aabb> bounds, const BvhOptions& options) {
   requireOptions(options, bounds.size());
   if (bounds.empty()) return {};
-  return Builder(bounds, options).build();
+  return reinsert(Builder(bounds, options).build(), options);
 }
 
 }  // namespace candela

@@ -12,11 +12,20 @@ namespace candela {
 
 enum class SplitRule {
   binnedSah,  ///< where the surface area heuristic (Wald 2007) finds it cheapest
+  coarseSah,  ///< the same with half the bins, along one axis
   midpoint,   ///< the path-tracing report's: the centre of the longest axis, see splitAtMidpoint()
+};
+
+/// Which nodes of a built tree are put into better places: see reinsert().
+enum class Reinsertion {
+  none,
+  trunk,  ///< some thousand, of the largest surfaces
+  all,
 };
 
 struct BvhOptions {
   SplitRule rule = SplitRule::binnedSah;
+  Reinsertion reinsertion = Reinsertion::none;
   std::uint32_t maxLeafSize = 4;  ///< primitives in a leaf, >= 1; never exceeded
   std::uint32_t maxDepth = 60;    ///< steps from the root to the deepest leaf; never exceeded
   float traversalCost = 1;        ///< of one step at an inner node, > 0

@@ -7,14 +7,6 @@
 namespace candela {
 namespace {
 
-int longestAxis(const Box4& box) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (box.max[i] - box.min[i] > box.max[axis] - box.min[axis]) axis = i;
-  }
-  return axis;
-}
-
 double meanCentre2(std::span<const BuildItem> items, int axis) {
   double sum = 0;
   for (const BuildItem& item : items) sum += double{item.centre2(axis)};
@@ -34,6 +26,14 @@ RangeSplit cutAt(std::span<const BuildItem> items, std::size_t leftCount) {
 }
 
 }  // namespace
+
+int longestAxis(const Box4& box) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (box.max[i] - box.min[i] > box.max[axis] - box.min[axis]) axis = i;
+  }
+  return axis;
+}
 
 std::optional<RangeSplit> splitAtMidpoint(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                           const BvhOptions& options) {

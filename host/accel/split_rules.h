@@ -7,7 +7,11 @@
 
 namespace candela {
 
-/// Where binned SAH (Wald 2007) finds it cheapest; nothing where one leaf is cheaper still. At least two items.
+/// 0 to 2; of equal ones the first.
+int longestAxis(const Box4& box);
+
+/// Where binned SAH (Wald 2007) finds it cheapest; nothing where one leaf is cheaper still. With SplitRule::coarseSah
+/// bins are fewer, and along the longest axis of the centres alone. At least two items.
 std::optional<RangeSplit> splitBySah(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                      const BvhOptions& options);
 

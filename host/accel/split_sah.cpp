@@ -11,20 +11,27 @@ namespace {
 // Small ranges take fewer bins: three of four ranges have less than 8 items, and 4 to 6 bins cost 0.1 % of SAH cost.
 constexpr std::uint32_t kMinBins = 4;
 constexpr std::uint32_t kMaxBins = 16;
+constexpr std::uint32_t kMaxCoarseBins = 8;
 
-// Maps doubled centres to bins, each axis on its own. A flat axis, or one too short to be divided, has scale 0.
+// Maps doubled centres to bins, each axis on its own. A flat axis, or one too short to be divided, has scale 0, and so
+// have all but the longest where the rule is the coarse one.
 struct Binning {
+  bool isCoarse;
+  int longest;
   std::uint32_t binCount;
   float origin[3];
   float scale[3];
 
-  Binning(const Box4& centres2, std::size_t itemCount)
-      : binCount(static_cast<std::uint32_t>(std::min<std::size_t>(kMaxBins, kMinBins + itemCount / 4))) {
+  Binning(const Box4& centres2, std::size_t itemCount, SplitRule rule)
+      : isCoarse(rule == SplitRule::coarseSah),
+        longest(longestAxis(centres2)),
+        binCount(static_cast<std::uint32_t>(
+            std::min<std::size_t>(isCoarse ? kMaxCoarseBins : kMaxBins, kMinBins + itemCount / 4))) {
     for (int axis = 0; axis < 3; ++axis) {
       origin[axis] = centres2.min[axis];
       // A little less than binCount, so that the last centre falls into the last bin whatever the rounding.
       const float factor = static_cast<float>(binCount) * (1 - 0x1p-20f) / (centres2.max[axis] - origin[axis]);
-      scale[axis] = std::isfinite(factor) ? factor : 0;
+      scale[axis] = std::isfinite(factor) && (!isCoarse || axis == longest) ? factor : 0;
     }
   }
   bool isFlat(int axis) const { return scale[axis] == 0; }
@@ -38,12 +45,22 @@ struct Bins {
   std::array<std::array<std::uint32_t, kMaxBins>, 3> counts;
 
   Bins(std::span<const BuildItem> items, const Binning& binning) {
-    for (int axis = 0; axis < 3; ++axis) {
+    if (binning.isCoarse) {
+      fill<1>(items, binning, binning.longest);
+    } else {
+      fill<3>(items, binning, 0);
+    }
+  }
+
+ private:
+  template <int kAxes>
+  void fill(std::span<const BuildItem> items, const Binning& binning, int firstAxis) {
+    for (int axis = firstAxis; axis < firstAxis + kAxes; ++axis) {
       std::fill_n(boxes[axis].begin(), binning.binCount, Box4{});
       std::fill_n(counts[axis].begin(), binning.binCount, 0u);
     }
     for (const BuildItem& item : items) {
-      for (int axis = 0; axis < 3; ++axis) {
+      for (int axis = firstAxis; axis < firstAxis + kAxes; ++axis) {
         const std::uint32_t bin = binning.binOf(item, axis);
         boxes[axis][bin].extend(item.box);
         ++counts[axis][bin];
@@ -123,7 +140,7 @@ std::optional<RangeSplit> splitBySah(std::span<BuildItem> items, const RangeSumm
   const bool mayBeLeaf = items.size() <= options.maxLeafSize;
   if (items.size() == 2) return splitPair(items, summary, options);
   const auto itemCount = static_cast<std::uint32_t>(items.size());
-  const Binning binning(summary.centres2, items.size());
+  const Binning binning(summary.centres2, items.size(), options.rule);
   const Plane plane = bestPlane(Bins(items, binning), binning, itemCount);
   if (mayBeLeaf && (plane.axis < 0 || leafIsCheaper(plane.cost, summary, items.size(), options))) return std::nullopt;
   if (plane.axis < 0 || !fitsBelow(plane.leftCount, items.size(), levels, options)) {

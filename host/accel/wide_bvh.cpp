@@ -9,16 +9,11 @@
 #include <utility>
 
 #include "host/accel/task_pool.h"
+#include "host/accel/wide_families.h"
 #include "host/core/errors.h"
 
 namespace candela {
 namespace {
-
-// Up to eight descendants of a node that together hold what it holds.
-struct Family {
-  std::array<std::uint32_t, kWideChildren> members{};
-  std::uint32_t size = 0;
-};
 
 // A binary node's number by place in a wide node.
 constexpr std::uint32_t kNobody = ~0u;
@@ -37,7 +32,10 @@ constexpr std::size_t kFewNodes = 20000;  // which one thread collapses while ot
 // Collapses the tree below one binary node.
 class Collapser {
  public:
-  Collapser(const Bvh& bvh, std::uint32_t root) : bvh_(bvh), pending_{{root, 0, 0}} { wide_.nodes.resize(kWideChildren); }
+  Collapser(const Bvh& bvh, const WideFamilies& families, std::uint32_t root)
+      : bvh_(bvh), families_(families), pending_{{root, 0, 0}} {
+    wide_.nodes.resize(kWideChildren);
+  }
 
   // Level by level, until that many nodes are left to do.
   std::vector<Pending> runUntil(std::size_t count) {
@@ -81,23 +79,9 @@ class Collapser {
     ++wide_.nodeCount;
   }
 
+  // A root that is a leaf is the only child of a wide one.
   Family familyOf(std::uint32_t root) const {
-    Family family{{root}, 1};
-    while (family.size < kWideChildren) {
-      std::uint32_t* largest = nullptr;
-      double largestArea = -1;
-      for (std::uint32_t i = 0; i < family.size; ++i) {
-        const BvhNode& node = bvh_.nodes[family.members[i]];
-        if (node.isLeaf() || node.bounds.surfaceArea() <= largestArea) continue;
-        largest = &family.members[i];
-        largestArea = node.bounds.surfaceArea();
-      }
-      if (largest == nullptr) break;
-      const std::uint32_t first = bvh_.nodes[*largest].first;
-      *largest = first;
-      family.members[family.size++] = first + 1;
-    }
-    return family;
+    return bvh_.nodes[root].isLeaf() ? Family{{root}, 1} : families_.of(root);
   }
 
   // Again and again the child and the free place that suit each other best: Ylitie et al. section 3.2, with a greedy choice
@@ -156,6 +140,7 @@ class Collapser {
   }
 
   const Bvh& bvh_;
+  const WideFamilies& families_;
   WideBvh wide_;
   std::vector<Pending> pending_;
 };
@@ -190,13 +175,14 @@ WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideB
 
 WideBvh collapse(const Bvh& bvh) {
   if (bvh.nodes.empty()) return {};
-  Collapser top(bvh, 0);
+  const WideFamilies families(bvh);
+  Collapser top(bvh, families, 0);
   const std::vector<Pending> roots = top.runUntil(kSubtrees);
   std::vector<WideBvh> subtrees(roots.size());
   TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : threadsFor(0));
   for (std::size_t i = 0; i < roots.size(); ++i) {
     pool.submit([&, i] {
-      Collapser collapser(bvh, roots[i].source);
+      Collapser collapser(bvh, families, roots[i].source);
       collapser.run();
       subtrees[i] = collapser.take();
     });

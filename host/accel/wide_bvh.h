@@ -39,9 +39,8 @@ struct WideBvh {
   std::uint32_t nodeCount = 0;  ///< without gaps
 };
 
-/// Collapses a valid tree over `bounds` whose leaves hold at most kMaxWideLeaf primitives: of a node's descendants that
-/// with the largest surface is opened until there are eight. Throws InternalError if a leaf is larger, or if there
-/// would be more than kMaxWideBlocks blocks.
+/// Collapses a valid tree whose leaves hold at most kMaxWideLeaf primitives, into the nodes that WideFamilies chooses.
+/// Throws InternalError if a leaf is larger, or if there would be more than kMaxWideBlocks blocks.
 WideBvh collapse(const Bvh& bvh);
 
 /// What is wrong with a wide tree over `bounds`, or nothing: every primitive in exactly one leaf, every block named

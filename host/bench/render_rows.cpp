@@ -61,6 +61,7 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   json["variant"] = m.variant.name;
   json["structure"] = m.statistics.structure;
   json["bvhSplit"] = m.statistics.bvhSplit;
+  json["bvhQuality"] = m.statistics.bvhQuality;
   json["size"] = extentText(m.variant.settings.size);
   json["samplesPerPixel"] = m.variant.settings.sampleCount;
   json["workgroup"] = extentText(m.statistics.workgroup);

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 // What makes a row the same in both reports. Segments per dispatch are not among it: by default they are chosen by timing.
 constexpr std::array kIdentity{"scene",    "size",   "samplesPerPixel", "variant",    "rays",     "structure",
-                               "bvhSplit", "kernel", "layout",          "sceneLoads", "workgroup"};
+                               "bvhSplit", "bvhQuality", "kernel", "layout",          "sceneLoads", "workgroup"};
 
 struct Row {
   std::string name;

@@ -27,7 +27,8 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   const LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
   for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
-  const Bvh bvh = buildHierarchy(boundPrimitives(loaded.scene).bounds, arguments.settings.bvhSplit);
+  const Bvh bvh = buildHierarchy(boundPrimitives(loaded.scene).bounds, arguments.settings.bvhSplit,
+                                 arguments.settings.bvhQuality);
   const std::vector<LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
   requireReadableSize(boxes.size());
   const std::uint32_t deepest = quality(bvh).depth;

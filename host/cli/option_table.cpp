@@ -111,6 +111,8 @@ std::vector<Option> executionOptions() {
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
     valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
+    valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "of a device's BVH, by the surface area heuristic: build sooner, or trace sooner"},
+           choice<BuildQuality>({{"fast", BuildQuality::fast}, {"default", BuildQuality::standard}, {"high", BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.bvhQuality; }),
     valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: eight, with midpoint splits two"},
            choice<BvhLayout>({{"auto", BvhLayout::automatic}, {"bvh2", BvhLayout::bvh2}, {"cwbvh", BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
     valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as texels where they fit"},

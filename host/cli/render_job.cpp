@@ -56,7 +56,10 @@ constexpr std::array kSpecialOptions{
                   "--integrator ao"},
     SpecialOption{"--grid-density", [](const RenderSettings& s) { return s.accel == AccelKind::grid; }, "--accel grid"},
     SpecialOption{"--layout", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"},
-    SpecialOption{"--bvh-split", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"}};
+    SpecialOption{"--bvh-split", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"},
+    SpecialOption{"--bvh-quality",
+                  [](const RenderSettings& s) { return s.accel == AccelKind::bvh && s.bvhSplit == BvhSplit::sah; },
+                  "--accel bvh with --bvh-split sah"}};
 
 // Said rather than refused, so that one command line serves all renders.
 void noteIdleOptions(const Arguments& arguments, const Log& log) {

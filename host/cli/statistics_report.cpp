@@ -114,6 +114,7 @@ ordered_json toJson(const RenderReport& report) {
   json["kernel"] = statistics.kernel;
   json["structure"] = statistics.structure;
   json["bvhSplit"] = statistics.bvhSplit;
+  json["bvhQuality"] = statistics.bvhQuality;
   json["layout"] = statistics.layout;
   json["structureQuality"] = statistics.structureQuality;
   json["sceneLoads"] = statistics.sceneLoads;

@@ -20,10 +20,17 @@ constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCo
 // Two primitives a leaf are part of the report's rule.
 constexpr BvhOptions kMidpointOptions{.rule = SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
 
-const BvhOptions& optionsFor(BvhSplit split, BvhLayout layout, std::size_t primitiveCount) {
+BvhOptions withQuality(BvhOptions options, BuildQuality quality) {
+  if (quality == BuildQuality::fast) options.rule = SplitRule::coarseSah;
+  if (quality == BuildQuality::standard) options.reinsertion = Reinsertion::trunk;
+  if (quality == BuildQuality::high) options.reinsertion = Reinsertion::all;
+  return options;
+}
+
+BvhOptions optionsFor(BvhSplit split, BuildQuality quality, BvhLayout layout, std::size_t primitiveCount) {
   if (split == BvhSplit::midpoint) return kMidpointOptions;
   if (primitiveCount <= kSingleLeaf) return kSingleLeafOptions;
-  return layout == BvhLayout::cwbvh ? kWideOptions : kBvhOptions;
+  return withQuality(layout == BvhLayout::cwbvh ? kWideOptions : kBvhOptions, quality);
 }
 
 // A child as its parent stores it: its box, and where it leads.
@@ -82,13 +89,18 @@ BvhLayout layoutFor(BvhLayout asked, BvhSplit split) {
   return split == BvhSplit::midpoint ? BvhLayout::bvh2 : BvhLayout::cwbvh;
 }
 
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout) {
-  return buildBvh(bounds, optionsFor(split, layoutFor(layout, split), bounds.size()));
+const char* buildQualityName(BuildQuality quality) {
+  if (quality == BuildQuality::standard) return "default";
+  return quality == BuildQuality::fast ? "fast" : "high";
+}
+
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality, BvhLayout layout) {
+  return buildBvh(bounds, optionsFor(split, quality, layoutFor(layout, split), bounds.size()));
 }
 
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat) {
   const BvhLayout layout = layoutFor(settings.bvhLayout, settings.bvhSplit);
-  const Bvh bvh = buildHierarchy(bounds.bounds, settings.bvhSplit, layout);
+  const Bvh bvh = buildHierarchy(bounds.bounds, settings.bvhSplit, settings.bvhQuality, layout);
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
   flat.constants.sections.x = rowCount(flat.rows);

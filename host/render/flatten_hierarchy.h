@@ -14,9 +14,13 @@ namespace candela {
 /// report's trees, which are two-wide.
 BvhLayout layoutFor(BvhLayout asked, BvhSplit split);
 
+/// As on the command line: "fast", "default" or "high".
+const char* buildQualityName(BuildQuality quality);
+
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
 /// eight-wide one. A single leaf where testing all primitives is faster.
-Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BvhLayout layout = BvhLayout::bvh2);
+Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality,
+                   BvhLayout layout = BvhLayout::bvh2);
 
 /// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
 /// in the order of its leaves.

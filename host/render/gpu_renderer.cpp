@@ -8,6 +8,7 @@
 #include "host/render/band.h"
 #include "host/render/device_replay.h"
 #include "host/render/flat_scene.h"
+#include "host/render/flatten_hierarchy.h"
 #include "host/render/kernel.h"
 #include "host/render/loop_budget.h"
 #include "host/render/make_renderer.h"
@@ -49,12 +50,21 @@ class GpuRenderer final : public ReplayingRenderer {
   PipelineStore pipelines_;
 };
 
+void describeBuild(const RenderSettings& settings, RenderStatistics& statistics) {
+  if (settings.bvhSplit == BvhSplit::midpoint) {
+    statistics.bvhSplit = "midpoint";
+    return;
+  }
+  statistics.bvhSplit = "sah";
+  statistics.bvhQuality = buildQualityName(settings.bvhQuality);
+}
+
 void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
   statistics.structure = structureName(settings.accel);
-  if (settings.accel == AccelKind::bvh) statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
+  if (settings.accel == AccelKind::bvh) describeBuild(settings, statistics);
   statistics.layout = layoutName(flat.structure);
   statistics.kernel = kernel.name;
   statistics.workgroup = settings.workgroup;

@@ -28,6 +28,7 @@ struct RenderStatistics {
   std::string driver;        ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
   std::string structure;     ///< "bvh", "grid" or "none"; a tree of one leaf is "bvh", though there is nothing to traverse
   std::string bvhSplit;      ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
+  std::string bvhQuality;    ///< "fast", "default" or "high"; empty but for a device's BVH by SAH
   std::string layout;        ///< of a BVH's nodes: "bvh2" or "cwbvh"; empty where a device traverses none
   std::string kernel;        ///< "megakernel", "whitted", "views" or "reference"
   Extent workgroup{};        ///< in use; 0x0 for the reference

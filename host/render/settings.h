@@ -19,6 +19,9 @@ enum class PixelOrigin { centre, corner };
 enum class AccelKind { none, grid, bvh };
 /// How a BVH's nodes are split: by the surface area heuristic, or in the middle, as the path-tracing report does.
 enum class BvhSplit { sah, midpoint };
+/// How much work building by the surface area heuristic takes: a coarse build, the standard one, or that and a search
+/// for better places of all nodes.
+enum class BuildQuality { fast, standard, high };
 /// Nodes of a BVH on the device: two children with single-precision boxes, or eight with quantised ones; automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
@@ -51,6 +54,7 @@ struct RenderSettings {
   // --- These never change a bit of it, but for Integrator::cost, which shows what `accel` makes of the scene.
   AccelKind accel = AccelKind::bvh;
   BvhSplit bvhSplit = BvhSplit::sah;
+  BuildQuality bvhQuality = BuildQuality::standard;  ///< the report's split knows no other
   BvhLayout bvhLayout = BvhLayout::automatic;
   float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;

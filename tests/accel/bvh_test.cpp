@@ -38,7 +38,7 @@ Aabb unionOf(const std::vector<Aabb>& boxes) {
 
 TEST_CASE("every input becomes a valid tree, whatever the rule, the leaf size and the depth limit") {
   for (const auto& [name, boxes] : builderInputs()) {
-    for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::midpoint}) {
+    for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
       for (std::uint32_t leafSize : {1u, 2u, 4u, 8u}) {
         for (std::uint32_t depth : {60u, 16u}) {
           INFO(name << ", rule " << static_cast<int>(rule) << ", leaf size " << leafSize << ", depth " << depth);
@@ -77,7 +77,7 @@ TEST_CASE("the depth limit holds on the very edge of what fits") {
 
 TEST_CASE("the tree is the same for any number of threads") {
   const std::vector<Aabb> boxes = randomBoxes(100000);
-  for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::midpoint}) {
+  for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
     const Bvh one = buildBvh(boxes, {.rule = rule, .threads = 1});
     for (std::uint32_t threads : {2u, 3u, 7u}) CHECK(buildBvh(boxes, {.rule = rule, .threads = threads}) == one);
     CHECK(quality(one).nodeCount > 50000);

@@ -12,21 +12,23 @@ namespace {
 
 struct Structures {
   explicit Structures(const std::vector<Aabb>& boxes)
-      : trees{buildBvh(boxes, {.maxLeafSize = 8}), buildBvh(boxes, {.rule = SplitRule::midpoint, .maxLeafSize = 2})},
-        wide{collapse(buildBvh(boxes, {.maxLeafSize = kMaxWideLeaf})), collapse(trees[1])},
+      : trees{buildBvh(boxes, {.maxLeafSize = 8}), buildBvh(boxes, {.rule = SplitRule::midpoint, .maxLeafSize = 2}),
+              buildBvh(boxes, {.rule = SplitRule::coarseSah, .maxLeafSize = 8}),
+              buildBvh(boxes, {.reinsertion = Reinsertion::all, .maxLeafSize = kMaxWideLeaf})},
+        wide{collapse(buildBvh(boxes, {.maxLeafSize = kMaxWideLeaf})), collapse(trees[1]), collapse(trees[3])},
         grids{buildGrid(boxes), buildGrid(boxes, {.density = 1}), buildGrid(boxes, {.density = 5})} {}
 
-  std::array<Bvh, 2> trees;
-  std::array<WideBvh, 2> wide;
+  std::array<Bvh, 4> trees;
+  std::array<WideBvh, 3> wide;
   std::array<Grid, 3> grids;
 };
 
-using Counts = std::array<int, 7>;
+using Counts = std::array<int, 10>;
 
 struct Outcome {
   int hits = 0;
   int ties = 0;                    ///< if counted
-  Counts differing{};              ///< by structure: SAH, midpoint, both collapsed, grids of density 2, 1 and 5
+  Counts differing{};              ///< by structure, in the order of Structures
 };
 
 // Rays are of single precision; T is that of all tests and searches.

@@ -30,7 +30,7 @@ double centre(const QuantisedBoxes& boxes, int axis, std::uint32_t child) {
 
 TEST_CASE("every input collapses to a valid wide tree, whatever the rule") {
   for (const auto& [name, boxes] : builderInputs()) {
-    for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::midpoint}) {
+    for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
       INFO(name << ", rule " << static_cast<int>(rule));
       CHECK(validate(wideOver(boxes, rule), boxes, kDepth).value_or("") == "");
     }

@@ -113,7 +113,9 @@ int main(int argumentCount, char** arguments) {
   fmt::print("{} primitives, {} threads, medians of {}\n", kPrimitives, threads, kRuns);
   const std::vector<NamedInput> inputs{
       {"triangle soup", triangleSoup()}, {"triangle mesh", triangleMesh()}, {"spheres", spheres()}};
-  const BvhOptions sah{.maxLeafSize = 8, .threads = threads};
+  const BvhOptions coarse{.rule = SplitRule::coarseSah, .maxLeafSize = 8, .threads = threads};
+  const BvhOptions sah{.reinsertion = Reinsertion::trunk, .maxLeafSize = 8, .threads = threads};
+  const BvhOptions high{.reinsertion = Reinsertion::all, .maxLeafSize = 8, .threads = threads};
   const BvhOptions midpoint{.rule = SplitRule::midpoint, .maxLeafSize = 2, .threads = threads};
   const GridOptions grid{.threads = threads};
   for (const NamedInput& input : inputs) {
@@ -123,7 +125,9 @@ int main(int argumentCount, char** arguments) {
           {structure, input.name, boxes.size(), threads},
           [&] { return !validate(buildBvh(boxes, options), boxes, options); }, [&] { buildBvh(boxes, options); });
     };
+    bvh("sah fast", coarse);
     bvh("sah", sah);
+    bvh("sah high", high);
     bvh("midpoint", midpoint);
     measure(
         {"grid", input.name, boxes.size(), threads}, [&] { return !validate(buildGrid(boxes, grid), boxes); },

@@ -60,7 +60,7 @@ TEST_CASE("a flat box has no edges across") {
 
 TEST_CASE("the boxes are those of the tree that the renderer builds") {
   const std::vector<Aabb> bounds = boundPrimitives(parseScene(row(), "a", ".").scene).bounds;
-  const auto nodesBy = [&](BvhSplit split) { return buildHierarchy(bounds, split).nodes.size(); };
+  const auto nodesBy = [&](BvhSplit split) { return buildHierarchy(bounds, split, BuildQuality::standard).nodes.size(); };
   CHECK(nodesBy(BvhSplit::sah) != nodesBy(BvhSplit::midpoint));
   CHECK(boxesOf(row()).cones.size() == 12 * nodesBy(BvhSplit::sah));
   CHECK(boxesOf(row(), {"--bvh-split", "midpoint"}).cones.size() == 12 * nodesBy(BvhSplit::midpoint));

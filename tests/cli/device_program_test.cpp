@@ -72,10 +72,14 @@ TEST_CASE("what was asked for is in use, and changes no bit of the film", "[swif
   const json midpoint = reportOf(scene, {"--bvh-split", "midpoint"});
   CHECK(midpoint["structure"] == "bvh");
   CHECK(midpoint["bvhSplit"] == "midpoint");
+  CHECK(midpoint["bvhQuality"] == "");
+  const json high = reportOf(scene, {"--bvh-quality", "high"});
+  CHECK(plain["bvhQuality"] == "default");
+  CHECK(high["bvhQuality"] == "high");
   const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
   CHECK(chopped["segmentsPerDispatch"] == 1);
   CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
-  for (const json& other : {grouped, brute, grid, midpoint, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
+  for (const json& other : {grouped, brute, grid, midpoint, high, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 

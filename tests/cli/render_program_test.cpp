@@ -69,6 +69,7 @@ TEST_CASE("the report has every promised figure") {
                           "workgroup",
                           "structure",
                           "bvhSplit",
+                          "bvhQuality",
                           "kernel",
                           "device",
                           "driver",
@@ -103,6 +104,22 @@ TEST_CASE("the report has every promised figure") {
   CHECK(report["badSamples"] == 0);
 }
 
+TEST_CASE("a quality that no BVH reads is said to change nothing") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const auto saysSo = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{scene, "--json", "-", "--device", "cpu", "--bvh-quality", "high"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProgramResult result = runCandela(words);
+    INFO(result.err);
+    REQUIRE(result.exitCode == 0);
+    return result.err.find("--bvh-quality changes nothing here: it is for --accel bvh with --bvh-split sah") != std::string::npos;
+  };
+  CHECK(saysSo({"--bvh-split", "midpoint"}));
+  CHECK(saysSo({"--accel", "grid"}));
+  CHECK_FALSE(saysSo({}));
+}
+
 TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
@@ -132,6 +149,7 @@ TEST_CASE("the same film, whatever the threads and the structure, and another on
   CHECK(filmHash({"--accel", "none"}) == hash);
   CHECK(filmHash({"--accel", "grid", "--grid-density", "3"}) == hash);
   CHECK(filmHash({"--bvh-split", "midpoint"}) == hash);
+  CHECK(filmHash({"--bvh-quality", "high"}) == hash);
   CHECK(filmHash({"--seed", "1"}) != hash);
 }
 

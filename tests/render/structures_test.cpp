@@ -22,6 +22,7 @@ struct Way {
   BvhSplit split = BvhSplit::sah;
   float density = 2;
   BvhLayout layout = BvhLayout::bvh2;
+  BuildQuality quality = BuildQuality::standard;
 };
 
 const std::vector<Way> kWays{{"none", "", AccelKind::none},
@@ -38,6 +39,7 @@ RenderSettings along(const Way& way, RenderSettings settings) {
   settings.bvhSplit = way.split;
   settings.bvhLayout = way.layout;
   settings.gridDensity = way.density;
+  settings.bvhQuality = way.quality;
   return settings;
 }
 
@@ -149,6 +151,24 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
   }
   CHECK(hashes.size() == 1);
   CHECK(steps.size() == kWays.size());
+}
+
+TEST_CASE("every quality of a BVH gives the same film in its own number of steps, and is named", "[swiftshader-slow]") {
+  const Scene scene = loadSpdScene("shells_1.nff");
+  for (const BvhLayout layout : {BvhLayout::bvh2, BvhLayout::cwbvh}) {
+    std::set<std::uint64_t> hashes, steps;
+    std::vector<std::string> names;
+    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::standard, BuildQuality::high}) {
+      const Way way{"bvh", "sah", AccelKind::bvh, BvhSplit::sah, 2, layout, quality};
+      const RenderResult result = renderOnDevice(scene, along(way, squareSettings(40, 2)));
+      hashes.insert(result.film.hash());
+      steps.insert(result.statistics.traversalSteps);
+      names.push_back(result.statistics.bvhQuality);
+    }
+    CHECK(hashes.size() == 1);
+    CHECK(steps.size() == 3);
+    CHECK(names == std::vector<std::string>{"fast", "default", "high"});
+  }
 }
 
 TEST_CASE("of equal distances the lower primitive wins, through every structure") {

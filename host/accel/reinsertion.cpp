@@ -1,0 +1,149 @@
+// Looks for better places of subtrees, pass by pass.
+#include "host/accel/reinsertion.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "host/accel/linked_tree.h"
+#include "host/accel/task_pool.h"
+
+namespace candela {
+namespace {
+
+// Nearly all that reinsertion gains it gains among the largest nodes, where it costs next to nothing.
+constexpr std::size_t kTrunkNodes = 2048;
+constexpr int kMostPasses = 8;
+constexpr double kLeastGainOfPass = 1e-3;  // of the sum of half areas; a pass that gains less is the last
+// A trunk that gained less is not worth copying the tree.
+constexpr double kLeastGainOfTrunk = 1e-2;
+constexpr std::size_t kTaskNodes = 1024;
+
+double halfArea(const glm::vec3& min, const glm::vec3& max) {
+  const glm::vec3 extent = max - min;
+  const double x = extent.x, y = extent.y, z = extent.z;
+  return x * y + (x + y) * z;
+}
+double halfArea(const Aabb& box) { return halfArea(box.min, box.max); }
+double halfAreaOfBoth(const Aabb& a, const Aabb& b) { return halfArea(glm::min(a.min, b.min), glm::max(a.max, b.max)); }
+
+// Finds the best place for one subtree at a time, by branch and bound.
+class Search {
+ public:
+  explicit Search(const LinkedTree& tree) : tree_(tree) {}
+
+  // Climbs from the subtree's parent, which goes away, to the root; the ancestors left behind shrink to `rest`.
+  SubtreeMove bestMove(std::uint32_t from) {
+    const std::vector<BvhNode>& nodes = tree_.nodes();
+    box_ = nodes[from].bounds;
+    halfArea_ = halfArea(box_);
+    best_ = {.from = from};
+    std::uint32_t node = tree_.parentOf(from);
+    double saved = halfArea(nodes[node].bounds);
+    Aabb rest = nodes[LinkedTree::siblingOf(from)].bounds;
+    tryBelow(LinkedTree::siblingOf(from), saved);
+    for (; node != 0; node = tree_.parentOf(node)) {
+      const std::uint32_t side = LinkedTree::siblingOf(node);
+      offer(node, saved - halfArea(nodes[node].bounds));
+      tryBelow(side, saved);
+      rest.extend(nodes[side].bounds);
+      saved += halfArea(nodes[tree_.parentOf(node)].bounds) - halfArea(rest);
+    }
+    offer(0, saved - halfArea(nodes[0].bounds));
+    return best_;
+  }
+
+ private:
+  struct Visit {
+    std::uint32_t node;
+    double saved;  // half areas that go away, less those that grow above the node
+  };
+
+  void offer(std::uint32_t to, double gain) {
+    if (gain <= best_.gain) return;
+    best_.to = to;
+    best_.gain = gain;
+  }
+
+  // The new inner node alone costs what the subtree's own box has.
+  bool isHopeless(double saved) const { return saved - halfArea_ <= best_.gain; }
+
+  void tryBelow(std::uint32_t root, double saved) {
+    stack_.assign(1, {root, saved});
+    while (!stack_.empty()) {
+      const Visit visit = stack_.back();
+      stack_.pop_back();
+      if (isHopeless(visit.saved)) continue;
+      const BvhNode& node = tree_.nodes()[visit.node];
+      const double gain = visit.saved - halfAreaOfBoth(node.bounds, box_);
+      offer(visit.node, gain);
+      const double below = gain + halfArea(node.bounds);
+      if (node.isLeaf() || isHopeless(below)) continue;
+      stack_.push_back({node.first + 1, below});
+      stack_.push_back({node.first, below});
+    }
+  }
+
+  const LinkedTree& tree_;
+  Aabb box_;
+  double halfArea_ = 0;
+  SubtreeMove best_;
+  std::vector<Visit> stack_;
+};
+
+// The best moves of all subtrees, those that gain most first.
+std::vector<SubtreeMove> bestMoves(const LinkedTree& tree, TaskPool& pool) {
+  std::vector<SubtreeMove> moves(tree.nodes().size() - 1);
+  for (std::size_t first = 0; first < moves.size(); first += kTaskNodes) {
+    pool.submit([&tree, &moves, first] {
+      Search search(tree);
+      const std::size_t end = std::min(moves.size(), first + kTaskNodes);
+      for (std::size_t i = first; i < end; ++i) moves[i] = search.bestMove(static_cast<std::uint32_t>(i + 1));
+    });
+  }
+  pool.wait();
+  std::erase_if(moves, [](const SubtreeMove& move) { return move.to == SubtreeMove::kNowhere; });
+  std::sort(moves.begin(), moves.end(), [](const SubtreeMove& a, const SubtreeMove& b) {
+    return std::pair(-a.gain, a.from) < std::pair(-b.gain, b.from);
+  });
+  return moves;
+}
+
+// Leaves out moves whose surroundings others have changed: they would not gain what they promise.
+void apply(const std::vector<SubtreeMove>& moves, std::uint32_t maxDepth, LinkedTree& tree) {
+  std::vector<bool> changed(tree.nodes().size(), false);
+  for (const SubtreeMove& move : moves) {
+    const std::uint32_t around[] = {move.from, move.to, tree.parentOf(move.from), LinkedTree::siblingOf(move.from)};
+    const bool isStale = std::any_of(std::begin(around), std::end(around), [&](std::uint32_t i) { return changed[i]; });
+    if (isStale || !tree.mayMove(move, maxDepth)) continue;
+    for (const std::uint32_t node : around) changed[node] = true;
+    tree.move(move);
+  }
+}
+
+Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOptions& options) {
+  LinkedTree tree(bvh, nodeLimit);
+  if (tree.nodes().size() < 5) return bvh;
+  TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadsFor(options.threads));
+  const double start = tree.innerHalfArea();
+  double sum = start;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const double before = sum;
+    apply(bestMoves(tree, pool), options.maxDepth, tree);
+    sum = tree.innerHalfArea();
+    if (sum >= (1 - kLeastGainOfPass) * before) break;
+  }
+  // Moves of one pass that get in each other's way might even lose.
+  return sum < (1 - leastGain) * start ? tree.layOut(bvh) : std::move(bvh);
+}
+
+}  // namespace
+
+Bvh reinsert(Bvh bvh, const BvhOptions& options) {
+  if (options.reinsertion == Reinsertion::none) return bvh;
+  bvh = reinsertAmong(std::move(bvh), kTrunkNodes, kLeastGainOfTrunk, options);
+  if (options.reinsertion == Reinsertion::trunk) return bvh;
+  return reinsertAmong(std::move(bvh), std::numeric_limits<std::size_t>::max(), 0, options);
+}
+
+}  // namespace candela

@@ -1,0 +1,84 @@
+// The choice of wide nodes against every other one that there is.
+#include "host/accel/wide_families.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "tests/accel/inputs.h"
+
+using namespace candela;
+using namespace candela::test;
+
+namespace {
+
+double chanceOf(const Bvh& bvh, std::uint32_t node) {
+  return bvh.nodes[node].bounds.surfaceArea() / bvh.nodes[0].bounds.surfaceArea();
+}
+
+// Wide nodes below and at `node`, each weighted by its chance, as chosen.
+double chosenCost(const Bvh& bvh, const WideFamilies& families, std::uint32_t node) {
+  if (bvh.nodes[node].isLeaf()) return 0;
+  const Family family = families.of(node);
+  double cost = chanceOf(bvh, node);
+  for (std::uint32_t i = 0; i < family.size; ++i) cost += chosenCost(bvh, families, family.members[i]);
+  return cost;
+}
+
+double leastCost(const Bvh& bvh, std::uint32_t node);
+
+// Tries all families whose first `fixedCount` members are decided.
+double leastCostOfFamilies(const Bvh& bvh, std::vector<std::uint32_t> members, std::size_t fixedCount) {
+  if (members.size() > kWideChildren) return std::numeric_limits<double>::infinity();
+  if (fixedCount == members.size()) {
+    double cost = 0;
+    for (const std::uint32_t member : members) cost += leastCost(bvh, member);
+    return cost;
+  }
+  double least = leastCostOfFamilies(bvh, members, fixedCount + 1);
+  const BvhNode& open = bvh.nodes[members[fixedCount]];
+  if (open.isLeaf()) return least;
+  members[fixedCount] = open.first;
+  members.push_back(open.first + 1);
+  return std::min(least, leastCostOfFamilies(bvh, std::move(members), fixedCount));
+}
+
+double leastCost(const Bvh& bvh, std::uint32_t node) {
+  const BvhNode& inner = bvh.nodes[node];
+  if (inner.isLeaf()) return 0;
+  return chanceOf(bvh, node) + leastCostOfFamilies(bvh, {inner.first, inner.first + 1}, 0);
+}
+
+}  // namespace
+
+TEST_CASE("no other choice of children meets fewer wide nodes") {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const Bvh bvh = buildBvh(randomBoxes(13, seed), {.maxLeafSize = 1});
+    CHECK(chosenCost(bvh, WideFamilies(bvh), 0) == Approx(leastCost(bvh, 0)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a family has two to eight members that hold all leaves below its node") {
+  const Bvh bvh = buildBvh(randomBoxes(5000), {.maxLeafSize = 3});
+  const WideFamilies families(bvh);
+  std::vector<std::uint32_t> stack{0};
+  std::size_t leaves = 0;
+  while (!stack.empty()) {
+    const Family family = families.of(stack.back());
+    stack.pop_back();
+    REQUIRE(family.size >= 2);
+    REQUIRE(family.size <= kWideChildren);
+    for (std::uint32_t i = 0; i < family.size; ++i) {
+      const std::uint32_t member = family.members[i];
+      if (!bvh.nodes[member].isLeaf()) stack.push_back(member);
+      leaves += bvh.nodes[member].isLeaf();
+    }
+  }
+  CHECK(leaves == quality(bvh).leafCount);
+}
+
+TEST_CASE("boxes without any area still fill wide nodes") {
+  const std::vector<Aabb> points(512, boxAround(glm::dvec3(5), glm::dvec3(0)));
+  const Bvh bvh = buildBvh(points, {.maxLeafSize = 1});
+  CHECK(WideFamilies(bvh).of(0).size == kWideChildren);
+}
