@@ -1,6 +1,6 @@
 // The generators: for each kind of scene, how many primitives it has and what it consists of. Sizes are those of the
 // table of kinds. Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the
-// Standard Procedural Databases 3.14, whose files these have, but for terrain and sphere.
+// Standard Procedural Databases 3.14, whose files these have, but for terrain, sphere and cornell.
 #pragma once
 #include <cstdint>
 
@@ -48,5 +48,8 @@ void writeTerrain(NffWriter& out, std::uint32_t size);
 
 std::uint64_t spherePrimitives(std::uint32_t size);
 void writeSphere(NffWriter& out, std::uint32_t size);
+
+std::uint64_t cornellPrimitives(std::uint32_t size);
+void writeCornell(NffWriter& out, std::uint32_t size);
 
 }  // namespace candela::generate

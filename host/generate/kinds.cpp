@@ -14,8 +14,8 @@ std::uint32_t Kind::largestSize() const {
 }
 
 std::span<const Kind> kindTable() {
-  // Default sizes are those of the original programs; of our own, a million and 70,000 triangles.
-  static constexpr std::array<Kind, 13> table{{
+  // Default sizes are those of the original programs; of our own, a million, 70,000 and 20,000 triangles.
+  static constexpr std::array<Kind, 14> table{{
       {"balls", "sphereflake: each ball carries nine smaller ones", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -29,6 +29,7 @@ std::span<const Kind> kindTable() {
       {"teapot", "Newell's teapot, as triangles with normals", 1, 6, teapotPrimitives, writeTeapot},
       {"terrain", "hills, one mesh of N x N vertices", 2, 708, terrainPrimitives, writeTerrain},
       {"sphere", "bumpy sphere, one mesh in a closed room with a lamp", 1, 76, spherePrimitives, writeSphere},
+      {"cornell", "Cornell box with a mirror and a glass ball, one mesh each", 1, 29, cornellPrimitives, writeCornell},
   }};
   return table;
 }

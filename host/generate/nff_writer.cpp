@@ -32,8 +32,9 @@ void NffWriter::view(const View& view) {
 
 void NffWriter::light(const glm::dvec3& position) { line("l", {position.x, position.y, position.z}); }
 
-void NffWriter::areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double radiance) {
-  line("al", {corner.x, corner.y, corner.z, u.x, u.y, u.z, v.x, v.y, v.z, radiance, radiance, radiance});
+void NffWriter::areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
+                          const glm::dvec3& radiance) {
+  line("al", {corner.x, corner.y, corner.z, u.x, u.y, u.z, v.x, v.y, v.z, radiance.x, radiance.y, radiance.z});
 }
 
 void NffWriter::surface(const Surface& surface) {

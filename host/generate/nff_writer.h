@@ -48,8 +48,8 @@ class NffWriter {
   void background(const glm::dvec3& colour);
   void view(const View& view);
   void light(const glm::dvec3& position);
-  /// A parallelogram that shines with `radiance`, the same in all channels; u x v is its normal.
-  void areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double radiance);
+  /// A parallelogram that shines with `radiance`; u x v is its normal.
+  void areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& radiance);
   void surface(const Surface& surface);
   void sphere(const glm::dvec3& centre, double radius);
   void cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius);

@@ -48,7 +48,7 @@ TEST_CASE("an unknown kind is named with the nearest one, or with all") {
   const ProgramResult far = runCandela({"generate", "cathedral"});
   CHECK(far.exitCode == 1);
   CHECK(contains(far.err, "unknown kind cathedral; there are balls, mount, "));
-  CHECK(contains(far.err, " or sphere\n"));
+  CHECK(contains(far.err, " or cornell\n"));
 }
 
 TEST_CASE("a size out of the kind's range is refused with the range and the reason") {

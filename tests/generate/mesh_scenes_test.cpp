@@ -1,6 +1,9 @@
-// The two kinds of Candela's own: a height field and a closed surface in a closed room.
+// The kinds of Candela's own: a height field, a closed surface in a closed room, and two balls in the Cornell box.
+#include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "tests/generate/generated_text.h"
@@ -31,6 +34,24 @@ std::map<Edge, int> unmatchedEdges(std::span<const Triangle> triangles) {
 glm::dvec3 normalOf(const Triangle& triangle) {
   const glm::dvec3 a = triangle.p[0], b = triangle.p[1], c = triangle.p[2];
   return glm::cross(b - a, c - a);
+}
+
+using Colour = std::tuple<float, float, float>;
+using Corner = std::tuple<Point, Colour, Colour>;  ///< where, the surface's colour, what it emits
+
+/// Corners of the triangles of a scene from `first` on, which must be diffuse. Lamps have no colour here: those of
+/// `al` statements are black.
+std::set<Corner> cornersOf(const Scene& scene, std::size_t first, std::size_t count) {
+  std::set<Corner> corners;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Material& material = scene.materials[scene.primitives[i].material];
+    const glm::vec3 colour = isEmissive(material) ? glm::vec3(0) : material.diffuse;
+    CHECK(material.kd == 1);
+    for (const glm::vec3& p : scene.triangles[scene.primitives[i].index].p) {
+      corners.insert({key(p), key(colour), key(material.emission)});
+    }
+  }
+  return corners;
 }
 
 }  // namespace
@@ -100,6 +121,50 @@ TEST_CASE("the room with its lamp is closed and faces inwards") {
     shining += isEmissive(scene.materials[primitive.material]) ? 1 : 0;
   }
   CHECK(shining == 2);
+}
+
+TEST_CASE("the balls of the Cornell box are closed, face outwards, and touch neither walls nor each other") {
+  const std::array<glm::dvec3, 2> centres{{{380, 101, 370}, {175, 101, 180}}};
+  for (const std::uint32_t size : {1u, 2u, 29u}) {
+    CAPTURE(size);
+    const Scene scene = generatedScene("cornell", size).scene;
+    const std::span<const Triangle> balls = std::span<const Triangle>(scene.triangles).subspan(18);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::span<const Triangle> ball = balls.subspan(i * 12 * size * size, 12 * size * size);
+      CHECK(unmatchedEdges(ball).empty());
+      for (const Triangle& triangle : ball) {
+        REQUIRE(glm::dot(normalOf(triangle), glm::dvec3(triangle.p[0]) - centres[i]) > 0);
+        for (const glm::vec3& p : triangle.p) {
+          REQUIRE(glm::length(glm::dvec3(p) - centres[i]) == Approx(100).epsilon(1e-5));
+          REQUIRE(glm::all(glm::greaterThan(p, glm::vec3(0))));
+          REQUIRE(glm::all(glm::lessThan(p, glm::vec3(549.6, 548.8, 559.2))));  // the narrowest width, height, depth
+        }
+      }
+    }
+  }
+  CHECK(glm::length(centres[0] - centres[1]) > 2 * 100);
+}
+
+TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
+  const Scene scene = generatedScene("cornell", 1).scene;
+  const Material& mirror = scene.materials[scene.primitives[18].material];
+  const Material& glass = scene.materials[scene.primitives[18 + 12].material];
+  CHECK(mirror.ks == 1);
+  CHECK(mirror.kd == 0);
+  CHECK((glass.kd == 0 && glass.ks == 0));
+  CHECK(glass.ior == 1.5f);
+}
+
+TEST_CASE("the balls' box and lamp are those of scenes/cornell.p3f, open at the front alone") {
+  const Scene box = generatedScene("cornell", 1).scene;
+  const Scene original = loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f").scene;
+  CHECK(cornersOf(box, 0, 18) == cornersOf(original, 0, 18));
+  const std::map<Edge, int> open = unmatchedEdges(std::span<const Triangle>(box.triangles).first(18));
+  CHECK(open.size() == 4);
+  for (const auto& [edge, surplus] : open) {
+    CHECK(std::get<2>(edge.first) == 0);
+    CHECK(std::get<2>(edge.second) == 0);
+  }
 }
 
 }  // namespace candela

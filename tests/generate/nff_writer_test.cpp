@@ -26,8 +26,8 @@ TEST_CASE("statements have the form of the format, with six digits") {
   CHECK(textOf([](NffWriter& out) { out.light({1, 2, 3}); }) == "l 1 2 3\n");
   CHECK(textOf([](NffWriter& out) { out.background({0, 0.5, 1}); }) == "b 0 0.5 1\n");
   CHECK(textOf([](NffWriter& out) {
-          out.areaLight({0, 0, 3}, {1, 0, 0}, {0, -1, 0}, 7);
-        }) == "al 0 0 3 1 0 0 0 -1 0 7 7 7\n");
+          out.areaLight({0, 0, 3}, {1, 0, 0}, {0, -1, 0}, {7, 8, 9});
+        }) == "al 0 0 3 1 0 0 0 -1 0 7 8 9\n");
   CHECK(textOf([](NffWriter& out) {
           out.polygon(std::array<glm::dvec3, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
         }) == "p 3\n0 0 0\n1 0 0\n0 1 0\n");

@@ -121,4 +121,10 @@ TEST_CASE("sphere is 12 n^2 triangles of one mesh, in a room of 18 with a lamp o
   }
 }
 
+TEST_CASE("cornell is two meshes of 12 n^2 triangles, in a box of 16 with a lamp of two") {
+  for (const std::size_t n : {1, 2, 29}) {
+    check("cornell", static_cast<std::uint32_t>(n), {.polygons = 8, .triangles = 2 * 12 * n * n + 18});
+  }
+}
+
 }  // namespace candela
