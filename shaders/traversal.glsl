@@ -25,9 +25,13 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
   hit.index = better ? candidate.index : hit.index;
 }
 
+// 0, as no component of a direction reaches 2; but a compiler cannot know. For a loop with bounds that are the same in all
+// lanes lavapipe compiles the kernel anew at every dispatch, and never frees what it compiled (docs/performance.md).
+uint zeroOfLane(Ray ray) { return (floatBitsToUint(ray.direction.x) >> 30) & 1u; }
+
 void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
-  uint slot = first;
-  uint cutShort = first < end ? 1u : 0u;
+  uint slot = first + zeroOfLane(ray);
+  uint cutShort = slot < end ? 1u : 0u;
   while (slot < end) {
     keepCloser(hit, hitPrimitive(ray, slot), slot);
     ++slot;
@@ -38,9 +42,9 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work wor
 }
 
 bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout Work work) {
-  uint slot = first;
+  uint slot = first + zeroOfLane(ray);
   bool blocked = false;
-  uint cutShort = first < end ? 1u : 0u;
+  uint cutShort = slot < end ? 1u : 0u;
   while (slot < end && !blocked) {
     blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     ++slot;
