@@ -69,6 +69,7 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
 
 ExitCode runTune(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("tune --device cpu: the reference has nothing to be tuned");
+  watchInterrupts();
   for (const std::string& target : {arguments.json, arguments.markdown}) requireWritableReport(target);
   const std::filesystem::path folder = arguments.dryRun ? "" : requireFolder();
   std::vector<Work> works = worksOf(arguments, log);

@@ -25,6 +25,7 @@ namespace candela::tune {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema = "candela-tune/1";
@@ -43,8 +44,8 @@ ordered_json toJson(const TuningKey& key) {
           {"kernels", key.kernels}};
 }
 
-std::string dump(const ordered_json& json, int indent = -1) {
-  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+std::string dump(const ordered_json& object, int indent = -1) {
+  return object.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 // Neither devices nor pipes, which could keep a reader waiting for ever.
@@ -73,7 +74,7 @@ std::optional<std::string> readSmallFile(const fs::path& file, std::string& prob
   return problem.empty() ? std::optional(text) : std::nullopt;
 }
 
-std::string textAt(const ordered_json& object, const std::string& key) {
+std::string textAt(const json& object, const std::string& key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
@@ -87,7 +88,7 @@ bool isDate(const std::string& text) {
 }
 
 // Exactly one known value of each dimension.
-std::optional<Candidate> candidateIn(const ordered_json& choice) {
+std::optional<Candidate> candidateIn(const json& choice) {
   if (!choice.is_object() || choice.size() != dimensionTable().size()) return std::nullopt;
   Candidate candidate;
   for (const Dimension& dimension : dimensionTable()) {
@@ -101,14 +102,14 @@ std::optional<Candidate> candidateIn(const ordered_json& choice) {
 TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 TuningLookup parse(const std::string& text, const TuningKey& key, const DeviceInfo& info) {
-  const ordered_json json = ordered_json::parse(text, nullptr, false);
-  if (!json.is_object()) return refuse("it is damaged");
-  if (textAt(json, "schema") != kSchema) return refuse("it is of another version of Candela");
-  if (!json.contains("key") || json["key"] != ordered_json::parse(dump(toJson(key)))) {
+  const json file = json::parse(text, nullptr, false);
+  if (!file.is_object()) return refuse("it is damaged");
+  if (textAt(file, "schema") != kSchema) return refuse("it is of another version of Candela");
+  if (file.value("key", json()) != json::parse(dump(toJson(key)))) {
     return refuse("it is for another device, driver or set of kernels");
   }
-  const std::optional<Candidate> candidate = candidateIn(json.value("choice", ordered_json()));
-  const std::string date = textAt(json, "date");
+  const std::optional<Candidate> candidate = candidateIn(file.value("choice", json()));
+  const std::string date = textAt(file, "date");
   if (!candidate || !isDate(date)) return refuse("it is damaged");
   if (!isFeasible(*candidate, info)) return refuse("the device cannot do what it says");
   return {Tuning{*candidate, date}, ""};
@@ -154,12 +155,12 @@ void writeTuning(const fs::path& file, const TuningKey& key, const Tuning& tunin
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw FileError(fmt::format("cannot make \"{}\": {}", file.parent_path().string(), error.message()));
-  ordered_json json{{"schema", kSchema}, {"version", versionText()}, {"date", tuning.date}, {"key", toJson(key)}};
+  ordered_json content{{"schema", kSchema}, {"version", versionText()}, {"date", tuning.date}, {"key", toJson(key)}};
   for (std::size_t i = 0; i < tuning.candidate.size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];
-    json["choice"][dimension.option] = dimension.values[tuning.candidate[i]].name;
+    content["choice"][dimension.option] = dimension.values[tuning.candidate[i]].name;
   }
-  const std::string text = dump(json, 2) + "\n";
+  const std::string text = dump(content, 2) + "\n";
   writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 
