@@ -21,13 +21,15 @@ namespace {
 using tune::TuneReport;
 using tune::Work;
 
-std::filesystem::path requireFolder() {
+// Where the choice will be kept; it can be.
+std::filesystem::path requireFile(const tune::TuningKey& key) {
   const std::optional<std::filesystem::path> folder = tune::cacheFolder();
   if (!folder) {
     throw FileError("nowhere to keep what is found: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or give --dry-run");
   }
-  tune::requireTuningFolder(*folder);
-  return *folder;
+  const std::filesystem::path file = *folder / tune::fileNameOf(key);
+  tune::requireTuningFile(file);
+  return file;
 }
 
 Work workOf(const Arguments& arguments, Scene scene, const Log& log) {
@@ -50,19 +52,22 @@ std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
   return works;
 }
 
-tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, std::vector<Work>& works, const Log& log) {
+tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, std::vector<Work>& works,
+                           const Log& log) {
   const std::unique_ptr<Renderer> renderer = makeGpuRenderer(device);
   RenderControl control;
   control.stop = &watchInterrupts();
   for (Work& work : works) {
     fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
-    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.size), work.settings.sampleCount));
+    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.size),
+                         work.settings.sampleCount));
   }
-  return tune::search(device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
-    log.note(fmt::format("{} candidates, {} runs each of {} scenes", candidates.size(), repeats, works.size()));
-    Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
-  });
+  return tune::search(
+      device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
+        log.note(fmt::format("{} candidates, {} runs each of {} scenes", candidates.size(), repeats, works.size()));
+        Progress progress(std::cerr, progressStyle(log.verbosity()));
+        return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
+      });
 }
 
 }  // namespace
@@ -71,18 +76,17 @@ ExitCode runTune(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("tune --device cpu: the reference has nothing to be tuned");
   watchInterrupts();
   for (const std::string& target : {arguments.json, arguments.markdown}) requireWritableReport(target);
-  const std::filesystem::path folder = arguments.dryRun ? "" : requireFolder();
-  std::vector<Work> works = worksOf(arguments, log);
   vulkan::Device device = vulkan::Device::open(arguments.device);
+  const tune::TuningKey key = tune::keyOf(device.info());
   TuneReport report;
+  if (!arguments.dryRun) report.file = requireFile(key);
+  std::vector<Work> works = worksOf(arguments, log);
   report.repeats = arguments.repeats;
   report.result = measure(arguments, device, works, log);
-  if (!arguments.dryRun && report.result.builtInAgrees) {
-    const tune::TuningKey key = tune::keyOf(device.info());
-    report.file = folder / tune::fileNameOf(key);
-    tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
-  }
-  return publish(report, arguments, log, "candidates did not give the same image: `candela verify` says which is wrong");
+  if (!report.result.builtInAgrees) report.file.reset();
+  if (report.file) tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
+  return publish(report, arguments, log,
+                 "candidates did not give the same image: `candela verify` says which is wrong");
 }
 
 }  // namespace candela::cli

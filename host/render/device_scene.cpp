@@ -21,14 +21,14 @@ bool fitsStorage(const DeviceInfo& info, const FlatScene& flat) {
 
 [[noreturn]] void refuse(const DeviceInfo& info, const FlatScene& flat, SceneLoads asked) {
   if (asked == SceneLoads::texel) {
-    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads", flat.rows.size(),
-                                info.name, info.maxTexelBufferElements));
+    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads",
+                                flat.rows.size(), info.name, info.maxTexelBufferElements));
   }
-  const char* const advice = fitsTexels(info, flat)                         ? "use texel loads"
-                             : flat.structure == gpu::kStructureGrid ? "make it smaller, or lower --grid-density"
-                                                                            : "make it smaller";
+  const bool grid = flat.structure == gpu::kStructureGrid;
+  const char* const smaller = grid ? "make it smaller, or lower --grid-density" : "make it smaller";
   throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
-                              flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20, advice));
+                              flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,
+                              fitsTexels(info, flat) ? "use texel loads" : smaller));
 }
 
 vulkan::Buffer makeRows(vulkan::Device& device, const FlatScene& flat, bool real, vulkan::Usage usage) {

@@ -9,9 +9,9 @@ namespace candela {
 /// Whether a device can bind the scene's rows read so; automatic: in one way or the other.
 bool canBind(const DeviceInfo& info, const FlatScene& flat, SceneLoads loads);
 
-/// How the device is to read the rows, texel or storage: as `settings` ask, or where they do not as their AutomaticChoices
-/// say; the other way where the rows do not fit so. Throws FileError, which names both sizes, if the rows exceed what the
-/// device can bind.
+/// How the device is to read the rows, texel or storage: as `settings` ask, or where they do not as their
+/// AutomaticChoices say; the other way where the rows do not fit so. Throws FileError, which names both sizes, if the
+/// rows exceed what the device can bind.
 SceneLoads loadsFor(const DeviceInfo& info, const FlatScene& flat, const RenderSettings& settings);
 
 /// Buffers that the kernel's scene bindings stand for. The rows are bound twice, as storage and as texels; which of the

@@ -10,8 +10,8 @@
 
 namespace candela {
 
-/// The layout in use: the one that is asked for, or where that is automatic what AutomaticChoices says, but two-wide nodes
-/// for the report's trees, which are two-wide.
+/// The layout in use: the one that is asked for, or where that is automatic what AutomaticChoices says, but two-wide
+/// nodes for the report's trees, which are two-wide.
 BvhLayout layoutFor(const RenderSettings& settings);
 
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an

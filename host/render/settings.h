@@ -23,7 +23,8 @@ enum class BvhSplit { sah, midpoint };
 /// Nodes of a BVH on the device: two children with single-precision boxes, or eight with quantised ones; automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
-/// How the device reads the scene: one way for certain, or the way that AutomaticChoices names where it fits (automatic).
+/// How the device reads the scene: one way for certain, or the way that AutomaticChoices names, where the scene fits so
+/// (automatic).
 enum class SceneLoads { automatic, texel, storage };
 
 /// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.

@@ -18,12 +18,17 @@ Value shape() {
 std::span<const Dimension> dimensionTable() {
   // Fewer variants in a stage than PipelineStore::kCapacity: a renderer that forgets pipelines compiles all the time.
   static const std::array<Dimension, 3> table{{
-      {"layout", 0, {{"cwbvh", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::cwbvh; }},
-                     {"bvh2", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::bvh2; }}}},
-      {"loads", 0, {{"texel", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::texel; }},
-                    {"storage", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::storage; }}}},
-      {"workgroup", 1, {shape<8, 8>(), shape<8, 4>(), shape<16, 4>(), shape<16, 8>(), shape<16, 16>(), shape<32, 1>(),
-                        shape<64, 1>()}},
+      {"layout",
+       0,
+       {{"cwbvh", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::cwbvh; }},
+        {"bvh2", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::bvh2; }}}},
+      {"loads",
+       0,
+       {{"texel", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::texel; }},
+        {"storage", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::storage; }}}},
+      {"workgroup",
+       1,
+       {shape<8, 8>(), shape<8, 4>(), shape<16, 4>(), shape<16, 8>(), shape<16, 16>(), shape<32, 1>(), shape<64, 1>()}},
   }};
   return table;
 }

@@ -19,7 +19,7 @@ struct Value {
 /// One option. The first of its values is the built-in one.
 struct Dimension {
   std::string option;  ///< without dashes
-  std::size_t stage;   ///< options of one stage are tried in all combinations, later stages with what earlier ones found
+  std::size_t stage;  ///< options of one stage are tried in all combinations, later stages with what earlier ones found
   std::vector<Value> values;
 };
 

@@ -47,7 +47,8 @@ std::vector<Candidate> combinations(const Candidate& start, std::span<const std:
 }
 
 // What a stage measures: what is built in, the best so far, and what else the device has.
-std::vector<Candidate> candidatesOf(std::span<const std::size_t> dimensions, const Candidate& best, const DeviceInfo& info) {
+std::vector<Candidate> candidatesOf(std::span<const std::size_t> dimensions, const Candidate& best,
+                                    const DeviceInfo& info) {
   std::vector<Candidate> candidates{builtIn()};
   if (best != builtIn()) candidates.push_back(best);
   for (Candidate& candidate : combinations(best, dimensions)) {
@@ -93,7 +94,9 @@ void confirm(std::uint32_t repeats, const Measure& measure, SearchResult& result
 
 }  // namespace
 
-bool Row::agrees() const { return std::ranges::all_of(scenes, [](const bench::SweepRow& row) { return row.measurement.agrees; }); }
+bool Row::agrees() const {
+  return std::ranges::all_of(scenes, [](const bench::SweepRow& row) { return row.measurement.agrees; });
+}
 
 double gain(const Row& base, const Row& row) {
   if (!base.agrees() || !row.agrees()) return 0;

@@ -52,9 +52,10 @@ struct SearchResult {
 /// Measures each candidate `repeats` times on every scene, in turn, and gives a row for each, in their order.
 using Measure = std::function<std::vector<Row>(std::span<const Candidate> candidates, std::uint32_t repeats)>;
 
-/// Stage by stage the fastest candidate that the device has goes on if it is clearly faster than the one before. Whatever is
-/// found must then be clearly faster than what is built in, in a last round of 2 `repeats` + 1 runs, which it has not been
-/// chosen by. Candidates whose image differs are never chosen; if that is so of what is built in, nothing else is tried.
+/// Stage by stage the fastest candidate that the device has goes on if it is clearly faster than the one before.
+/// Whatever is found must then be clearly faster than what is built in, in a last round of 2 `repeats` + 1 runs, which
+/// it has not been chosen by. Candidates whose image differs are never chosen; if that is so of what is built in,
+/// nothing else is tried.
 SearchResult search(const DeviceInfo& info, std::uint32_t repeats, const Measure& measure);
 
 }  // namespace candela::tune

@@ -18,7 +18,9 @@ const std::vector<SweepRow>& firstScenes(const TuneReport& report) {
   return report.result.rounds.front().rows.front().scenes;
 }
 
-const RenderStatistics& statisticsOf(const TuneReport& report) { return firstScenes(report).front().measurement.statistics; }
+const RenderStatistics& statisticsOf(const TuneReport& report) {
+  return firstScenes(report).front().measurement.statistics;
+}
 
 std::string sceneTitle(const SweepRow& row) {
   const RenderSettings& settings = row.measurement.variant.settings;
@@ -48,9 +50,7 @@ TextTable tableOf(const TuneReport& report) {
   return table;
 }
 
-std::string headline(const TuneReport& report) {
-  return bench::headline(statisticsOf(report), report.repeats);
-}
+std::string headline(const TuneReport& report) { return bench::headline(statisticsOf(report), report.repeats); }
 
 std::string verdict(const TuneReport& report) {
   const SearchResult& result = report.result;
@@ -79,7 +79,8 @@ ordered_json rowsJson(const SearchResult& result) {
   ordered_json rows = ordered_json::array();
   for (const Round& round : result.rounds) {
     for (const Row& row : round.rows) {
-      ordered_json json{{"round", round.purpose}, {"choice", candidateJson(row.candidate)}, {"sameImage", row.agrees()}};
+      ordered_json json{
+          {"round", round.purpose}, {"choice", candidateJson(row.candidate)}, {"sameImage", row.agrees()}};
       if (const double times = gain(round.rows.front(), row); times > 0) {
         json["timesAsFast"] = times;
         json["noise"] = noise(round.rows.front(), row);

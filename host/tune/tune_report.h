@@ -17,8 +17,8 @@ struct TuneReport {
   bool agree() const { return result.agree(); }
 };
 
-/// A row for each candidate of each round: milliseconds for each scene, and how many times as fast as what is built in. Below
-/// it the choice. A row whose image differs has the word "differs" instead of a score.
+/// A row for each candidate of each round: milliseconds for each scene, and how many times as fast as what is built in.
+/// Below it the choice. A row whose image differs has the word "differs" instead of a score.
 std::string toText(const TuneReport& report);
 std::string toMarkdown(const TuneReport& report);
 /// "schema": "candela-tune-report/1".

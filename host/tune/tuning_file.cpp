@@ -83,8 +83,8 @@ std::string textAt(const json& object, const std::string& key) {
 bool isDate(const std::string& text) {
   constexpr std::string_view kPattern = "0000-00-00T00:00:00Z";
   return text.size() == kPattern.size() && std::equal(text.begin(), text.end(), kPattern.begin(), [](char c, char p) {
-    return p == '0' ? c >= '0' && c <= '9' : c == p;
-  });
+           return p == '0' ? c >= '0' && c <= '9' : c == p;
+         });
 }
 
 // Exactly one known value of each dimension.
@@ -118,7 +118,8 @@ TuningLookup parse(const std::string& text, const TuningKey& key, const DeviceIn
 }  // namespace
 
 TuningKey keyOf(const DeviceInfo& info) {
-  return {info.name, info.driver, fmt::to_string(info.driverVersion), info.pipelineCacheUuid, std::string(kernelsHash())};
+  return {info.name, info.driver, fmt::to_string(info.driverVersion), info.pipelineCacheUuid,
+          std::string(kernelsHash())};
 }
 
 std::optional<fs::path> cacheFolder() {
@@ -139,16 +140,16 @@ TuningLookup readTuning(const fs::path& file, const TuningKey& key, const Device
   return text ? parse(*text, key, info) : refuse(problem);
 }
 
-void requireTuningFolder(const fs::path& folder) {
+void requireTuningFile(const fs::path& file) {
+  const auto fail = [&](const std::string& cause) {
+    throw FileError(fmt::format("cannot write \"{}\": {}", file.string(), cause));
+  };
   std::error_code error;
-  fs::path existing = fs::absolute(folder, error);
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fail("there is something else of this name");
+  fs::path existing = fs::absolute(file, error).parent_path();
   while (!fs::exists(existing, error) && existing != existing.parent_path()) existing = existing.parent_path();
-  if (!fs::is_directory(existing, error)) {
-    throw FileError(fmt::format("cannot write to \"{}\": \"{}\" is no folder", folder.string(), existing.string()));
-  }
-  if (::access(existing.c_str(), W_OK | X_OK) != 0) {
-    throw FileError(fmt::format("cannot write to \"{}\": {}", folder.string(), std::generic_category().message(errno)));
-  }
+  if (!fs::is_directory(existing, error)) fail(fmt::format("\"{}\" is no folder", existing.string()));
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
 
 void writeTuning(const fs::path& file, const TuningKey& key, const Tuning& tuning) {

@@ -27,8 +27,8 @@ struct Tuning {
   std::string date;  ///< "2026-01-31T12:00:00Z"
 };
 
-/// The folder of all such files: CANDELA_CACHE_DIR, else candela in XDG_CACHE_HOME (if that is absolute), else .cache/candela
-/// in HOME; none if none of them is set.
+/// The folder of all such files: CANDELA_CACHE_DIR, else candela in XDG_CACHE_HOME (if that is absolute), else
+/// .cache/candela in HOME; none if none of them is set.
 std::optional<std::filesystem::path> cacheFolder();
 
 /// Its name in the folder, a hash of the key.
@@ -42,8 +42,8 @@ struct TuningLookup {
 /// Whatever the file may hold, what is returned is a candidate of this program's that the device has.
 TuningLookup readTuning(const std::filesystem::path& file, const TuningKey& key, const DeviceInfo& info);
 
-/// Throws FileError if writeTuning() could not write there. Makes nothing.
-void requireTuningFolder(const std::filesystem::path& folder);
+/// Throws FileError if writeTuning() could not write there, or if a pipe or the like is in its place. Makes nothing.
+void requireTuningFile(const std::filesystem::path& file);
 /// Replaces the file, or makes it and its folder. Throws FileError.
 void writeTuning(const std::filesystem::path& file, const TuningKey& key, const Tuning& tuning);
 

@@ -48,7 +48,8 @@ void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSet
     factor *= before / pixelsOf(settings.size);
   }
   if (!asked.sampleCount) {
-    settings.sampleCount = static_cast<std::uint32_t>(std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
+    settings.sampleCount =
+        static_cast<std::uint32_t>(std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
   }
 }
 
@@ -95,6 +96,7 @@ std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, st
     for (const Candidate& candidate : candidates) {
       variants.push_back({nameOf(candidate), work.settings});
       variants.back().settings.automatic = choicesOf(candidate);
+      variants.back().settings.automatic.origin = "tried";
     }
     std::vector<bench::Measurement> measurements =
         bench::measureInterleaved(renderer, work.scene, variants, repeats, shareOf(control, w, works.size()));

@@ -23,9 +23,9 @@ struct WorkSize {
   std::optional<std::uint32_t> sampleCount;  ///< per pixel
 };
 
-/// Chooses size and samples, where they are absent, such that a render with the built-in choices takes about kRunSeconds; the image
-/// grows before the samples do, since devices with many lanes need many pixels. Throws InterruptedError if `control` stops it,
-/// and what Renderer::render throws.
+/// Chooses size and samples, where they are absent, such that a render with the built-in choices takes about
+/// kRunSeconds; the image grows before the samples do, since devices with many lanes need many pixels. Throws
+/// InterruptedError if `control` stops it, and what Renderer::render throws.
 void fitToDevice(Renderer& renderer, const WorkSize& asked, const RenderControl& control, Work& work);
 
 inline constexpr double kRunSeconds = 0.2;

@@ -1,4 +1,6 @@
 // `candela tune` on a device, and renders by what it kept.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -16,7 +18,7 @@ using nlohmann::json;
 // More primitives than are tested without a structure.
 std::string sceneWithATree() {
   std::string spheres;
-  for (int i = 0; i < 30; ++i) spheres += "s " + std::to_string(0.1 * i - 1.5) + " 0.5 " + std::to_string(0.03 * i) + " 0.04\n";
+  for (int i = 0; i < 30; ++i) spheres += fmt::format("s {} 0.5 {} 0.04\n", 0.1 * i - 1.5, 0.03 * i);
   return smallScene(spheres);
 }
 
@@ -100,11 +102,13 @@ TEST_CASE("a dry run keeps nothing", "[slow]") {
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("what was tuned is in use wherever an option is auto, says so, and changes no bit of the film", "[swiftshader-slow]") {
+TEST_CASE("what was tuned is in use wherever an option is auto, says so, and changes no bit of the film",
+          "[swiftshader-slow]") {
   const Home home;
   const json plain = home.render();
   CHECK(plain["auto"] == "built-in");
-  const std::string file = home.keep(tune::candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}}));
+  const std::string file =
+      home.keep(tune::candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}}));
   const json tuned = home.render();
   CHECK(tuned["layout"] == "bvh2");
   CHECK(tuned["sceneLoads"] == "storage");
@@ -126,11 +130,14 @@ TEST_CASE("devices say whether they are tuned, and benchmarks use it", "[swiftsh
   const Home home;
   const Surroundings surroundings = inside({"CANDELA_CACHE_DIR=" + home.cache()});
   const auto isTuned = [](const json& device) { return device["tuned"].is_object(); };
-  CHECK(std::ranges::none_of(json::parse(runCandela({"devices", "--json", "-"}, surroundings).out)["devices"], isTuned));
+  CHECK(
+      std::ranges::none_of(json::parse(runCandela({"devices", "--json", "-"}, surroundings).out)["devices"], isTuned));
   home.keep(tune::candidateWith({{"layout", "bvh2"}, {"workgroup", "16x8"}}));
   CHECK(std::ranges::any_of(json::parse(runCandela({"devices", "--json", "-"}, surroundings).out)["devices"], isTuned));
-  CHECK_THAT(runCandela({"devices"}, surroundings).out, Contains("tuned 2026-01-31T12:00:00Z: layout=bvh2 loads=texel workgroup=16x8"));
-  const ProgramResult bench = home.run({"bench", home.scene(), "--size", "8x8", "--spp", "1", "--repeat", "1", "--json", "-"});
+  CHECK_THAT(runCandela({"devices"}, surroundings).out,
+             Contains("tuned 2026-01-31T12:00:00Z: layout=bvh2 loads=texel workgroup=16x8"));
+  const ProgramResult bench =
+      home.run({"bench", home.scene(), "--size", "8x8", "--spp", "1", "--repeat", "1", "--json", "-"});
   REQUIRE(bench.exitCode == 0);
   CHECK(json::parse(bench.out)["rows"][0]["workgroup"] == "16x8");
   const ProgramResult rays = home.run({"bench", "rays", home.scene(), "--size", "8x8", "--repeat", "1", "--json", "-"});
@@ -166,6 +173,13 @@ TEST_CASE("where nothing can be kept tune says so at once, and renders do as bef
     CHECK_THAT(rendered.out, Contains("built-in"));
     CHECK_THAT(rendered.err, !Contains("warning"));
   }
+}
+
+TEST_CASE("the reference cannot be tuned, and a scene that is wrong is told as ever") {
+  const Home home;
+  CHECK(runCandela({"tune", "--device", "cpu"}).exitCode == 1);
+  CHECK(home.run({"tune", home.path("absent.p3f")}).exitCode == 2);
+  CHECK(home.kept().empty());
 }
 
 TEST_CASE("Ctrl-C during tuning keeps nothing and exits with 7") {

@@ -41,7 +41,9 @@ class MadeDevice {
   Times times_;
 };
 
-std::string named(const std::vector<std::pair<std::string, std::string>>& values) { return nameOf(candidateWith(values)); }
+std::string named(const std::vector<std::pair<std::string, std::string>>& values) {
+  return nameOf(candidateWith(values));
+}
 
 TEST_CASE("a gain is the geometric mean over the scenes of the ratios of medians") {
   const Row base = madeRow(builtIn(), {{1, 0.1}, {8, 0.1}});
@@ -75,9 +77,9 @@ TEST_CASE("options of one stage are tried together, later ones with what earlier
   const std::string pair = named({{"layout", "bvh2"}, {"loads", "storage"}});
   const std::string all = named({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "32x1"}});
   MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{2}, {2}}},
-                     {named({{"loads", "storage"}}), {{2}, {2}}},
-                     {pair, {{0.5}, {0.5}}},
-                     {all, {{0.25}, {0.25}}}});
+                          {named({{"loads", "storage"}}), {{2}, {2}}},
+                          {pair, {{0.5}, {0.5}}},
+                          {all, {{0.25}, {0.25}}}});
   const SearchResult result = device.search();
   CHECK(nameOf(result.chosen) == all);
   CHECK(result.chosenGain == Approx(4));
@@ -94,7 +96,9 @@ TEST_CASE("what is built in stays unless something is faster by more than the le
   CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.015}, {1 / 1.015}}}}).search().chosen) == kBuiltIn);
   CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.025}, {1 / 1.025}}}}).search().chosen) == other);
   const auto noisy = [&](double deviation) {
-    return MadeDevice(Times{{kBuiltIn, {{1, deviation}, {1, deviation}}}, {other, {{0.9, deviation}, {0.9, deviation}}}}).search();
+    return MadeDevice(
+               Times{{kBuiltIn, {{1, deviation}, {1, deviation}}}, {other, {{0.9, deviation}, {0.9, deviation}}}})
+        .search();
   };
   CHECK(nameOf(noisy(0.2).chosen) == kBuiltIn);
   CHECK(nameOf(noisy(0.01).chosen) == other);

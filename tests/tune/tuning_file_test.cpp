@@ -1,11 +1,12 @@
 // The file that keeps a choice: what it is for, and what happens to it.
 #include "host/tune/tuning_file.h"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sys/stat.h>
 
 #include "host/core/errors.h"
 #include "tests/core/temporary_folder.h"
@@ -130,14 +131,23 @@ TEST_CASE("a file with any byte changed gives a choice of this program's, or non
 TEST_CASE("hostile content is ignored with a reason") {
   const std::string escape = "\x1b[31m";
   const std::vector<std::string> texts{
-      "null", "[]", "7", "\"candela-tune/1\"", "{}", "\xff\xfe\x00", std::string(60000, '['), std::string(60000, ' '),
+      "null",
+      "[]",
+      "7",
+      "\"candela-tune/1\"",
+      "{}",
+      "\xff\xfe\x00",
+      std::string(60000, '['),
+      std::string(60000, ' '),
       "{\"schema\":\"candela-tune/1\",\"key\":" + std::string(30000, '[') + std::string(30000, ']') + "}",
       changed([](ordered_json& json) { json["schema"] = "candela-tune/2"; }),
       changed([](ordered_json& json) { json["schema"] = 1; }),
       changed([](ordered_json& json) { json.erase("key"); }),
       changed([](ordered_json& json) { json["key"]["more"] = ""; }),
       changed([](ordered_json& json) { json.erase("choice"); }),
-      changed([](ordered_json& json) { json["choice"] = {"bvh2", "storage", "8x8"}; }),
+      changed([](ordered_json& json) {
+        json["choice"] = {"bvh2", "storage", "8x8"};
+      }),
       changed([](ordered_json& json) { json["choice"].erase("loads"); }),
       changed([](ordered_json& json) { json["choice"]["more"] = "x"; }),
       changed([](ordered_json& json) { json["choice"]["layout"] = "auto"; }),
@@ -185,9 +195,13 @@ TEST_CASE("a place that cannot be written to is refused, before and when it is w
   const TemporaryFolder folder;
   writeText(folder / "file", "");
   const std::filesystem::path inFile = folder.path() / "file" / "cache";
-  CHECK_THROWS_AS(requireTuningFolder(inFile), FileError);
+  CHECK_THROWS_AS(requireTuningFile(inFile / "a.json"), FileError);
   CHECK_THROWS_AS(writeTuning(inFile / "a.json", kKey, {builtIn(), kDate}), FileError);
-  CHECK_NOTHROW(requireTuningFolder(folder.path() / "not" / "yet"));
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  CHECK_THROWS_AS(requireTuningFile(folder / "pipe"), FileError);
+  CHECK_THROWS_AS(requireTuningFile(folder.path()), FileError);
+  CHECK_NOTHROW(requireTuningFile(folder / "file"));
+  CHECK_NOTHROW(requireTuningFile(folder.path() / "not" / "yet" / "a.json"));
   CHECK_FALSE(std::filesystem::exists(folder / "not"));
 }
 
