@@ -54,11 +54,11 @@ void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSet
 }
 
 // What the caller sees of one of several works: its share, behind those that are over.
-RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t count) {
+RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t count, std::uint64_t samplesOver) {
   RenderControl part = whole;
   if (!whole.progress) return part;
-  part.progress = [&whole, index, count](double fraction, std::uint64_t samples) {
-    whole.progress((static_cast<double>(index) + fraction) / static_cast<double>(count), samples);
+  part.progress = [&whole, index, count, samplesOver](double fraction, std::uint64_t samples) {
+    whole.progress((static_cast<double>(index) + fraction) / static_cast<double>(count), samplesOver + samples);
   };
   return part;
 }
@@ -90,6 +90,7 @@ std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, st
                              std::uint32_t repeats, const RenderControl& control) {
   std::vector<Row> rows;
   for (const Candidate& candidate : candidates) rows.push_back({candidate, {}});
+  std::uint64_t samples = 0;
   for (std::size_t w = 0; w < works.size(); ++w) {
     const Work& work = works[w];
     std::vector<bench::Variant> variants;
@@ -99,9 +100,10 @@ std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, st
       variants.back().settings.automatic.origin = "tried";
     }
     std::vector<bench::Measurement> measurements =
-        bench::measureInterleaved(renderer, work.scene, variants, repeats, shareOf(control, w, works.size()));
+        bench::measureInterleaved(renderer, work.scene, variants, repeats, shareOf(control, w, works.size(), samples));
     if (measurements.empty()) throw InterruptedError("interrupted; nothing is written");
     for (std::size_t i = 0; i < rows.size(); ++i) {
+      samples += repeats * measurements[i].statistics.samples;
       rows[i].scenes.push_back({work.scene.name, work.scene.hash, std::move(measurements[i])});
     }
   }

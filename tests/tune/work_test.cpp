@@ -15,11 +15,13 @@ class MadeRenderer final : public Renderer {
   explicit MadeRenderer(double samplesPerSecond, std::uint32_t stopAfter = 1000)
       : samplesPerSecond_(samplesPerSecond), stopAfter_(stopAfter) {}
 
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl&) override {
+  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
     renders.push_back(settings);
     RenderResult result;
     result.film = Film(1, 1);
     result.statistics.seconds["trace"] = secondsOf(settings);
+    result.statistics.samples = 10;
+    if (control.progress) control.progress(1, 10);
     result.interrupted = renders.size() > stopAfter_;
     return result;
   }
@@ -104,6 +106,21 @@ TEST_CASE("every candidate renders every scene with its own choices and no other
     CHECK(settings.bvhLayout == BvhLayout::automatic);
     CHECK_FALSE(settings.workgroup);
   }
+}
+
+TEST_CASE("progress goes once from nothing to everything, whatever the number of scenes") {
+  MadeRenderer renderer(1e6);
+  const std::vector<Work> works{workOf({8, 8}), workOf({16, 16})};
+  std::vector<double> fractions;
+  std::vector<std::uint64_t> samples;
+  RenderControl control;
+  control.progress = [&](double fraction, std::uint64_t done) {
+    fractions.push_back(fraction);
+    samples.push_back(done);
+  };
+  measureWork(renderer, works, std::vector<Candidate>{builtIn()}, 2, control);
+  CHECK(fractions == std::vector{0.25, 0.5, 0.75, 1.0});
+  CHECK(samples == std::vector<std::uint64_t>{10, 20, 30, 40});
 }
 
 TEST_CASE("Ctrl-C ends the measuring as an interruption, wherever it comes") {
