@@ -31,8 +31,23 @@ function(candela_shaders target)
       VERBATIM)
     target_sources(${target} PRIVATE ${out_dir}/${name}.cpp ${out_dir}/${name}.h)
     set_property(GLOBAL APPEND PROPERTY CANDELA_SPIRV ${spv})
+    set_property(TARGET ${target} APPEND PROPERTY CANDELA_SPIRV ${spv})
   endforeach()
   target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# candela_spirv_hash(TARGET): embeds one hash of all shaders that TARGET has been given so far, as
+# `candela::spirv::hash` (a std::string_view of 64 hexadecimal digits) in "spirv/hash.h".
+function(candela_spirv_hash target)
+  get_target_property(modules ${target} CANDELA_SPIRV)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/spirv/hash.h)
+  add_custom_command(
+    OUTPUT ${header}
+    COMMAND ${CMAKE_COMMAND} "-DSPV=${modules}" -DOUT=${header} -P ${CMAKE_SOURCE_DIR}/cmake/HashSpirv.cmake
+    DEPENDS ${modules} ${CMAKE_SOURCE_DIR}/cmake/HashSpirv.cmake
+    COMMENT "Hashing SPIR-V"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header})
 endfunction()
 
 # One test spirv_val_NAME for every shader that candela_shaders has been given so far.

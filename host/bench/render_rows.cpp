@@ -69,6 +69,7 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   json["kernel"] = m.statistics.kernel;
   json["layout"] = m.statistics.layout;
   json["sceneLoads"] = m.statistics.sceneLoads;
+  json["auto"] = m.statistics.automaticOrigin;
   if (m.agrees) addFigures(m, json);
   return json;
 }

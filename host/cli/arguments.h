@@ -13,7 +13,7 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128, explain = 256 };
+enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128, explain = 256, tune = 512 };
 
 struct PixelPlace {
   std::uint32_t x = 0;  ///< from the left
@@ -36,6 +36,7 @@ struct Arguments {
   bool lenient = false;
   std::vector<std::filesystem::path> allowedPaths;
 
+  bool untuned = false;  ///< `auto` means what is built in
   std::string device;  ///< "cpu", or a selector as selectDevice() takes it
   std::vector<std::filesystem::path> outputs;
   DisplayTransform display;
@@ -60,6 +61,8 @@ struct Arguments {
   double threshold = 0.05;    ///< share of its speed that a row may lose
   std::string markdown;       ///< as `json`
   std::string svg;            ///< as `json`
+
+  bool dryRun = false;  ///< of `tune`: store nothing
 
   std::filesystem::path report;  ///< a page; empty for none
   std::string json;  ///< a file, "-" for stdout, empty for none

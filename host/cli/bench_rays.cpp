@@ -6,6 +6,7 @@
 #include "host/cli/bench_output.h"
 #include "host/cli/commands.h"
 #include "host/cli/render_job.h"
+#include "host/cli/tuned.h"
 #include "host/core/interrupt.h"
 
 namespace candela::cli {
@@ -39,6 +40,7 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
   vulkan::Device device = vulkan::Device::open(arguments.device);
+  const AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
   RayReport report;
   report.device = device.info().name;
   report.driver = device.info().driver;
@@ -46,9 +48,10 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   for (std::size_t i = 1; i < arguments.files.size(); ++i) {
     Arguments one = arguments;
     one.files = {arguments.files[i]};
-    const RenderJob job = loadJob(one, log);
+    RenderJob job = loadJob(one, log);
+    job.settings.automatic = choices;
     report.size = job.settings.size;
-    report.workgroup = job.settings.workgroup;
+    report.workgroup = job.settings.workgroupInUse();
     if (measureScene(device, job, log, report)) continue;
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;

@@ -57,7 +57,7 @@ bool measureScene(const Arguments& arguments, Renderer& renderer, const Log& log
 
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
   sweepOver(arguments);  // says what is wrong with it before anything is loaded
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;
   report.repeats = arguments.repeats;
   for (const std::string& file : arguments.files) {

@@ -60,7 +60,7 @@ bool append(std::vector<StructureRow> rows, StructureReport& report) {
 }
 
 bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
   for (const PublishedScene& published : kTable1) {
     const Scene scene = parseScene(std::string(published.text), published.name, ".").scene;
     Arguments resolved = arguments;
@@ -84,7 +84,7 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
 }
 
 bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
   for (std::size_t i = 1; i < arguments.files.size(); ++i) {
     Arguments one = arguments;
     one.files = {arguments.files[i]};

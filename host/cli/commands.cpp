@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 9> table{{
+  static const std::array<CommandInfo, 10> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "traces a P3F or NFF scene", "scene", 1, 1, runRender},
       {Command::devices, "devices", "devices", "lists the Vulkan devices", "", 0, 0, runDevices},
       {Command::check, "check", "check FILE...", "says what scenes contain, or all that is wrong with them", "scene", 1,
@@ -24,6 +24,8 @@ std::span<const CommandInfo> commandTable() {
       {Command::boxes, "boxes", "boxes SCENE", "writes the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
        "times renders of scenes, search structures (on those of the report's Table 1 or on others) or rays alone, or compares two such reports", "benchmark", 1, kAnyNumber, runBench},
+      {Command::tune, "tune", "tune [SCENE...]",
+       "measures what is fastest on a device and keeps it: from then on `auto` means that", "scene", 0, kAnyNumber, runTune},
   }};
   return table;
 }

@@ -37,6 +37,7 @@ ExitCode runBenchStructures(const Arguments& arguments, const Log& log);  ///< `
 ExitCode runBenchRays(const Arguments& arguments, const Log& log);        ///< `rays`
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< scenes
 ExitCode runBenchCompare(const Arguments& arguments, const Log& log);     ///< `compare`
+ExitCode runTune(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 

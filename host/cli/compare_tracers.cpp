@@ -21,7 +21,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<Renderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<Renderer> device = makeRenderer(arguments, log);
   const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
   const AgreementReport report = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));

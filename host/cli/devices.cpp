@@ -7,6 +7,7 @@
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/cli/tuned.h"
 #include "host/vulkan/device_info.h"
 
 namespace candela::cli {
@@ -14,7 +15,14 @@ namespace {
 
 constexpr double kMiB = 1024.0 * 1024;
 
-nlohmann::ordered_json toJson(const DeviceInfo& device) {
+using Kept = std::optional<KeptTuning>;
+
+nlohmann::ordered_json toJson(const Kept& kept) {
+  if (!kept) return nullptr;
+  return {{"date", kept->tuning.date}, {"choice", tune::nameOf(kept->tuning.candidate)}, {"file", kept->file.string()}};
+}
+
+nlohmann::ordered_json toJson(const DeviceInfo& device, const Kept& kept) {
   return {{"index", device.index},
           {"name", device.name},
           {"type", device.type},
@@ -27,10 +35,11 @@ nlohmann::ordered_json toJson(const DeviceInfo& device) {
           {"maxTexelBufferElements", device.maxTexelBufferElements},
           {"maxWorkgroupInvocations", device.maxWorkgroupInvocations},
           {"maxWorkgroupSize", device.maxWorkgroupSize},
-          {"subgroupSize", device.subgroupSize}};
+          {"subgroupSize", device.subgroupSize},
+          {"tuned", toJson(kept)}};
 }
 
-std::string toText(const DeviceInfo& device) {
+std::string toText(const DeviceInfo& device, const Kept& kept) {
   std::string out = fmt::format("{:>3}  {} ({})\n", device.index, device.name, device.type);
   out += fmt::format("     driver {}, Vulkan {}\n", device.driver, device.apiVersion);
   out += fmt::format("     memory {:.0f} MiB, storage buffers to {:.0f} MiB, texel buffers to {} texels\n",
@@ -39,23 +48,27 @@ std::string toText(const DeviceInfo& device) {
   out += fmt::format("     workgroups to {} invocations ({}x{}x{}), subgroups of {}\n", device.maxWorkgroupInvocations,
                      device.maxWorkgroupSize[0], device.maxWorkgroupSize[1], device.maxWorkgroupSize[2],
                      device.subgroupSize);
+  if (kept) out += fmt::format("     tuned {}: {}\n", kept->tuning.date, tune::nameOf(kept->tuning.candidate));
   if (!device.usable) out += fmt::format("     NOT USABLE: {}\n", device.whyNot);
   return out;
 }
 
 }  // namespace
 
-ExitCode runDevices(const Arguments& arguments, const Log&) {
+ExitCode runDevices(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const std::vector<DeviceInfo> devices = listDevices();
   if (devices.empty()) selectDevice("");  // throws, and says what to install
-  if (arguments.wantsText()) {
-    for (const DeviceInfo& device : devices) std::cout << toText(device);
-    std::cout << "cpu  the reference tracer, in double precision (--device cpu)\n" << std::flush;
-  }
   nlohmann::ordered_json json;
   json["devices"] = nlohmann::ordered_json::array();
-  for (const DeviceInfo& device : devices) json["devices"].push_back(toJson(device));
+  std::string text;
+  for (const DeviceInfo& device : devices) {
+    const Kept kept = keptTuning(device, log);
+    text += toText(device, kept);
+    json["devices"].push_back(toJson(device, kept));
+  }
+  text += "cpu  the reference tracer, in double precision (--device cpu)\n";
+  if (arguments.wantsText()) std::cout << text << std::flush;
   writeJson(arguments.json, json);
   return ExitCode::done;
 }

@@ -79,7 +79,7 @@ ExitCode runExplain(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
   const std::optional<PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
-  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments, log);
   const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
   if (!sample) return explainWorstPixel(job, log, *device, *reference);
   publish(explain::explainSample(job.scene, job.settings, *sample, *device, *reference), job.arguments);

@@ -31,6 +31,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::verification, "Verifying a device"},
     GroupTitle{OptionGroup::explanation, "Explaining a sample"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
+    GroupTitle{OptionGroup::tuning, "Tuning"},
     GroupTitle{OptionGroup::generation, "Writing scenes"},
     GroupTitle{OptionGroup::general, "General"},
 };

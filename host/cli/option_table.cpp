@@ -17,9 +17,10 @@ constexpr unsigned kBench = static_cast<unsigned>(Command::bench);
 constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
 constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
+constexpr unsigned kTune = static_cast<unsigned>(Command::tune);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
-constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes;
-constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain;
+constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 constexpr std::uint32_t kMostSamples = 1u << 30;
@@ -105,7 +106,7 @@ std::vector<Option> sceneFileOptions() {
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
+    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
@@ -113,18 +114,19 @@ std::vector<Option> executionOptions() {
            choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
     valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "of a device's BVH, by the surface area heuristic: build sooner, or trace sooner"},
            choice<BuildQuality>({{"fast", BuildQuality::fast}, {"default", BuildQuality::standard}, {"high", BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.bvhQuality; }),
-    valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: eight, with midpoint splits two"},
+    valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: as tuned, else eight, but with midpoint splits two"},
            choice<BvhLayout>({{"auto", BvhLayout::automatic}, {"bvh2", BvhLayout::bvh2}, {"cwbvh", BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
-    valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as texels where they fit"},
+    valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as tuned, else as texels, if they fit"},
            choice<SceneLoads>({{"auto", SceneLoads::automatic}, {"texel", SceneLoads::texel}, {"storage", SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
     valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
-    valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup"},
-           extent("XxY", kLargestWorkgroupSide), [](auto& a) -> auto& { return a.settings.workgroup; }),
+    valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup; `auto`: as tuned, else 8x8"},
+           orAbsent(extent("XxY", kLargestWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),
     valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},
            orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.settings.tile; }),
     valued({"--segments-per-dispatch", kTracing, kGroup, "path segments that one dispatch advances; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMostSegments), "auto"), [](auto& a) -> auto& { return a.settings.segmentsPerDispatch; }),
+    flag({"--untuned", kTracing, kGroup, "`auto` has its built-in meaning, whatever `candela tune` found"}, [](auto& a) -> auto& { return a.untuned; }),
     valued({"-t,--threads", kTracing, kGroup, "of the reference tracer; 0: one per core"},
            wholeNumber(0, kMostThreads), [](auto& a) -> auto& { return a.settings.threads; }),
   };
@@ -183,16 +185,27 @@ std::vector<Option> explanationOptions() {
 std::vector<Option> benchmarkOptions() {
   constexpr OptionGroup kGroup = OptionGroup::benchmark;
   return {
-    valued({"--repeat", kBench, kGroup, "runs of each variant, in turn; the median counts"},
+    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, in turn; the median counts"},
            wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
     paths({"--sweep", kBench, kGroup, "of scenes: each value of an option, without its dashes; repeatable, for all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
     valued({"--threshold", kBench, kGroup, "of `compare`: share of its speed that a row may lose"},
            share("SHARE", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
-    valued({"--markdown", kBench, kGroup, "write the table as Markdown; `-`: to stdout"},
+    valued({"--markdown", kBench | kTune, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
     valued({"--svg", kBench, kGroup, "of scenes: draw samples per second; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
+  };
+}
+
+std::vector<Option> tuningOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::tuning;
+  return {
+    valued({"--size", kTune, kGroup, "of the images; `auto`: chosen by timing, at most the scene's"},
+           orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
+           orAbsent(wholeNumber(1, kMostSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
+    flag({"--dry-run", kTune, kGroup, "measure and report, but keep nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
   };
 }
 
@@ -233,7 +246,7 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(),
+                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(), tuningOptions(),
                              generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }

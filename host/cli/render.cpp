@@ -65,7 +65,7 @@ void summarise(const RenderReport& report, const Log& log) {
 }
 
 RenderResult trace(const RenderJob& job, const Log& log) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(job.arguments.device);
+  const std::unique_ptr<Renderer> renderer = makeRenderer(job.arguments, log);
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   return renderer->render(job.scene, job.settings, makeControl(progress));
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/render/make_renderer.h"
@@ -111,8 +112,11 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   return job;
 }
 
-std::unique_ptr<ReplayingRenderer> makeRenderer(const std::string& device) {
-  return device == "cpu" ? makeReferenceRenderer() : makeGpuRenderer(device);
+std::unique_ptr<ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") return makeReferenceRenderer();
+  vulkan::Device device = vulkan::Device::open(arguments.device);
+  AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
+  return std::make_unique<TunedRenderer>(makeGpuRenderer(std::move(device)), std::move(choices));
 }
 
 RenderControl makeControl(Progress& progress) {

@@ -29,8 +29,9 @@ void requirePossible(const Arguments& arguments, const Scene& scene, const Log& 
 /// The file's requests, and what the integrator defaults to, take the place of options that are absent.
 void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
 
-/// "cpu": the reference; everything else: a Vulkan device. Throws NoDeviceError.
-std::unique_ptr<ReplayingRenderer> makeRenderer(const std::string& device);
+/// "cpu": the reference; everything else: a Vulkan device, on which `auto` means what `candela tune` found, unless the
+/// arguments have it otherwise. Throws NoDeviceError.
+std::unique_ptr<ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log);
 
 /// Progress on stderr; SIGINT and SIGTERM stop.
 RenderControl makeControl(Progress& progress);

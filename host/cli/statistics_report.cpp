@@ -119,6 +119,7 @@ ordered_json toJson(const RenderReport& report) {
   json["structureQuality"] = statistics.structureQuality;
   json["sceneLoads"] = statistics.sceneLoads;
   json["workgroup"] = extentText(statistics.workgroup);
+  json["auto"] = statistics.automaticOrigin;
   json["tile"] = extentText(statistics.tile);
   json["segmentsPerDispatch"] = statistics.maxSegmentsPerDispatch;
   json["threads"] = statistics.threads;

@@ -39,7 +39,7 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.junit);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments.device);
+  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments, log);
   const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
   RenderControl control;
   control.stop = &watchInterrupts();

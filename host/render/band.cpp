@@ -31,14 +31,14 @@ GovernorOptions governorOptions(const RenderSettings& settings, const LoopBudget
   GovernorOptions options;
   options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
   options.totalPixels = pixels;
-  options.workgroupPixels = settings.workgroup.width * settings.workgroup.height;
+  options.workgroupPixels = settings.workgroupInUse().width * settings.workgroupInUse().height;
   if (settings.tile) options.fixedPixels = std::uint64_t{settings.tile->width} * settings.tile->height;
   if (settings.segmentsPerDispatch) options.fixedSegments = std::min(*settings.segmentsPerDispatch, budget.maxSegments);
   return options;
 }
 
 TileCursor cursorOver(Extent band, const RenderSettings& settings) {
-  return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroup);
+  return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroupInUse());
 }
 
 VertexRecord unpackRecord(const gpu::uvec2& packed) {
@@ -91,7 +91,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudg
   gpu::DispatchConstants constants;
   constants.region = {region.x, rows_.first + region.y, region.width, region.height};
   constants.work = {rows_.first, segments, settings_.sampleCount, budget.laneTurns};
-  const Extent& workgroup = settings_.workgroup;
+  const Extent workgroup = settings_.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.dispatch(pipeline_, bindings_, std::as_bytes(std::span(&constants, 1)), count);
@@ -111,7 +111,8 @@ std::uint64_t Band::takeFinishedSamples() {
 }
 
 void Band::warmUp(const LoopBudget& budget) {
-  const Extent corner{std::min(width_, settings_.workgroup.width), std::min(rows_.height, settings_.workgroup.height)};
+  const Extent workgroup = settings_.workgroupInUse();
+  const Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
   dispatch({0, 0, corner.width, corner.height}, 1, budget);
 }
 

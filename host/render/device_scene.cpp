@@ -19,19 +19,16 @@ bool fitsStorage(const DeviceInfo& info, const FlatScene& flat) {
   return flat.rows.size() * kRowBytes <= info.maxStorageBufferRange;
 }
 
-bool choosesTexels(const vulkan::Device& device, const FlatScene& flat, SceneLoads loads) {
-  const bool fits = fitsTexels(device.info(), flat);
-  if (loads == SceneLoads::texel && !fits) {
+[[noreturn]] void refuse(const DeviceInfo& info, const FlatScene& flat, SceneLoads asked) {
+  if (asked == SceneLoads::texel) {
     throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads",
-                                flat.rows.size(), device.info().name, device.info().maxTexelBufferElements));
+                                flat.rows.size(), info.name, info.maxTexelBufferElements));
   }
-  if (loads != SceneLoads::texel && !fits && !fitsStorage(device.info(), flat)) {
-    throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: make it smaller{}",
-                                flat.rows.size() * kRowBytes >> 20, device.info().name,
-                                device.info().maxStorageBufferRange >> 20,
-                                flat.structure == gpu::kStructureGrid ? ", or lower --grid-density" : ""));
-  }
-  return loads != SceneLoads::storage && fits;
+  const bool grid = flat.structure == gpu::kStructureGrid;
+  const char* const smaller = grid ? "make it smaller, or lower --grid-density" : "make it smaller";
+  throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
+                              flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,
+                              fitsTexels(info, flat) ? "use texel loads" : smaller));
 }
 
 vulkan::Buffer makeRows(vulkan::Device& device, const FlatScene& flat, bool real, vulkan::Usage usage) {
@@ -48,8 +45,16 @@ bool canBind(const DeviceInfo& info, const FlatScene& flat, SceneLoads loads) {
   return loads != SceneLoads::texel && fitsStorage(info, flat);
 }
 
+SceneLoads loadsFor(const DeviceInfo& info, const FlatScene& flat, const RenderSettings& settings) {
+  if (!canBind(info, flat, settings.sceneLoads)) refuse(info, flat, settings.sceneLoads);
+  if (settings.sceneLoads != SceneLoads::automatic) return settings.sceneLoads;
+  const SceneLoads preferred = settings.automatic.sceneLoads;
+  if (canBind(info, flat, preferred)) return preferred;
+  return preferred == SceneLoads::texel ? SceneLoads::storage : SceneLoads::texel;
+}
+
 DeviceScene::DeviceScene(vulkan::Device& device, const FlatScene& flat, SceneLoads loads)
-    : readsTexels_(choosesTexels(device, flat, loads)),
+    : readsTexels_(loads == SceneLoads::texel),
       rows_(makeRows(device, flat, !readsTexels_, vulkan::Usage::storage)),
       texels_(makeRows(device, flat, readsTexels_, vulkan::Usage::uniformTexel)),
       constants_(device, sizeof(gpu::RenderConstants), vulkan::Usage::uniform) {

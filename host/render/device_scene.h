@@ -9,11 +9,16 @@ namespace candela {
 /// Whether a device can bind the scene's rows read so; automatic: in one way or the other.
 bool canBind(const DeviceInfo& info, const FlatScene& flat, SceneLoads loads);
 
+/// How the device is to read the rows, texel or storage: as `settings` ask, or where they do not as their
+/// AutomaticChoices say; the other way where the rows do not fit so. Throws FileError, which names both sizes, if the
+/// rows exceed what the device can bind.
+SceneLoads loadsFor(const DeviceInfo& info, const FlatScene& flat, const RenderSettings& settings);
+
 /// Buffers that the kernel's scene bindings stand for. The rows are bound twice, as storage and as texels; which of the
 /// two the kernel reads is compiled into it, and the other is a single row.
 class DeviceScene {
  public:
-  /// Throws FileError, which names both sizes, if the rows exceed what the device can bind.
+  /// `loads` as loadsFor() gives them.
   DeviceScene(vulkan::Device& device, const FlatScene& flat, SceneLoads loads);
 
   bool readsTexels() const { return readsTexels_; }

@@ -84,9 +84,9 @@ std::vector<std::uint32_t> appendWide(const Bvh& bvh, FlatScene& flat) {
 
 }  // namespace
 
-BvhLayout layoutFor(BvhLayout asked, BvhSplit split) {
-  if (asked != BvhLayout::automatic) return asked;
-  return split == BvhSplit::midpoint ? BvhLayout::bvh2 : BvhLayout::cwbvh;
+BvhLayout layoutFor(const RenderSettings& settings) {
+  if (settings.bvhLayout != BvhLayout::automatic) return settings.bvhLayout;
+  return settings.bvhSplit == BvhSplit::midpoint ? BvhLayout::bvh2 : settings.automatic.bvhLayout;
 }
 
 const char* buildQualityName(BuildQuality quality) {
@@ -95,11 +95,11 @@ const char* buildQualityName(BuildQuality quality) {
 }
 
 Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality, BvhLayout layout) {
-  return buildBvh(bounds, optionsFor(split, quality, layoutFor(layout, split), bounds.size()));
+  return buildBvh(bounds, optionsFor(split, quality, layout, bounds.size()));
 }
 
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat) {
-  const BvhLayout layout = layoutFor(settings.bvhLayout, settings.bvhSplit);
+  const BvhLayout layout = layoutFor(settings);
   const Bvh bvh = buildHierarchy(bounds.bounds, settings.bvhSplit, settings.bvhQuality, layout);
   const BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);

@@ -10,15 +10,15 @@
 
 namespace candela {
 
-/// The layout in use: `asked`, or where that is automatic the faster one (docs/performance.md), but two-wide nodes for the
-/// report's trees, which are two-wide.
-BvhLayout layoutFor(BvhLayout asked, BvhSplit split);
+/// The layout in use: the one that is asked for, or where that is automatic what AutomaticChoices says, but two-wide
+/// nodes for the report's trees, which are two-wide.
+BvhLayout layoutFor(const RenderSettings& settings);
 
 /// As on the command line: "fast", "default" or "high".
 const char* buildQualityName(BuildQuality quality);
 
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
-/// eight-wide one. A single leaf where testing all primitives is faster.
+/// eight-wide one; `layout` is one of both. A single leaf where testing all primitives is faster.
 Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality,
                    BvhLayout layout = BvhLayout::bvh2);
 

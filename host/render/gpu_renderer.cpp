@@ -32,8 +32,8 @@ const char* structureName(AccelKind accel) {
 
 class GpuRenderer final : public ReplayingRenderer {
  public:
-  GpuRenderer(const std::string& selector, const GpuRendererOptions& options)
-      : device_(vulkan::Device::open(selector)),
+  GpuRenderer(vulkan::Device device, const GpuRendererOptions& options)
+      : device_(std::move(device)),
         loopLimit_(options.loopLimit ? *options.loopLimit : vulkan::probeLoopLimit(device_)) {}
 
   RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override;
@@ -67,13 +67,14 @@ void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const Re
   if (settings.accel == AccelKind::bvh) describeBuild(settings, statistics);
   statistics.layout = layoutName(flat.structure);
   statistics.kernel = kernel.name;
-  statistics.workgroup = settings.workgroup;
+  statistics.workgroup = settings.workgroupInUse();
+  statistics.automaticOrigin = settings.automatic.origin;
   statistics.sceneLoads = texels ? "texel" : "storage";
   statistics.structureQuality = flat.structureQuality;
 }
 
 RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) {
-  requireWorkgroup(device_.info(), settings.workgroup);
+  requireWorkgroup(device_.info(), settings.workgroupInUse());
   RenderResult result;
   RenderStatistics& statistics = result.statistics;
   Stopwatch watch;
@@ -84,7 +85,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   statistics.seconds["build"] = watch.lap();
   statistics.seconds["structure"] = flat.structureSeconds;
 
-  const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
+  const DeviceScene deviceScene(device_, flat, loadsFor(device_.info(), flat, settings));
   statistics.seconds["upload"] = watch.lap();
   describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
@@ -126,7 +127,7 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
   const std::uint32_t rays = mostRaysPerSegment(scene, settings);
   const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
   const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
-  const DeviceScene deviceScene(device_, flat, settings.sceneLoads);
+  const DeviceScene deviceScene(device_, flat, loadsFor(device_.info(), flat, settings));
   const Kernel kernel = replayKernel();
   Replay replay;
   describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
@@ -139,7 +140,11 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
 }  // namespace
 
 std::unique_ptr<ReplayingRenderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options) {
-  return std::make_unique<GpuRenderer>(selector, options);
+  return makeGpuRenderer(vulkan::Device::open(selector), options);
+}
+
+std::unique_ptr<ReplayingRenderer> makeGpuRenderer(vulkan::Device device, const GpuRendererOptions& options) {
+  return std::make_unique<GpuRenderer>(std::move(device), options);
 }
 
 }  // namespace candela

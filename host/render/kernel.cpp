@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "spirv/hash.h"
 #include "spirv/path.h"
 #include "spirv/views.h"
 #include "spirv/whitted.h"
@@ -44,6 +45,8 @@ void addTreeCounts(std::span<const std::byte> bytes, RenderStatistics& statistic
 }
 
 }  // namespace
+
+std::string_view kernelsHash() { return spirv::hash; }
 
 std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& settings) {
   if (settings.integrator != Integrator::whitted) return 2;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "host/render/flat_scene.h"
 #include "host/render/renderer.h"
@@ -16,6 +17,9 @@ struct Kernel {
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
   void (*addCounts)(std::span<const std::byte> state, RenderStatistics& statistics);
 };
+
+/// Of the code of all kernels, as 64 hexadecimal digits.
+std::string_view kernelsHash();
 
 /// The most rays that one segment traces.
 std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& settings);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/render/replay.h"
+#include "host/vulkan/device.h"
 
 namespace candela {
 
@@ -17,6 +18,8 @@ struct GpuRendererOptions {
 /// The compute-shader tracer on the device that `selector` names (see selectDevice).
 /// Throws NoDeviceError.
 std::unique_ptr<ReplayingRenderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options = {});
+/// The same on a device that is open already.
+std::unique_ptr<ReplayingRenderer> makeGpuRenderer(vulkan::Device device, const GpuRendererOptions& options = {});
 /// The independent double-precision tracer.
 std::unique_ptr<ReplayingRenderer> makeReferenceRenderer();
 

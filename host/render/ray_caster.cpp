@@ -64,7 +64,7 @@ vulkan::Buffer storage(vulkan::Device& device, std::uint64_t count, std::uint64_
 }
 
 const RenderSettings& checked(const vulkan::Device& device, const RenderSettings& settings) {
-  requireWorkgroup(device.info(), settings.workgroup);
+  requireWorkgroup(device.info(), settings.workgroupInUse());
   return settings;
 }
 
@@ -74,7 +74,7 @@ RayCaster::RayCaster(vulkan::Device& device, FlatScene flat, const RenderSetting
     : device_(device),
       settings_(checked(device, settings)),
       flat_(std::move(flat)),
-      deviceScene_(device, flat_, settings.sceneLoads),
+      deviceScene_(device, flat_, loadsFor(device.info(), flat_, settings)),
       casts_{castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), false),
              castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), true)},
       unused_(storage(device, 1, sizeof(gpu::CastHit))),
@@ -84,7 +84,7 @@ RayCaster::RayCaster(vulkan::Device& device, FlatScene flat, const RenderSetting
 
 double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan::BindingSet& bindings,
                            std::uint32_t count) {
-  const std::uint32_t lanes = lanesOf(settings_.workgroup);
+  const std::uint32_t lanes = lanesOf(settings_.workgroupInUse());
   double seconds = 0;
   for (std::uint32_t first = 0; first < count;) {
     const std::uint32_t end = first + std::min(count - first, chunk_);

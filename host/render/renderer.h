@@ -36,6 +36,7 @@ struct RenderStatistics {
   std::uint32_t maxSegmentsPerDispatch = 0;
   std::uint32_t threads = 0; ///< of the reference
   std::string sceneLoads;    ///< "texel" or "storage"
+  std::string automaticOrigin;  ///< AutomaticChoices::origin; empty for the reference
 
   std::uint64_t samples = 0;         ///< pixel samples finished
   std::uint64_t cameraRays = 0;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "host/render/extent.h"
 
@@ -25,8 +26,17 @@ enum class BuildQuality { fast, standard, high };
 /// Nodes of a BVH on the device: two children with single-precision boxes, or eight with quantised ones; automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
-/// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
+/// How the device reads the scene: one way for certain, or the way that AutomaticChoices names, where the scene fits so
+/// (automatic).
 enum class SceneLoads { automatic, texel, storage };
+
+/// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.
+struct AutomaticChoices {
+  BvhLayout bvhLayout = BvhLayout::cwbvh;     ///< one of both; midpoint splits have a rule of their own
+  SceneLoads sceneLoads = SceneLoads::texel;  ///< one of both; where the scene does not fit, the other
+  Extent workgroup{8, 8};                     ///< one that every device has
+  std::string origin = "built-in";            ///< for reports
+};
 
 /// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
 inline constexpr std::uint32_t kMaxTreeDepth = 20;
@@ -58,13 +68,16 @@ struct RenderSettings {
   BvhLayout bvhLayout = BvhLayout::automatic;
   float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;
-  Extent workgroup{8, 8};
+  std::optional<Extent> workgroup;  ///< absent: as `automatic` says
+  AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
   std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
 
   /// Records what each path decided (one sample per pixel only): see PathRecord.
   bool recordPaths = false;
+
+  Extent workgroupInUse() const { return workgroup.value_or(automatic.workgroup); }
 
   /// Whether camera rays are spread by the pixel filter; if not, they go through the pixels' origins.
   bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }

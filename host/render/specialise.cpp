@@ -42,8 +42,8 @@ std::uint32_t viewOf(Integrator integrator) {
 
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
   const SceneFeatures& has = flat.features;
-  return {{gpu::kSpecWorkgroupX, settings.workgroup.width},
-          {gpu::kSpecWorkgroupY, settings.workgroup.height},
+  return {{gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
+          {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
           {gpu::kSpecSpheres, has.spheres},
           {gpu::kSpecTriangles, has.triangles},
           {gpu::kSpecBoxes, has.boxes},

@@ -6,11 +6,14 @@
 
 namespace candela {
 
-void requireWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
+bool hasWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
   const std::uint64_t lanes = std::uint64_t{workgroup.width} * workgroup.height;
-  const bool fits = lanes > 0 && lanes <= info.maxWorkgroupInvocations && workgroup.width <= info.maxWorkgroupSize[0] &&
-                    workgroup.height <= info.maxWorkgroupSize[1];
-  if (fits) return;
+  return lanes > 0 && lanes <= info.maxWorkgroupInvocations && workgroup.width <= info.maxWorkgroupSize[0] &&
+         workgroup.height <= info.maxWorkgroupSize[1];
+}
+
+void requireWorkgroup(const DeviceInfo& info, const Extent& workgroup) {
+  if (hasWorkgroup(info, workgroup)) return;
   throw UsageError(fmt::format("--workgroup {}x{}: {} runs at most {} lanes in a workgroup, {} by {}", workgroup.width,
                                workgroup.height, info.name, info.maxWorkgroupInvocations, info.maxWorkgroupSize[0],
                                info.maxWorkgroupSize[1]));

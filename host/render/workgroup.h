@@ -5,6 +5,7 @@
 
 namespace candela {
 
+bool hasWorkgroup(const DeviceInfo& info, const Extent& workgroup);
 /// Throws UsageError, which names the device's limits, if it has not.
 void requireWorkgroup(const DeviceInfo& info, const Extent& workgroup);
 

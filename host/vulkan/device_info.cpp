@@ -74,6 +74,8 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
   info.index = index;
   info.name = properties.deviceName.data();
   info.type = typeName(properties.deviceType);
+  info.driverVersion = properties.driverVersion;
+  info.pipelineCacheUuid = fmt::format("{:02x}", fmt::join(properties.pipelineCacheUUID, ""));
   info.apiVersion = versionText(properties.apiVersion);
   info.memoryBytes = deviceLocalBytes(device);
   fillLimits(info, properties.limits);

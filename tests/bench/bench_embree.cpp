@@ -25,7 +25,7 @@ RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint3
   for (const auto& tracer : tracers) all.push_back(tracer.get());
   all.push_back(&embree);
   const RaySets sets = tracers.front()->makeRays();
-  RayReport report{device.info().name, device.info().driver, settings.workgroup, settings.size, repeats, {}};
+  RayReport report{device.info().name, device.info().driver, settings.workgroupInUse(), settings.size, repeats, {}};
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
     const std::size_t i = place++ % all.size();

@@ -12,6 +12,7 @@
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
 #include "host/generate/kinds.h"
+#include "host/tune/dimensions.h"
 #include "tests/cli/run_program.h"
 
 namespace candela::cli {
@@ -68,9 +69,10 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--lenient", "", ""},
                                       {"--allow-path", "DIR", ""},
                                       {"--device", "cpu|N|SUBSTRING", "the best GPU"},
-                                      {"--workgroup", "XxY", "8x8"},
+                                      {"--workgroup", "XxY", "auto"},
                                       {"--tile", "WxH", "auto"},
                                       {"--segments-per-dispatch", "N", "auto"},
+                                      {"--untuned", "", ""},
                                       {"-t,--threads", "N", "0"},
                                       {"--tonemap", "none|srgb|aces|agx|neutral", "srgb"},
                                       {"--exposure", "STOPS", "0"},
@@ -90,6 +92,9 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--threshold", "SHARE", "0.05"},
                                       {"--markdown", "FILE", ""},
                                       {"--svg", "FILE", ""},
+                                      {"--size", "WxH", "auto", Command::tune},
+                                      {"--spp", "N", "auto", Command::tune},
+                                      {"--dry-run", "", ""},
                                       {"-o,--output", "FILE", "-", Command::generate},
                                       {"--size", "N", "the kind's", Command::generate},
                                       {"--depth", "N", "all", Command::boxes},
@@ -146,7 +151,7 @@ TEST_CASE("an option shows the value that it was given") {
       {"--bvh-quality", {"fast", "high", "default"}},
       {"--grid-density", {"0.5", "64"}},
       {"--device", {"cpu", "llvmpipe"}},
-      {"--workgroup", {"16x4"}},
+      {"--workgroup", {"16x4", "auto"}},
       {"--tile", {"7x9", "auto"}},
       {"--segments-per-dispatch", {"1", "auto"}},
       {"--threads", {"2"}},
@@ -203,6 +208,20 @@ TEST_CASE("settings print as the command line that states them") {
   CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");
   arguments.allowedPaths = {"/a", "/b"};
   CHECK(commandLineOf(arguments, OptionGroup::sceneFile, false) == "--allow-path /a --allow-path /b");
+}
+
+TEST_CASE("every option that is tuned is one of tracing, and has auto and all values that are tried") {
+  for (const tune::Dimension& dimension : tune::dimensionTable()) {
+    const Option& option = find("--" + dimension.option);
+    CHECK(option.isFor(Command::render));
+    CHECK(option.group == OptionGroup::execution);
+    CHECK(option.defaultText == "auto");
+    Arguments arguments;
+    for (const tune::Value& value : dimension.values) {
+      CHECK(option.apply(arguments, value.name));
+      CHECK(option.show(arguments) == std::vector{value.name});
+    }
+  }
 }
 
 TEST_CASE("README quotes the help") { CHECK(readmeBlock("help") == helpText(std::nullopt)); }

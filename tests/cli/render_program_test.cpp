@@ -67,6 +67,7 @@ TEST_CASE("the report has every promised figure") {
                           "verticesPerSample",
                           "traversalSteps",
                           "workgroup",
+                          "auto",
                           "structure",
                           "bvhSplit",
                           "bvhQuality",

@@ -78,7 +78,9 @@ ProgramResult runProgram(const std::string& program, const std::vector<std::stri
                          const Surroundings& surroundings) {
   const TemporaryFolder folder;
   const std::string out = surroundings.standardOutput.empty() ? folder.path("out") : surroundings.standardOutput;
-  const pid_t child = spawn(program, words, surroundings.environment, out, folder.path("err"));
+  std::vector<std::string> environment = surroundings.environment;
+  environment.push_back("CANDELA_CACHE_DIR=" + folder.path("cache"));
+  const pid_t child = spawn(program, words, environment, out, folder.path("err"));
   ProgramResult result;
   result.exitCode = waitFor(child, surroundings);
   result.out = readFile(folder.path("out"));

@@ -21,8 +21,8 @@ struct Surroundings {
   std::optional<std::chrono::milliseconds> interruptAfter;
 };
 
-/// Runs candela with `words`, stdin empty. Throws std::runtime_error if it cannot be started or takes over five
-/// minutes.
+/// Runs candela with `words`, stdin empty, where nothing has been tuned unless the surroundings say so. Throws
+/// std::runtime_error if it cannot be started or takes over five minutes.
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
 /// The same for another program, given by its path.

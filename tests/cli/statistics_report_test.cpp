@@ -20,6 +20,7 @@ RenderResult exampleResult() {
   statistics.seconds["build"] = 0.25;
   for (int i = 100; i >= 1; --i) statistics.dispatchSeconds.push_back(i);
   statistics.workgroup = {16, 4};
+  statistics.automaticOrigin = "tuned";
   statistics.structure = "bvh";
   return result;
 }
@@ -36,6 +37,7 @@ TEST_CASE("rates are per second of tracing") {
   CHECK(json["seconds"]["write"] == 0.5);
   CHECK(json["seconds"]["total"] == 4.0);
   CHECK(json["workgroup"] == "16x4");
+  CHECK(json["auto"] == "tuned");
 }
 
 TEST_CASE("rays of a tree are told by kind, those of a path are not") {

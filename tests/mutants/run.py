@@ -64,7 +64,7 @@ class Workshop:
         if not drivers:
             sys.exit("lavapipe is not installed: apt-get install mesa-vulkan-drivers")
         self.environment = os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0],
-                                         "CANDELA_VALIDATION": "1"}
+                                         "CANDELA_VALIDATION": "1", "CANDELA_CACHE_DIR": str(folder / "cache")}
 
     def prepare(self):
         shutil.rmtree(self.source, ignore_errors=True)

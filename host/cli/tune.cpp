@@ -1,0 +1,92 @@
+// `candela tune`: what is fastest on a device, kept for later commands.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/bench_output.h"
+#include "host/cli/commands.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_job.h"
+#include "host/core/interrupt.h"
+#include "host/core/progress.h"
+#include "host/render/make_renderer.h"
+#include "host/tune/tune_report.h"
+#include "host/tune/tuning_file.h"
+#include "host/tune/work.h"
+
+namespace candela::cli {
+namespace {
+
+using tune::TuneReport;
+using tune::Work;
+
+// Where the choice will be kept; it can be.
+std::filesystem::path requireFile(const tune::TuningKey& key) {
+  const std::optional<std::filesystem::path> folder = tune::cacheFolder();
+  if (!folder) {
+    throw FileError("nowhere to keep what is found: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or give --dry-run");
+  }
+  const std::filesystem::path file = *folder / tune::fileNameOf(key);
+  tune::requireTuningFile(file);
+  return file;
+}
+
+Work workOf(const Arguments& arguments, Scene scene, const Log& log) {
+  Arguments resolved = arguments;
+  resolveRequests(resolved, scene, log);
+  requirePossible(resolved, scene, log);
+  return {std::move(scene), resolved.settings};
+}
+
+std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
+  std::vector<Work> works;
+  for (const std::string& file : arguments.files) {
+    Arguments one = arguments;
+    one.files = {file};
+    RenderJob job = loadJob(one, log);
+    works.push_back({std::move(job.scene), job.settings});
+  }
+  if (!works.empty()) return works;
+  for (Scene& scene : tune::builtInScenes()) works.push_back(workOf(arguments, std::move(scene), log));
+  return works;
+}
+
+tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, std::vector<Work>& works,
+                           const Log& log) {
+  const std::unique_ptr<Renderer> renderer = makeGpuRenderer(device);
+  RenderControl control;
+  control.stop = &watchInterrupts();
+  for (Work& work : works) {
+    fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
+    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.size),
+                         work.settings.sampleCount));
+  }
+  return tune::search(
+      device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
+        log.note(fmt::format("{} candidates, {} runs each of {} scenes", candidates.size(), repeats, works.size()));
+        Progress progress(std::cerr, progressStyle(log.verbosity()));
+        return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
+      });
+}
+
+}  // namespace
+
+ExitCode runTune(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") throw UsageError("tune --device cpu: the reference has nothing to be tuned");
+  watchInterrupts();
+  for (const std::string& target : {arguments.json, arguments.markdown}) requireWritableReport(target);
+  vulkan::Device device = vulkan::Device::open(arguments.device);
+  const tune::TuningKey key = tune::keyOf(device.info());
+  TuneReport report;
+  if (!arguments.dryRun) report.file = requireFile(key);
+  std::vector<Work> works = worksOf(arguments, log);
+  report.repeats = arguments.repeats;
+  report.result = measure(arguments, device, works, log);
+  if (!report.result.builtInAgrees) report.file.reset();
+  if (report.file) tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
+  return publish(report, arguments, log,
+                 "candidates did not give the same image: `candela verify` says which is wrong");
+}
+
+}  // namespace candela::cli

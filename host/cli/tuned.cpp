@@ -1,0 +1,29 @@
+#include "host/cli/tuned.h"
+
+#include <fmt/format.h>
+
+namespace candela::cli {
+
+std::optional<KeptTuning> keptTuning(const DeviceInfo& info, const Log& log) {
+  const std::optional<std::filesystem::path> folder = tune::cacheFolder();
+  if (!folder) return std::nullopt;
+  const tune::TuningKey key = tune::keyOf(info);
+  const std::filesystem::path file = *folder / tune::fileNameOf(key);
+  const tune::TuningLookup found = tune::readTuning(file, key, info);
+  if (!found.problem.empty()) {
+    log.warning(fmt::format("{} is ignored: {}; `candela tune` writes it anew", file.string(), found.problem));
+  }
+  if (!found.tuning) return std::nullopt;
+  return KeptTuning{*found.tuning, file};
+}
+
+AutomaticChoices automaticChoices(const Arguments& arguments, const DeviceInfo& info, const Log& log) {
+  if (arguments.untuned) return {};
+  const std::optional<KeptTuning> kept = keptTuning(info, log);
+  if (!kept) return {};
+  AutomaticChoices choices = tune::choicesOf(kept->tuning.candidate);
+  choices.origin = fmt::format("tuned {}, {}", kept->tuning.date, kept->file.string());
+  return choices;
+}
+
+}  // namespace candela::cli

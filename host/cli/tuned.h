@@ -1,0 +1,45 @@
+// What `auto` means on a device: what `candela tune` found there, or what is built in.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "host/cli/arguments.h"
+#include "host/render/replay.h"
+#include "host/tune/tuning_file.h"
+
+namespace candela::cli {
+
+/// What is kept for a device in the user's cache. A file that must not be used is told in the log and left alone.
+struct KeptTuning {
+  tune::Tuning tuning;
+  std::filesystem::path file;
+};
+std::optional<KeptTuning> keptTuning(const DeviceInfo& info, const Log& log);
+
+/// What is kept, or without it, or if `--untuned` is given, what is built in.
+AutomaticChoices automaticChoices(const Arguments& arguments, const DeviceInfo& info, const Log& log);
+
+/// Renders as another renderer does, with these choices.
+class TunedRenderer final : public ReplayingRenderer {
+ public:
+  TunedRenderer(std::unique_ptr<ReplayingRenderer> renderer, AutomaticChoices choices)
+      : renderer_(std::move(renderer)), choices_(std::move(choices)) {}
+
+  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
+    return renderer_->render(scene, tuned(settings), control);
+  }
+  Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override {
+    return renderer_->replay(scene, tuned(settings), sample);
+  }
+
+ private:
+  RenderSettings tuned(RenderSettings settings) const {
+    settings.automatic = choices_;
+    return settings;
+  }
+
+  std::unique_ptr<ReplayingRenderer> renderer_;
+  AutomaticChoices choices_;
+};
+
+}  // namespace candela::cli

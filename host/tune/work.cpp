@@ -1,0 +1,113 @@
+#include "host/tune/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/core/errors.h"
+#include "host/generate/kinds.h"
+#include "host/scene/load.h"
+
+namespace candela::tune {
+namespace {
+
+constexpr double kFirstPixels = 128 * 128;
+constexpr double kMostSamples = 1 << 16;
+// A first estimate from a hundredth of the work is too rough to go all the way at once.
+constexpr double kLargestStep = 32;
+
+Scene generatedScene(std::uint32_t size) {
+  const auto kinds = generate::kindTable();
+  const auto kind = std::ranges::find(kinds, std::string_view("sphere"), &generate::Kind::name);
+  std::string text;
+  generate::generateScene(*kind, size, [&](std::string_view block) { text += block; });
+  return parseScene(text, fmt::format("{} triangles", kind->primitiveCount(size)), ".").scene;
+}
+
+double pixelsOf(const Extent& size) { return static_cast<double>(size.width) * size.height; }
+
+// About so many pixels in the shape of `largest`, and no more than it has.
+Extent shrunk(const Extent& largest, double pixels) {
+  const double scale = std::min(1.0, std::sqrt(pixels / pixelsOf(largest)));
+  const auto side = [&](std::uint32_t length) { return std::max(1u, static_cast<std::uint32_t>(length * scale)); };
+  return {side(largest.width), side(largest.height)};
+}
+
+double secondsOf(Renderer& renderer, const Work& work, const RenderControl& control) {
+  RenderResult result = renderer.render(work.scene, work.settings, control);
+  if (result.interrupted) throw InterruptedError("interrupted; nothing is written");
+  return result.statistics.seconds["trace"];
+}
+
+// Multiplies the work by `factor`, in pixels as long as there are any, then in samples.
+void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSettings& settings) {
+  if (!asked.size) {
+    const double before = pixelsOf(settings.size);
+    settings.size = shrunk(largest, before * factor);
+    factor *= before / pixelsOf(settings.size);
+  }
+  if (!asked.sampleCount) {
+    settings.sampleCount =
+        static_cast<std::uint32_t>(std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
+  }
+}
+
+// What the caller sees of one of several works: its share, behind those that are over.
+RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t count, std::uint64_t samplesOver) {
+  RenderControl part = whole;
+  if (!whole.progress) return part;
+  part.progress = [&whole, index, count, samplesOver](double fraction, std::uint64_t samples) {
+    whole.progress((static_cast<double>(index) + fraction) / static_cast<double>(count), samplesOver + samples);
+  };
+  return part;
+}
+
+}  // namespace
+
+std::vector<Scene> builtInScenes() {
+  constexpr std::uint32_t kBox = 1;
+  constexpr std::uint32_t kMesh = 91;
+  std::vector<Scene> scenes;
+  for (const std::uint32_t size : {kBox, kMesh}) scenes.push_back(generatedScene(size));
+  return scenes;
+}
+
+void fitToDevice(Renderer& renderer, const WorkSize& asked, const RenderControl& control, Work& work) {
+  const Extent largest = work.settings.size;
+  work.settings.size = asked.size.value_or(shrunk(largest, kFirstPixels));
+  work.settings.sampleCount = asked.sampleCount.value_or(1);
+  if (asked.size && asked.sampleCount) return;
+  constexpr int kMostSteps = 4;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double seconds = secondsOf(renderer, work, control);
+    if (seconds > 0.5 * kRunSeconds) return;
+    grow(std::min(kLargestStep, kRunSeconds / std::max(seconds, 1e-6)), largest, asked, work.settings);
+  }
+}
+
+std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, std::span<const Candidate> candidates,
+                             std::uint32_t repeats, const RenderControl& control) {
+  std::vector<Row> rows;
+  for (const Candidate& candidate : candidates) rows.push_back({candidate, {}});
+  std::uint64_t samples = 0;
+  for (std::size_t w = 0; w < works.size(); ++w) {
+    const Work& work = works[w];
+    std::vector<bench::Variant> variants;
+    for (const Candidate& candidate : candidates) {
+      variants.push_back({nameOf(candidate), work.settings});
+      variants.back().settings.automatic = choicesOf(candidate);
+      variants.back().settings.automatic.origin = "tried";
+    }
+    std::vector<bench::Measurement> measurements =
+        bench::measureInterleaved(renderer, work.scene, variants, repeats, shareOf(control, w, works.size(), samples));
+    if (measurements.empty()) throw InterruptedError("interrupted; nothing is written");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      samples += repeats * measurements[i].statistics.samples;
+      rows[i].scenes.push_back({work.scene.name, work.scene.hash, std::move(measurements[i])});
+    }
+  }
+  return rows;
+}
+
+}  // namespace candela::tune

@@ -1,0 +1,52 @@
+// Rows of measurements that nobody measured.
+#pragma once
+#include <vector>
+
+#include "host/tune/search.h"
+
+namespace candela::tune {
+
+/// What one scene took: the median of the runs, which lie evenly around it by `deviation`, a share of it.
+struct MadeTime {
+  double seconds = 1;
+  double deviation = 0;
+  bool agrees = true;
+};
+
+inline Row madeRow(const Candidate& candidate, const std::vector<MadeTime>& times, std::uint32_t repeats = 3) {
+  Row row{candidate, {}};
+  for (const MadeTime& time : times) {
+    bench::SweepRow scene{"made", 1, {}};
+    for (std::uint32_t run = 0; run < repeats; ++run) {
+      const double place = repeats == 1 ? 0 : 2.0 * run / (repeats - 1) - 1;
+      scene.measurement.traceSeconds.push_back(time.seconds * (1 + place * time.deviation));
+    }
+    scene.measurement.agrees = time.agrees;
+    scene.measurement.variant.settings.size = {4, 4};
+    row.scenes.push_back(std::move(scene));
+  }
+  return row;
+}
+
+/// The candidate that is built in but for some values, by their names.
+inline Candidate candidateWith(const std::vector<std::pair<std::string, std::string>>& values) {
+  Candidate candidate = builtIn();
+  for (std::size_t i = 0; i < candidate.size(); ++i) {
+    for (const auto& [option, value] : values) {
+      if (dimensionTable()[i].option == option) candidate[i] = valueNamed(dimensionTable()[i], value).value();
+    }
+  }
+  return candidate;
+}
+
+/// Which has all workgroups that are tried.
+inline DeviceInfo roomyDevice() {
+  DeviceInfo info;
+  info.name = "made device";
+  info.driver = "made driver 1.2";
+  info.maxWorkgroupInvocations = 1024;
+  for (std::uint32_t& side : info.maxWorkgroupSize) side = 1024;
+  return info;
+}
+
+}  // namespace candela::tune

@@ -1,0 +1,162 @@
+// The search, by made measurements.
+#include "host/tune/search.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "host/render/pipeline_store.h"
+#include "tests/tune/made_rows.h"
+
+namespace candela::tune {
+namespace {
+
+using Times = std::map<std::string, std::vector<MadeTime>>;  // by nameOf()
+
+const std::string kBuiltIn = nameOf(builtIn());
+const std::vector<MadeTime> kOneSecond{{1}, {1}};
+
+// Every candidate takes a second on each of two scenes but for those in `times`.
+class MadeDevice {
+ public:
+  explicit MadeDevice(Times times) : times_(std::move(times)) {}
+
+  SearchResult search(const DeviceInfo& info = roomyDevice()) {
+    return tune::search(info, 3, [this](std::span<const Candidate> candidates, std::uint32_t repeats) {
+      repeatsOfRounds.push_back(repeats);
+      std::vector<Row> rows;
+      for (const Candidate& candidate : candidates) {
+        const auto found = times_.find(nameOf(candidate));
+        rows.push_back(madeRow(candidate, found == times_.end() ? kOneSecond : found->second, repeats));
+      }
+      if (afterFirstRound) times_ = *afterFirstRound;
+      return rows;
+    });
+  }
+
+  std::vector<std::uint32_t> repeatsOfRounds;
+  std::optional<Times> afterFirstRound;
+
+ private:
+  Times times_;
+};
+
+std::string named(const std::vector<std::pair<std::string, std::string>>& values) {
+  return nameOf(candidateWith(values));
+}
+
+TEST_CASE("a gain is the geometric mean over the scenes of the ratios of medians") {
+  const Row base = madeRow(builtIn(), {{1, 0.1}, {8, 0.1}});
+  CHECK(gain(base, madeRow(builtIn(), {{0.5, 0.3}, {8, 0.3}})) == Approx(std::sqrt(2)));
+  CHECK(gain(base, madeRow(builtIn(), {{0.5}, {16}})) == Approx(1));
+  CHECK(gain(base, madeRow(builtIn(), {{0.5, 0, false}, {8}})) == 0);
+}
+
+TEST_CASE("noise is two standard errors of the medians, less over more runs and more scenes") {
+  // Runs at 0.9, 1 and 1.1: a median absolute deviation of 0.1.
+  const double error = 1.2533 * 1.4826 * 0.1 / std::sqrt(3);
+  const Row one = madeRow(builtIn(), {{1, 0.1}});
+  const Row two = madeRow(builtIn(), {{1, 0.1}, {5, 0.1}});
+  CHECK(noise(one, one) == Approx(2 * std::sqrt(2) * error));
+  CHECK(noise(two, two) == Approx(noise(one, one) / std::sqrt(2)));
+  CHECK(noise(one, madeRow(builtIn(), {{1, 0}})) == Approx(2 * error));
+  CHECK(noise(madeRow(builtIn(), {{1, 0.1}}, 9), madeRow(builtIn(), {{1, 0.1}}, 9)) < noise(one, one));
+}
+
+TEST_CASE("the candidate with the best geometric mean is chosen, not the best of any one scene") {
+  const std::string chosen = named({{"layout", "bvh2"}});
+  MadeDevice device(Times{{chosen, {{0.8}, {0.8}}}, {named({{"loads", "storage"}}), {{0.4}, {2}}}});
+  const SearchResult result = device.search();
+  CHECK(nameOf(result.chosen) == chosen);
+  CHECK(result.chosenGain == Approx(1.25));
+  CHECK(result.agree());
+}
+
+TEST_CASE("options of one stage are tried together, later ones with what earlier ones found") {
+  // Each value alone is slower.
+  const std::string pair = named({{"layout", "bvh2"}, {"loads", "storage"}});
+  const std::string all = named({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "32x1"}});
+  MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{2}, {2}}},
+                          {named({{"loads", "storage"}}), {{2}, {2}}},
+                          {pair, {{0.5}, {0.5}}},
+                          {all, {{0.25}, {0.25}}}});
+  const SearchResult result = device.search();
+  CHECK(nameOf(result.chosen) == all);
+  CHECK(result.chosenGain == Approx(4));
+  REQUIRE(result.rounds.size() == 3);
+  CHECK(result.rounds[0].purpose == "layout, loads");
+  CHECK(result.rounds[1].purpose == "workgroup");
+  CHECK(result.rounds[2].purpose == "confirmation");
+  CHECK(device.repeatsOfRounds == std::vector<std::uint32_t>{3, 3, 7});
+  for (const Round& round : result.rounds) CHECK(nameOf(round.rows.front().candidate) == kBuiltIn);
+}
+
+TEST_CASE("what is built in stays unless something is faster by more than the least gain and the noise") {
+  const std::string other = named({{"workgroup", "16x4"}});
+  CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.015}, {1 / 1.015}}}}).search().chosen) == kBuiltIn);
+  CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.025}, {1 / 1.025}}}}).search().chosen) == other);
+  const auto noisy = [&](double deviation) {
+    return MadeDevice(
+               Times{{kBuiltIn, {{1, deviation}, {1, deviation}}}, {other, {{0.9, deviation}, {0.9, deviation}}}})
+        .search();
+  };
+  CHECK(nameOf(noisy(0.2).chosen) == kBuiltIn);
+  CHECK(nameOf(noisy(0.01).chosen) == other);
+  CHECK(noisy(0.2).rounds.size() == 2);  // nothing to confirm
+}
+
+TEST_CASE("what was fast in its own round alone does not survive the confirmation") {
+  MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
+  device.afterFirstRound = Times{};
+  const SearchResult result = device.search();
+  CHECK(result.rounds.back().purpose == "confirmation");
+  CHECK(nameOf(result.chosen) == kBuiltIn);
+  CHECK(result.chosenGain == 1);
+}
+
+TEST_CASE("a candidate whose image differs is not chosen however fast it is, and is told") {
+  const std::string wrong = named({{"layout", "bvh2"}});
+  const std::string right = named({{"loads", "storage"}});
+  const SearchResult result = MadeDevice(Times{{wrong, {{0.1}, {0.1, 0, false}}}, {right, {{0.5}, {0.5}}}}).search();
+  CHECK(nameOf(result.chosen) == right);
+  CHECK_FALSE(result.agree());
+  CHECK(result.builtInAgrees);
+}
+
+TEST_CASE("a choice whose image differs later is given up") {
+  MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
+  device.afterFirstRound = Times{{named({{"layout", "bvh2"}}), {{0.5, 0, false}, {0.5}}}};
+  CHECK(nameOf(device.search().chosen) == kBuiltIn);
+}
+
+TEST_CASE("where the built-in image differs nothing is chosen and nothing else is tried") {
+  const SearchResult result =
+      MadeDevice(Times{{kBuiltIn, {{1, 0, false}, {1}}}, {named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}}).search();
+  CHECK_FALSE(result.builtInAgrees);
+  CHECK_FALSE(result.agree());
+  CHECK(result.rounds.size() == 1);
+  CHECK(nameOf(result.chosen) == kBuiltIn);
+}
+
+TEST_CASE("workgroups that the device does not have are not tried") {
+  DeviceInfo small = roomyDevice();
+  small.maxWorkgroupInvocations = 64;
+  std::size_t shapes = 0;
+  for (const Round& round : MadeDevice(Times{}).search(small).rounds) {
+    for (const Row& row : round.rows) {
+      CHECK(isFeasible(row.candidate, small));
+      ++shapes;
+    }
+  }
+  CHECK(shapes == 4 + 5);
+}
+
+TEST_CASE("no round has more candidates than a renderer keeps pipelines for") {
+  const std::string found = named({{"layout", "bvh2"}, {"loads", "storage"}});
+  const SearchResult result = MadeDevice(Times{{found, {{0.5}, {0.5}}}}).search();
+  REQUIRE(result.rounds.size() == 3);
+  for (const Round& round : result.rounds) CHECK(round.rows.size() <= PipelineStore::kCapacity);
+}
+
+}  // namespace
+}  // namespace candela::tune

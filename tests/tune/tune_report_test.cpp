@@ -1,0 +1,76 @@
+// What people and programs read of a search.
+#include "host/tune/tune_report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/tune/made_rows.h"
+
+namespace candela::tune {
+namespace {
+
+using Catch::Contains;
+
+const Candidate kOther = candidateWith({{"layout", "bvh2"}});
+
+TuneReport reportOf(MadeTime other) {
+  TuneReport report;
+  report.result.rounds.push_back({"layout, loads", {madeRow(builtIn(), {{0.2}}), madeRow(kOther, {other})}});
+  report.result.chosen = builtIn();
+  return report;
+}
+
+TuneReport reportOfChoice() {
+  TuneReport report = reportOf({0.1});
+  report.result.chosen = kOther;
+  report.result.chosenGain = 1.91;
+  report.result.chosenNoise = 0.03;
+  report.file = "/cache/a.json";
+  return report;
+}
+
+TEST_CASE("the text has a row for each candidate, the choice, its gain over what is built in, and the file") {
+  const std::string text = toText(reportOfChoice());
+  CHECK_THAT(text, Contains("made, 4x4 x 16 spp, ms") && Contains("200.0") && Contains("100.0") && Contains("2.000"));
+  CHECK_THAT(text, Contains("chosen: layout=bvh2 loads=texel workgroup=8x8, 1.91 times as fast as the built-in "
+                            "layout=cwbvh loads=texel workgroup=8x8 (noise 3.0 %)"));
+  CHECK_THAT(text, Contains("stored in /cache/a.json; --untuned ignores it"));
+  CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=texel workgroup=8x8 |"));
+}
+
+TEST_CASE("where nothing is faster or nothing is stored the text says so") {
+  const std::string text = toText(reportOf({0.2}));
+  CHECK_THAT(text, Contains("which is built in; nothing is clearly faster") && Contains("nothing is stored"));
+}
+
+TEST_CASE("a candidate whose image differs has that word instead of figures, and makes the report disagree") {
+  const TuneReport report = reportOf({0.1, 0, false});
+  CHECK_FALSE(report.agree());
+  CHECK_THAT(toText(report), Contains("differs") && !Contains("2.000"));
+  const auto row = toJson(report)["rows"][1];
+  CHECK(row["sameImage"] == false);
+  CHECK_FALSE(row.contains("timesAsFast"));
+}
+
+TEST_CASE("a wrong image of what is built in leaves nothing chosen") {
+  TuneReport report = reportOf({0.1});
+  report.result.builtInAgrees = false;
+  CHECK_THAT(toText(report), Contains("nothing is chosen"));
+  CHECK(toJson(report)["chosen"].is_null());
+}
+
+TEST_CASE("the JSON report has every row, the choice and the file") {
+  const auto json = toJson(reportOfChoice());
+  CHECK(json["schema"] == "candela-tune-report/1");
+  REQUIRE(json["rows"].size() == 2);
+  CHECK(json["rows"][1]["timesAsFast"] == Approx(2));
+  CHECK(json["rows"][1]["choice"]["layout"] == "bvh2");
+  CHECK(json["rows"][1]["scenes"][0]["medianMs"] == Approx(100));
+  CHECK(json["builtIn"]["layout"] == "cwbvh");
+  CHECK(json["chosen"]["layout"] == "bvh2");
+  CHECK(json["timesAsFast"] == 1.91);
+  CHECK(json["file"] == "/cache/a.json");
+}
+
+}  // namespace
+}  // namespace candela::tune
