@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "host/render/flat_scene.h"
 #include "host/render/renderer.h"
@@ -11,16 +12,21 @@ namespace candela {
 
 struct Kernel {
   const char* name;  ///< as in RenderStatistics::kernel
-  std::span<const std::uint32_t> spirv;
-  std::uint32_t stateBytes;      ///< of a pixel
+  std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
+  std::uint32_t stateBytes;                           ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
   void (*addCounts)(std::span<const std::byte> state, RenderStatistics& statistics);
+
+  bool isWavefront() const { return spirv.size() > 1; }
 };
 
 /// The most rays that one segment traces.
 std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& settings);
 
-/// The kernel of the integrator that `settings` ask for.
+/// Throws UsageError if the settings ask for the wavefront of an integrator that has none.
+void requireKernel(const RenderSettings& settings);
+
+/// The kernel of the integrator that `settings` ask for. Throws as requireKernel().
 Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings);
 
 }  // namespace candela

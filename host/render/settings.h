@@ -25,6 +25,10 @@ enum class BvhLayout { automatic, bvh2, cwbvh };
 /// How the device reads the scene: as a texel buffer where it fits (automatic), or one way for certain.
 enum class SceneLoads { automatic, texel, storage };
 
+/// How a device traces paths: each to its end by one lane, or all a segment at a time, stage by stage; automatic: the
+/// megakernel. Other integrators have one kernel each.
+enum class KernelKind { automatic, megakernel, wavefront };
+
 /// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
 inline constexpr std::uint32_t kMaxTreeDepth = 20;
 
@@ -54,6 +58,7 @@ struct RenderSettings {
   BvhLayout bvhLayout = BvhLayout::automatic;
   float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;
+  KernelKind kernel = KernelKind::automatic;
   Extent workgroup{8, 8};
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
