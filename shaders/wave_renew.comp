@@ -15,8 +15,9 @@ uint finishSample(uint pixelIndex) {
   return radianceSample.w + 1u;
 }
 
-// The queue in which the pixel goes on.
-uint renew(uint pixelIndex) {
+void main() {
+  uint pixelIndex;
+  if (!takePixel(kQueueRenew, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   uint sampleIndex = finishSample(pixelIndex);
   bool done = sampleIndex >= dispatch.work.z;
   uvec2 pixel = pixelAt(pixelIndex);
@@ -25,12 +26,5 @@ uint renew(uint pixelIndex) {
   if (done) path.depth = 0u;
   waves[pixelIndex].path = packPath(path, sampleIndex, waves[pixelIndex].path.counts);
   if (done) atomicAdd(counters.finishedPixels, 1u);
-  return done ? kNoQueue : queueOfNextRound();
-}
-
-void main() {
-  uint pixelIndex;
-  uint next = kNoQueue;
-  if (takePixel(kQueueRenew, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) next = renew(pixelIndex);
-  pushPixel(gl_LocalInvocationIndex, pixelIndex, next, false);
+  else pushPixel(queueOfNextRound(), pixelIndex);
 }

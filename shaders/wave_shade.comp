@@ -19,8 +19,9 @@ void record(uint pixelIndex, uint depth, Decisions decisions) {
   words[word + 1u] = kRecordValid | (decisions.survived ? 1u << 16 : 0u) | decisions.lobe;
 }
 
-// The queue in which the pixel goes on.
-uint shade(uint pixelIndex, out bool shadowed) {
+void main() {
+  uint pixelIndex;
+  if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   PathState state = waves[pixelIndex].path;
   uvec3 found = waves[pixelIndex].hit.xyz;
   Path path = unpackPath(state);
@@ -35,15 +36,9 @@ uint shade(uint pixelIndex, out bool shadowed) {
                                     uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kRecordPaths) record(pixelIndex, depth, decisions);
-  shadowed = kHasLights && shadow.wanted;
-  if (shadowed) storeShadowRay(pixelIndex, shadow);
-  return goesOn ? queueOfNextRound() : kQueueRenew;
-}
-
-void main() {
-  uint pixelIndex;
-  uint next = kNoQueue;
-  bool shadowed = false;
-  if (takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) next = shade(pixelIndex, shadowed);
-  pushPixel(gl_LocalInvocationIndex, pixelIndex, next, shadowed);
+  if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
+  else pushPixel(kQueueRenew, pixelIndex);
+  if (!kHasLights || !shadow.wanted) return;
+  storeShadowRay(pixelIndex, shadow);
+  pushPixel(kQueueShadow, pixelIndex);
 }

@@ -4,7 +4,6 @@
 // way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
 #ifndef CANDELA_WAVEFRONT_GLSL
 #define CANDELA_WAVEFRONT_GLSL
-#extension GL_EXT_control_flow_attributes : require
 #include "film.glsl"
 #include "path_state.glsl"
 
@@ -17,8 +16,6 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
   QueueHead heads[kQueueCount];
   uint words[];
 };
-
-const uint kNoQueue = kQueueCount;
 
 uint extendQueue(uint parity) { return parity == 0u ? kQueueExtendEven : kQueueExtendOdd; }
 uint queueNow() { return extendQueue(dispatch.work.y); }
@@ -37,37 +34,14 @@ bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
   return taken;
 }
 
-// Pixels that the workgroup puts into each queue, and from where on.
-shared uint pushedCount[kQueueCount];
-shared uint pushedFirst[kQueueCount];
-
-void reservePlaces(uint queue) {
-  uint pushed = pushedCount[queue];
-  if (pushed == 0u) return;
-  uint first = atomicAdd(heads[queue].count, pushed);
-  uint lanesPerRow = kGroupsPerRow * laneCount();
-  atomicMax(heads[queue].groupsY, (first + pushed + lanesPerRow - 1u) / lanesPerRow);
-  pushedFirst[queue] = first;
-}
-
-// Puts the lane's pixel into the queue `next`, unless that is kNoQueue, and into that of shadow rays if `shadowed`. To be
-// called by all lanes of a workgroup, for which one asks for places.
-void pushPixel(uint lane, uint pixelIndex, uint next, bool shadowed) {
-  if (lane == 0u) {
-    [[unroll]] for (uint queue = 0u; queue < kQueueCount; ++queue) pushedCount[queue] = 0u;
-  }
-  barrier();
-  uint place = 0u;
-  uint shadowPlace = 0u;
-  if (next != kNoQueue) place = atomicAdd(pushedCount[next], 1u);
-  if (shadowed) shadowPlace = atomicAdd(pushedCount[kQueueShadow], 1u);
-  barrier();
-  if (lane == 0u) {
-    [[unroll]] for (uint queue = 0u; queue < kQueueCount; ++queue) reservePlaces(queue);
-  }
-  barrier();
-  if (next != kNoQueue) words[queueWord(next, pushedFirst[next] + place)] = pixelIndex;
-  if (shadowed) words[queueWord(kQueueShadow, pushedFirst[kQueueShadow] + shadowPlace)] = pixelIndex;
+// Puts a pixel into a queue; the first of a workgroup makes sure of the workgroup.
+void pushPixel(uint queue, uint pixelIndex) {
+  uint place = atomicAdd(heads[queue].count, 1u);
+  words[queueWord(queue, place)] = pixelIndex;
+  if (place % laneCount() != 0u) return;
+  uint group = place / laneCount();
+  atomicMax(heads[queue].groupsX, min(group + 1u, kGroupsPerRow));
+  atomicMax(heads[queue].groupsY, group / kGroupsPerRow + 1u);
 }
 
 uvec2 pixelAt(uint pixelIndex) {

@@ -40,7 +40,7 @@ class Rounds {
   std::span<const std::byte> push() const { return std::as_bytes(std::span(&constants_, 1)); }
 
   void empty(std::uint32_t firstQueue, std::uint32_t count) {
-    constexpr gpu::QueueHead kEmpty{gpu::kGroupsPerRow, 0, 1, 0};
+    constexpr gpu::QueueHead kEmpty{0, 0, 1, 0};
     constexpr std::array<gpu::QueueHead, gpu::kQueueCount> kHeads{kEmpty, kEmpty, kEmpty, kEmpty};
     recorder_.updateBuffer(results_, headOffset(firstQueue), std::as_bytes(std::span(kHeads).first(count)));
   }

@@ -73,9 +73,9 @@ CANDELA_CONST uint kQueueRenew = 2u;
 CANDELA_CONST uint kQueueExtendOdd = 3u;
 CANDELA_CONST uint kQueueCount = 4u;
 
-// Workgroups of a stage stand in rows of so many: 65,535 rows have a lane for each pixel of the largest band even if a
-// workgroup has but one.
-CANDELA_CONST uint kGroupsPerRow = 128u;
+// A stage's workgroups stand in rows of so many, the most that every device allows: 65,535 rows have a lane for each pixel of
+// the largest band even if a workgroup has but one.
+CANDELA_CONST uint kGroupsPerRow = 65535u;
 
 // A tree of Whitted's between two dispatches, floats as their bits; one per pixel of the band, with the rays behind it
 // that wait. All zero: no sample started.
