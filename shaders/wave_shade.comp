@@ -1,5 +1,5 @@
-// Entry point of the wavefront's stage that shades what the rays of paths hit: everything up to the next ray, but for the
-// shadow ray, which is queued.
+// Entry point of the wavefront's stage that shades what the rays of paths hit: everything up to the next ray, but for
+// the shadow ray, which is queued.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"

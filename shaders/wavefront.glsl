@@ -1,7 +1,7 @@
-// What the stages of the wavefront path tracer share (Laine, Karras and Aila, Megakernels Considered Harmful, HPG 2013):
-// the states of paths, and the queues in which pixels wait for a stage. A segment is four dispatches: the path's ray is
-// traced (wave_extend), its hit is shaded (wave_shade), shadow rays are traced (wave_shadow), and paths that ended make
-// way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
+// What the stages of the wavefront path tracer share (Laine, Karras and Aila, Megakernels Considered Harmful, HPG
+// 2013): the states of paths, and the queues in which pixels wait for a stage. A segment is four dispatches: the path's
+// ray is traced (wave_extend), its hit is shaded (wave_shade), shadow rays are traced (wave_shadow), and paths that ended
+// make way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
 #ifndef CANDELA_WAVEFRONT_GLSL
 #define CANDELA_WAVEFRONT_GLSL
 #include "film.glsl"

@@ -59,7 +59,7 @@ std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& setti
 
 void requireKernel(const RenderSettings& settings) {
   if (settings.kernel != KernelKind::wavefront || settings.integrator == Integrator::path) return;
-  throw UsageError("--kernel wavefront: is for --integrator path alone; every other integrator has one kernel, so leave --kernel out");
+  throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
 }
 
 Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
@@ -69,7 +69,9 @@ Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
     return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
   }
   if (isView(settings.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
-  if (settings.kernel != KernelKind::wavefront) return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
+  if (settings.kernel != KernelKind::wavefront) {
+    return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
+  }
   return {"wavefront",
           {spirv::wave_gather, spirv::wave_extend, spirv::wave_shade, spirv::wave_shadow, spirv::wave_renew},
           sizeof(gpu::WaveState),

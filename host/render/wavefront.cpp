@@ -34,7 +34,9 @@ class Rounds {
   }
 
  private:
-  static std::uint64_t headOffset(std::uint32_t queue) { return sizeof(gpu::Counters) + queue * sizeof(gpu::QueueHead); }
+  static std::uint64_t headOffset(std::uint32_t queue) {
+    return sizeof(gpu::Counters) + queue * sizeof(gpu::QueueHead);
+  }
 
   const vulkan::ComputePipeline& pipeline(WaveStage stage) const { return *stages_[static_cast<std::size_t>(stage)]; }
   std::span<const std::byte> push() const { return std::as_bytes(std::span(&constants_, 1)); }

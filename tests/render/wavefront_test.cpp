@@ -53,14 +53,16 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every primitive
   CHECK(waves.statistics.bounceRays > 0);
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts: a sky, a point light, no light at all", "[swiftshader-slow]") {
+TEST_CASE("the wavefront gives the megakernel's film and counts: a sky, a point light, no light at all",
+          "[swiftshader-slow]") {
   for (const char* name : {"sky.p3f", "point_light.p3f", "furnace.p3f"}) {
     CAPTURE(name);
     requireSame(loadTestScene(name), baseSettings());
   }
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts: every scene file, with light samples and without", "[slow]") {
+TEST_CASE("the wavefront gives the megakernel's film and counts: every scene file, with light samples and without",
+          "[slow]") {
   for (const std::filesystem::path& file : sceneFiles()) {
     for (const bool samplesLights : {true, false}) {
       CAPTURE(file.filename(), samplesLights);
@@ -71,7 +73,8 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
   }
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples") {
+TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples",
+          "[swiftshader-slow]") {
   RenderSettings settings = baseSettings();
   settings.nextEventEstimation = false;
   settings.oneSided = true;
@@ -118,7 +121,7 @@ TEST_CASE("neither workgroup nor segments nor tile change what the wavefront giv
   }
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts at every size and depth") {
+TEST_CASE("the wavefront gives the megakernel's film and counts at every size and depth", "[swiftshader-slow]") {
   const Scene scene = loadTestScene("primitives.p3f");
   for (const Extent size : {Extent{1, 1}, Extent{1, 31}, Extent{33, 1}}) {
     for (const std::uint32_t depth : {1u, 9u}) {
@@ -131,7 +134,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
   }
 }
 
-TEST_CASE("a queue of more workgroups than stand in a row loses none") {
+TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftshader-slow]") {
   RenderSettings settings = squareSettings(1, 1);
   settings.size = {520, 130};
   REQUIRE(settings.size.width * settings.size.height > 65535);
@@ -164,14 +167,14 @@ TEST_CASE("the wavefront records the megakernel's paths") {
   }
 }
 
-TEST_CASE("the wavefront counts the megakernel's bad samples") {
+TEST_CASE("the wavefront counts the megakernel's bad samples", "[swiftshader-slow]") {
   const Scene scene = sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
   CHECK(requireSame(scene, baseSettings()).statistics.badSamples > 0);
 }
 
-TEST_CASE("a wavefront that is stopped returns what was done") {
+TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slow]") {
   std::atomic<bool> stop = false;
   RenderControl control;
   control.stop = &stop;
@@ -186,7 +189,8 @@ TEST_CASE("a wavefront that is stopped returns what was done") {
   CHECK(result.statistics.cameraRays <= result.statistics.samples + std::uint64_t{64} * 64);
 }
 
-TEST_CASE("segments add up towards a device's loop limit in the megakernel, and do not in the wavefront") {
+TEST_CASE("segments add up towards a device's loop limit in the megakernel, and do not in the wavefront",
+          "[swiftshader-slow]") {
   // The renderer is told that there is no limit.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
   vulkan::Device device = openTestDevice();
