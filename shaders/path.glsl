@@ -68,10 +68,18 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   return material.emission * weight;
 }
 
-// Next-event estimation: the light of one sample of the table, before the throughput.
-vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numbers, inout Work work,
-                 inout RayCounts counts, out uint shadow) {
-  shadow = kShadowNotTraced;
+// A ray to a sample of a light, and what it brings to the path if nothing stands between.
+struct ShadowRay {
+  bool wanted;    // false: there is none, whatever the rest says
+  Ray ray;
+  uint light;     // the light's slot, which does not block
+  float limit;
+  vec3 radiance;  // throughput included
+};
+
+// Next-event estimation by one sample of the table.
+void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface, Shading shading, Material material,
+                       uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
   LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
@@ -80,15 +88,12 @@ vec3 directLight(Surface surface, Shading shading, Material material, uvec4 numb
   vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
   bool sameSide = dot(lit.wi, shading.facing) > 0.0;
   vec3 arriving = f * wi.z * lit.emission;
-  if (lit.pdf <= 0.0 || !sameSide || largest(arriving) <= 0.0) return vec3(0.0);
-  counts.shadow += 1u;
-  bool blocked = traceAny(rayFrom(surface, lit.wi), light.slot, lit.distance, work);
-  shadow = blocked ? kShadowOccluded : kShadowVisible;
-  noteShadowRay(light, lit, pdf, shadow);
-  if (blocked) return vec3(0.0);
+  if (lit.pdf <= 0.0 || !sameSide || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
-  noteLit(weight, arriving * (weight / lit.pdf));
-  return arriving * (weight / lit.pdf);
+  vec3 weighed = arriving * (weight / lit.pdf);
+  precise vec3 radiance = throughput * weighed;
+  shadow = ShadowRay(true, rayFrom(surface, lit.wi), light.slot, lit.distance, radiance);
+  noteShadowRay(light, lit, pdf, weight, weighed);
 }
 
 // Chooses the next direction; true if the path goes on.
@@ -121,11 +126,13 @@ bool survivesRoulette(inout Path path, float number) {
   return number < survival;
 }
 
-// Traces the path's ray and everything up to the next one. True if the path goes on.
-bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+// Everything from the hit of the path's ray to the next ray, but for the shadow ray, which is left to be traced. True if
+// the path goes on.
+bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions,
+              out ShadowRay shadow) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
+  shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
-  Hit hit = traceClosest(path.ray, work);
   if (hit.t >= kNoHit) {
     path.radiance += path.throughput * backgroundRadiance(path.ray.direction);
     return false;
@@ -144,14 +151,33 @@ bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
-      path.radiance += path.throughput * directLight(surface, shading, material, numbers, work, counts, decisions.shadow);
+      sampleDirectLight(shadow, path.throughput, surface, shading, material, numbers, work);
     }
   }
+  counts.shadow += shadow.wanted ? 1u : 0u;
   vec4 numbers = toUnit(sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
   if (!scatter(path, surface, shading, material, lobeNumber, numbers.xy, decisions)) return false;
   decisions.survived = survivesRoulette(path, numbers.z);
   path.depth += 1u;
   return decisions.survived;
+}
+
+// Adds what the shadow ray brings; whether it came through, kShadowVisible or kShadowOccluded.
+uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
+  bool blocked = traceAny(shadow.ray, shadow.light, shadow.limit, work);
+  if (!blocked) radiance += shadow.radiance;
+  uint outcome = blocked ? kShadowOccluded : kShadowVisible;
+  noteShadow(outcome);
+  return outcome;
+}
+
+// Traces the path's ray and everything up to the next one. True if the path goes on.
+bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  Hit hit = traceClosest(path.ray, work);
+  ShadowRay shadow;
+  bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);
+  if (kHasLights && shadow.wanted) decisions.shadow = traceShadow(shadow, path.radiance, work);
+  return goesOn;
 }
 
 #endif

@@ -36,16 +36,18 @@ void noteLightChoice(uint k) {
   traced.lightPlace = uvec4(chooseLight(k, truncated), kRecordMiss, kShadowNotTraced, 0u);
 }
 
-void noteShadowRay(Light light, LightSample lit, float bsdfPdf, uint shadow) {
-  traced.lightPlace.z = shadow;
+void noteShadowRay(Light light, LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
   if (!lit.delta) traced.lightPlace.y = sceneRow(primitiveRow(light.slot) + 1u).w;
   traced.lightDirectionDistance = vec4(lit.wi, lit.distance);
-  traced.lightDensities = vec4(lit.pdf, bsdfPdf, 0.0, 0.0);
+  traced.lightDensities = vec4(lit.pdf, bsdfPdf, weight, 0.0);
+  traced.lightRadiance = vec4(radiance, 0.0);
 }
 
-void noteLit(float weight, vec3 radiance) {
-  traced.lightDensities.z = weight;
-  traced.lightRadiance = vec4(radiance, 0.0);
+void noteShadow(uint shadow) {
+  traced.lightPlace.z = shadow;
+  if (shadow == kShadowVisible) return;
+  traced.lightDensities.z = 0.0;
+  traced.lightRadiance = vec4(0.0);
 }
 
 void noteScattering(BsdfSample next, vec3 direction) {
@@ -63,8 +65,8 @@ void noteRoulette(float survival) {
 #define noteSurface(ray, surface, t)
 #define noteEmission(emission, weight)
 #define noteLightChoice(k)
-#define noteShadowRay(light, lit, bsdfPdf, shadow)
-#define noteLit(weight, radiance)
+#define noteShadowRay(light, lit, bsdfPdf, weight, radiance)
+#define noteShadow(shadow)
 #define noteScattering(next, direction)
 #define noteRoulette(survival)
 #endif

@@ -9,6 +9,7 @@
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
+#include "host/render/kernel.h"
 #include "host/render/make_renderer.h"
 #include "host/scene/load.h"
 
@@ -93,6 +94,7 @@ void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
 }
 
 void requirePossible(const Arguments& arguments, const Scene& scene, const Log& log) {
+  requireKernel(arguments.settings);
   requirePixelLimit(arguments.settings.size);
   requireMemoryForFilm(arguments.settings.size);
   noteIdleOptions(arguments, log);

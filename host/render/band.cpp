@@ -8,6 +8,7 @@
 #include "host/core/errors.h"
 #include "host/render/tile_cursor.h"
 #include "host/render/unfinished_rows.h"
+#include "host/render/wavefront.h"
 
 namespace candela {
 namespace {
@@ -16,13 +17,23 @@ constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec
 constexpr std::uint64_t kReadBytes = std::uint64_t{4} << 20;       // of path states read back at a time
 constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30;  // what every device allocates in one piece
 
-std::uint64_t largestBytesPerPixel(const Kernel& kernel, const RenderSettings& settings) {
-  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
-  return settings.recordPaths ? std::max(path, kRecordBytes) : path;
+/// What stands before the path records of so many pixels.
+std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
+  return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
 }
 
-std::uint64_t resultBytes(const RenderSettings& settings, std::uint64_t pixels) {
-  return sizeof(gpu::Counters) + (settings.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+std::uint64_t largestBytesPerPixel(const Kernel& kernel, const RenderSettings& settings) {
+  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
+  const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
+  return settings.recordPaths ? std::max(path, queues + kRecordBytes) : path;
+}
+
+std::uint64_t resultBytes(const Kernel& kernel, const RenderSettings& settings, std::uint64_t pixels) {
+  return headBytes(kernel, pixels) + (settings.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+}
+
+vulkan::Usage resultUsage(const Kernel& kernel) {
+  return kernel.isWavefront() ? vulkan::Usage::storage | vulkan::Usage::indirect : vulkan::Usage::storage;
 }
 
 std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + size - 1) / size; }
@@ -55,7 +66,8 @@ std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const Ren
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.size.width;
   // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
   const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
-  const std::uint64_t rows = mostBytes <= sizeof(gpu::Counters) ? 0 : (mostBytes - sizeof(gpu::Counters)) / rowBytes;
+  const std::uint64_t head = headBytes(kernel, 0);
+  const std::uint64_t rows = mostBytes <= head ? 0 : (mostBytes - head) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
                                 settings.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
@@ -63,18 +75,18 @@ std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const Ren
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
 }
 
-Band::Band(vulkan::Device& device, const Kernel& kernel, const vulkan::ComputePipeline& pipeline,
+Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
            const DeviceScene& scene, const RenderSettings& settings, std::uint32_t maxHeight)
     : device_(device),
       kernel_(kernel),
-      pipeline_(pipeline),
+      pipelines_(pipelines),
       settings_(settings),
       width_(settings.size.width),
       states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
-      results_(device, resultBytes(settings, std::uint64_t{width_} * maxHeight), vulkan::Usage::storage),
+      results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
-      bindings_(pipeline, {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.constants()}) {}
+      bindings_(*pipelines.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.constants()}) {}
 
 void Band::start(BandRows rows) {
   rows_ = rows;
@@ -94,10 +106,19 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudg
   const Extent workgroup = settings_.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline_, bindings_, std::as_bytes(std::span(&constants, 1)), count);
+    if (kernel_.isWavefront()) {
+      constants.work.w = static_cast<std::uint32_t>(pixels());
+      const std::uint64_t longestPixel = std::uint64_t{settings_.sampleCount} * settings_.maxDepth;
+      const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
+      recordRounds(recorder, pipelines_, bindings_, results_, constants, count, rounds);
+    } else {
+      recorder.dispatch(*pipelines_.front(), bindings_, std::as_bytes(std::span(&constants, 1)), count);
+    }
     recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
   });
 }
+
+std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
 
 const gpu::Counters& Band::counters() const {
   return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());
@@ -156,7 +177,7 @@ void Band::readCounts(RenderStatistics& statistics) {
 
 void Band::readRecords(PathRecords& paths) {
   std::vector<gpu::uvec2> packed(pixels() * gpu::kRecordedVertices);
-  results_.download(std::as_writable_bytes(std::span(packed)), sizeof(gpu::Counters));
+  results_.download(std::as_writable_bytes(std::span(packed)), recordOffset());
   for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
     PathRecord& path = paths.emplace_back();
     for (std::uint32_t i = 0; i < gpu::kRecordedVertices; ++i) {

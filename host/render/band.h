@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "host/image/film.h"
 #include "host/render/device_scene.h"
@@ -23,11 +24,12 @@ struct BandRows {
 /// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too much.
 std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const RenderSettings& settings);
 
-/// Buffers for one band, made once and used for each band in turn.
+/// Buffers for one band, made once and used for each band in turn. `pipelines` are made of the kernel's modules, in that
+/// order.
 class Band {
  public:
-  Band(vulkan::Device& device, const Kernel& kernel, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
-       const RenderSettings& settings, std::uint32_t maxHeight);
+  Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
+       const DeviceScene& scene, const RenderSettings& settings, std::uint32_t maxHeight);
 
   /// Sets all paths and sums of the band to their beginning.
   void start(BandRows rows);
@@ -43,6 +45,8 @@ class Band {
  private:
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
   double dispatch(const struct Rect& region, std::uint32_t segments, const LoopBudget& budget);
+  /// Of the path records in results_.
+  std::uint64_t recordOffset() const;
   const gpu::Counters& counters() const;
   std::uint64_t takeFinishedSamples();
   void readCounts(RenderStatistics& statistics);
@@ -50,7 +54,7 @@ class Band {
 
   vulkan::Device& device_;
   Kernel kernel_;
-  const vulkan::ComputePipeline& pipeline_;
+  std::vector<const vulkan::ComputePipeline*> pipelines_;
   const RenderSettings& settings_;
   std::uint32_t width_;
   BandRows rows_;

@@ -25,7 +25,7 @@ gpu::PathState stateBefore(const PixelSample& sample) {
 
 }  // namespace
 
-Kernel replayKernel() { return {"replay", spirv::replay, sizeof(gpu::PathState), nullptr}; }
+Kernel replayKernel() { return {"replay", {spirv::replay}, sizeof(gpu::PathState), nullptr}; }
 
 PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline, const DeviceScene& scene,
                          const PixelSample& sample, const LoopBudget& budget, RenderStatistics& statistics) {

@@ -14,6 +14,7 @@
 #include "host/render/make_renderer.h"
 #include "host/render/pipeline_store.h"
 #include "host/render/specialise.h"
+#include "host/render/wavefront.h"
 #include "host/render/workgroup.h"
 #include "host/vulkan/device.h"
 #include "host/vulkan/loop_limit.h"
@@ -42,6 +43,7 @@ class GpuRenderer final : public ReplayingRenderer {
  private:
   void describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                 RenderStatistics& statistics) const;
+  std::vector<const vulkan::ComputePipeline*> pipelinesOf(const Kernel& kernel, const vulkan::PipelineOptions& options);
   void renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
                    const RenderControl& control, RenderResult& result);
 
@@ -73,6 +75,15 @@ void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const Re
   statistics.structureQuality = flat.structureQuality;
 }
 
+std::vector<const vulkan::ComputePipeline*> GpuRenderer::pipelinesOf(const Kernel& kernel,
+                                                                     const vulkan::PipelineOptions& options) {
+  std::vector<const vulkan::ComputePipeline*> pipelines;
+  for (const std::span<const std::uint32_t> spirv : kernel.spirv) {
+    pipelines.push_back(&pipelines_.get(device_, spirv, options));
+  }
+  return pipelines;
+}
+
 RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) {
   requireWorkgroup(device_.info(), settings.workgroupInUse());
   RenderResult result;
@@ -81,7 +92,8 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   const std::uint32_t rays = mostRaysPerSegment(scene, settings);
   const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
   const Kernel kernel = kernelFor(flat, settings);
-  const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
+  LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
+  if (kernel.isWavefront()) budget.maxSegments = std::min(budget.maxSegments, kMostRounds);
   statistics.seconds["build"] = watch.lap();
   statistics.seconds["structure"] = flat.structureSeconds;
 
@@ -89,11 +101,11 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   statistics.seconds["upload"] = watch.lap();
   describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
-  const vulkan::ComputePipeline& pipeline =
-      pipelines_.get(device_, kernel.spirv, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
+  const std::vector<const vulkan::ComputePipeline*> pipelines =
+      pipelinesOf(kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
   result.film = Film(settings.size.width, settings.size.height);
-  Band band(device_, kernel, pipeline, deviceScene, settings, height);
+  Band band(device_, kernel, pipelines, deviceScene, settings, height);
   statistics.seconds["pipeline"] = watch.lap();
   renderBands(band, height, budget, settings, control, result);
   statistics.deviceBytes = device_.memoryUse().peakBytes;
@@ -131,9 +143,9 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
   const Kernel kernel = replayKernel();
   Replay replay;
   describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
-  const vulkan::ComputePipeline& pipeline =
-      pipelines_.get(device_, kernel.spirv, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
-  replay.path = replayOnDevice(device_, pipeline, deviceScene, sample, budget, replay.statistics);
+  const std::vector<const vulkan::ComputePipeline*> pipelines =
+      pipelinesOf(kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
+  replay.path = replayOnDevice(device_, *pipelines.front(), deviceScene, sample, budget, replay.statistics);
   return replay;
 }
 

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cstring>
 
+#include "host/core/errors.h"
 #include "spirv/hash.h"
 #include "spirv/path.h"
 #include "spirv/views.h"
+#include "spirv/wave_extend.h"
+#include "spirv/wave_gather.h"
+#include "spirv/wave_renew.h"
+#include "spirv/wave_shade.h"
+#include "spirv/wave_shadow.h"
 #include "spirv/whitted.h"
 
 namespace candela {
@@ -20,7 +26,8 @@ State headOf(std::span<const std::byte> bytes) {
 
 void addPathCounts(std::span<const std::byte> bytes, RenderStatistics& statistics) {
   const auto state = headOf<gpu::PathState>(bytes);
-  const bool underWay = state.throughputDepth.w > 0;
+  // The wavefront may have made a camera ray that is not traced yet.
+  const bool underWay = state.throughputDepth.w > 1;
   statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
   statistics.bounceRays += state.counts.x;
   statistics.shadowRays += state.counts.y;
@@ -53,13 +60,25 @@ std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& setti
   return 1 + static_cast<std::uint32_t>(std::min<std::size_t>(scene.pointLights.size(), gpu::kLightsPerSegment));
 }
 
+void requireKernel(const RenderSettings& settings) {
+  if (settings.kernel != KernelKind::wavefront || settings.integrator == Integrator::path) return;
+  throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
+}
+
 Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
+  requireKernel(settings);
   if (settings.integrator == Integrator::whitted) {
     const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
-    return {"whitted", spirv::whitted, stateBytes, addTreeCounts};
+    return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
   }
-  if (isView(settings.integrator)) return {"views", spirv::views, sizeof(gpu::PathState), addPathCounts};
-  return {"megakernel", spirv::path, sizeof(gpu::PathState), addPathCounts};
+  if (isView(settings.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
+  if (settings.kernel != KernelKind::wavefront) {
+    return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
+  }
+  return {"wavefront",
+          {spirv::wave_gather, spirv::wave_extend, spirv::wave_shade, spirv::wave_shadow, spirv::wave_renew},
+          sizeof(gpu::WaveState),
+          addPathCounts};
 }
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "host/render/flat_scene.h"
 #include "host/render/renderer.h"
@@ -12,10 +13,12 @@ namespace candela {
 
 struct Kernel {
   const char* name;  ///< as in RenderStatistics::kernel
-  std::span<const std::uint32_t> spirv;
-  std::uint32_t stateBytes;      ///< of a pixel
+  std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
+  std::uint32_t stateBytes;                           ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
   void (*addCounts)(std::span<const std::byte> state, RenderStatistics& statistics);
+
+  bool isWavefront() const { return spirv.size() > 1; }
 };
 
 /// Of the code of all kernels, as 64 hexadecimal digits.
@@ -24,7 +27,10 @@ std::string_view kernelsHash();
 /// The most rays that one segment traces.
 std::uint32_t mostRaysPerSegment(const Scene& scene, const RenderSettings& settings);
 
-/// The kernel of the integrator that `settings` ask for.
+/// Throws UsageError if the settings ask for the wavefront of an integrator that has none.
+void requireKernel(const RenderSettings& settings);
+
+/// The kernel of the integrator that `settings` ask for. Throws as requireKernel().
 Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings);
 
 }  // namespace candela

@@ -12,7 +12,7 @@ namespace candela {
 class PipelineStore {
  public:
   /// A render and its replay, with some settings of each, find their pipelines again; a sweep forgets the oldest.
-  static constexpr std::size_t kCapacity = 8;
+  static constexpr std::size_t kCapacity = 16;
 
   /// The pipeline of this code with these options; made if it is not there. Valid until kCapacity others are asked for.
   /// Two modules are told apart by where their words stand. Throws what ComputePipeline's constructor throws.

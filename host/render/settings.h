@@ -30,6 +30,10 @@ enum class BvhLayout { automatic, bvh2, cwbvh };
 /// (automatic).
 enum class SceneLoads { automatic, texel, storage };
 
+/// How a device traces paths: each to its end by one lane, or all a segment at a time, stage by stage; automatic: the
+/// megakernel. Other integrators have one kernel each.
+enum class KernelKind { automatic, megakernel, wavefront };
+
 /// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.
 struct AutomaticChoices {
   BvhLayout bvhLayout = BvhLayout::cwbvh;     ///< one of both; midpoint splits have a rule of their own
@@ -68,6 +72,7 @@ struct RenderSettings {
   BvhLayout bvhLayout = BvhLayout::automatic;
   float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
   SceneLoads sceneLoads = SceneLoads::automatic;
+  KernelKind kernel = KernelKind::automatic;
   std::optional<Extent> workgroup;  ///< absent: as `automatic` says
   AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses

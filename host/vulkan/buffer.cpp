@@ -23,6 +23,7 @@ vk::BufferUsageFlags vulkanUsage(Usage usage) {
   if (has(usage, Usage::storage)) flags |= Flag::eStorageBuffer;
   if (has(usage, Usage::uniformTexel)) flags |= Flag::eUniformTexelBuffer;
   if (has(usage, Usage::uniform)) flags |= Flag::eUniformBuffer;
+  if (has(usage, Usage::indirect)) flags |= Flag::eIndirectBuffer;
   return flags;
 }
 

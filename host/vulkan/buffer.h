@@ -16,6 +16,7 @@ enum class Usage : std::uint32_t {
                      ///< at most DeviceInfo::maxTexelBufferElements texels
   uniform = 4,       ///< bound as a uniform buffer (at most 16 KiB everywhere)
   readback = 8,      ///< lives in memory that the host maps: for counters read after each run. See mapped().
+  indirect = 16,     ///< holds the workgroups of dispatches: see CommandRecorder::dispatchIndirect
 };
 constexpr Usage operator|(Usage a, Usage b) {
   return static_cast<Usage>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

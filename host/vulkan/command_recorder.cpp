@@ -15,9 +15,10 @@ namespace {
 using Access = vk::AccessFlagBits;
 using Stage = vk::PipelineStageFlagBits;
 
-constexpr vk::PipelineStageFlags kDeviceStages = Stage::eComputeShader | Stage::eTransfer;
+constexpr vk::PipelineStageFlags kDeviceStages = Stage::eDrawIndirect | Stage::eComputeShader | Stage::eTransfer;
 constexpr vk::AccessFlags kWrites = Access::eShaderWrite | Access::eTransferWrite;
-constexpr vk::AccessFlags kReads = Access::eShaderRead | Access::eUniformRead | Access::eTransferRead;
+constexpr vk::AccessFlags kReads =
+    Access::eShaderRead | Access::eUniformRead | Access::eTransferRead | Access::eIndirectCommandRead;
 
 void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
   const auto& most = limits.maxComputeWorkGroupCount;
@@ -45,10 +46,9 @@ void CommandRecorder::Impl::copy(vk::Buffer from, std::uint64_t fromOffset, vk::
   device.commands.copyBuffer(from, to, vk::BufferCopy(fromOffset, toOffset, bytes));
 }
 
-void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
-                               std::span<const std::byte> pushConstants, GroupCount groups) {
+void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
+                                      std::span<const std::byte> pushConstants) {
   const ComputePipeline::Impl& shader = *pipeline.impl();
-  requireGroups(impl_.device.limits, groups);
   if (pushConstants.size() != shader.pushConstantBytes) {
     throw InternalError(fmt::format("{} bytes of push constants for a pipeline made with {}", pushConstants.size(),
                                     shader.pushConstantBytes));
@@ -57,11 +57,32 @@ void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet
   impl_.makeVisibleToNext();
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *shader.handle);
   commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *shader.layout, 0, *bindings.impl()->handle, {});
-  if (!pushConstants.empty()) {
-    const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
-    commands.pushConstants<std::byte>(*shader.layout, vk::ShaderStageFlagBits::eCompute, 0, bytes);
-  }
-  commands.dispatch(groups.x, groups.y, groups.z);
+  if (pushConstants.empty()) return;
+  const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
+  commands.pushConstants<std::byte>(*shader.layout, vk::ShaderStageFlagBits::eCompute, 0, bytes);
+}
+
+void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
+                               std::span<const std::byte> pushConstants, GroupCount groups) {
+  requireGroups(impl_.device.limits, groups);
+  prepareDispatch(pipeline, bindings, pushConstants);
+  impl_.device.commands.dispatch(groups.x, groups.y, groups.z);
+}
+
+void CommandRecorder::dispatchIndirect(const ComputePipeline& pipeline, const BindingSet& bindings,
+                                       std::span<const std::byte> pushConstants, const Buffer& groups,
+                                       std::uint64_t offset) {
+  groups.impl()->requireRange(offset, sizeof(vk::DispatchIndirectCommand));
+  prepareDispatch(pipeline, bindings, pushConstants);
+  impl_.device.commands.dispatchIndirect(*groups.impl()->raw.handle, offset);
+}
+
+void CommandRecorder::updateBuffer(const Buffer& buffer, std::uint64_t offset, std::span<const std::byte> data) {
+  buffer.impl()->requireRange(offset, data.size());
+  if (data.empty()) return;
+  impl_.makeVisibleToNext();
+  const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(data.size()), data.data());
+  impl_.device.commands.updateBuffer<std::byte>(*buffer.impl()->raw.handle, offset, bytes);
 }
 
 void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes) {

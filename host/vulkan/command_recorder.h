@@ -21,9 +21,15 @@ class CommandRecorder {
   /// Runs `pipeline` on `bindings`. `pushConstants` has the size that the pipeline was made with.
   void dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, std::span<const std::byte> pushConstants,
                 GroupCount groups);
+  /// The same, with workgroups that the device itself wrote: three words of `groups`, made for Usage::indirect, at
+  /// `offset` (a multiple of 4). No workgroup at all is fine; the caller answers for the device's limits.
+  void dispatchIndirect(const ComputePipeline& pipeline, const BindingSet& bindings,
+                        std::span<const std::byte> pushConstants, const Buffer& groups, std::uint64_t offset);
   /// Sets `bytes` (a multiple of 4) of `buffer` at `offset` (a multiple of 4) to `word`.
   void fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes);
   void fillBuffer(const Buffer& buffer, std::uint32_t word);
+  /// Writes up to 64 KiB, which it takes at once, into `buffer` at `offset`, both multiples of 4.
+  void updateBuffer(const Buffer& buffer, std::uint64_t offset, std::span<const std::byte> data);
   /// Copies `bytes` from one buffer into another, or within one if the two ranges are apart.
   void copyBuffer(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
                   std::uint64_t bytes);
@@ -35,6 +41,9 @@ class CommandRecorder {
   CommandRecorder& operator=(const CommandRecorder&) = delete;
 
  private:
+  void prepareDispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
+                       std::span<const std::byte> pushConstants);
+
   const Impl& impl_;
 };
 

@@ -33,7 +33,8 @@ struct RenderConstants {
 // One per dispatch.
 struct DispatchConstants {
   uvec4 region;   // x, y, width, height in pixels of the image
-  uvec4 work;     // first image row of the band, segments per lane, end of the sample range, loop turns per lane
+  uvec4 work;     // first image row of the band, segments per lane, end of the sample range, loop turns per lane; of the
+                  // wavefront's stages: the same, the round's parity, the same, pixels of the band
 };
 
 // A path between two dispatches; one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample started.
@@ -44,6 +45,37 @@ struct PathState {
   uvec4 radianceSample;    // rgb, sample index
   uvec4 counts;            // bounce rays, shadow rays, vertices, traversal steps; each wraps at 2^32
 };
+
+// The same for the wavefront, and what its stages hand on to each other: 144 bytes.
+struct WaveState {
+  PathState path;
+  uvec4 hit;            // of the path's ray: distance, slot, primitive index; depth of the vertex that was shaded last
+  uvec4 shadowLimit;    // of the shadow ray: origin, limit
+  uvec4 shadowLeaving;  // its direction, leaving
+  uvec4 shadowLight;    // what it brings, slot of the light
+};
+
+// A queue of the wavefront: how many workgroups its stage is to have, as vkCmdDispatchIndirect reads it, and the number
+// of pixels that wait in it.
+struct QueueHead {
+  uint groupsX;
+  uint groupsY;
+  uint groupsZ;
+  uint count;
+};
+
+// Paths to be extended in rounds of even number, shadow rays, paths that ended, and paths to be extended in rounds of odd
+// number: what a round fills stands in a row. Heads, then the queues themselves, with a word for each pixel of the band,
+// stand between the counters and the path records.
+CANDELA_CONST uint kQueueExtendEven = 0u;
+CANDELA_CONST uint kQueueShadow = 1u;
+CANDELA_CONST uint kQueueRenew = 2u;
+CANDELA_CONST uint kQueueExtendOdd = 3u;
+CANDELA_CONST uint kQueueCount = 4u;
+
+// A stage's workgroups stand in rows of so many, the most that every device allows: 65,535 rows have a lane for each pixel of
+// the largest band even if a workgroup has but one.
+CANDELA_CONST uint kGroupsPerRow = 65535u;
 
 // A tree of Whitted's between two dispatches, floats as their bits; one per pixel of the band, with the rays behind it
 // that wait. All zero: no sample started.

@@ -79,7 +79,12 @@ TEST_CASE("what was asked for is in use, and changes no bit of the film", "[swif
   const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
   CHECK(chopped["segmentsPerDispatch"] == 1);
   CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
-  for (const json& other : {grouped, brute, grid, midpoint, high, chopped}) CHECK(other["filmHash"] == plain["filmHash"]);
+  const json waves = reportOf(scene, {"--kernel", "wavefront"});
+  CHECK(plain["kernel"] == "megakernel");
+  CHECK(waves["kernel"] == "wavefront");
+  CHECK(waves["rays"] == plain["rays"]);
+  CHECK(waves["traversalSteps"] == plain["traversalSteps"]);
+  for (const json& other : {grouped, brute, grid, midpoint, high, chopped, waves}) CHECK(other["filmHash"] == plain["filmHash"]);
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 
@@ -108,6 +113,27 @@ TEST_CASE("compare SCENE finds both Whitted tracers in agreement") {
   INFO(result.out << result.err);
   CHECK(result.exitCode == 0);
   CHECK(contains(result.out, "they agree"));
+}
+
+TEST_CASE("compare SCENE finds wavefront and reference in agreement, path by path") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48", "--kernel", "wavefront", "--spp", "1"});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(contains(result.out, "they agree"));
+}
+
+TEST_CASE("kernels are swept, and give the same film", "[swiftshader-slow]") {
+  const TemporaryFolder folder;
+  const ProgramResult result = runOnDevice({"bench", folder.write("a.p3f", smallScene()), "--spp", "1", "--repeat", "1",
+                                            "--sweep", "kernel=megakernel,wavefront", "--json", "-"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  const json rows = json::parse(result.out)["rows"];
+  CHECK(rows[0]["kernel"] == "megakernel");
+  CHECK(rows[1]["kernel"] == "wavefront");
+  CHECK(rows[0]["filmHash"] == rows[1]["filmHash"]);
 }
 
 TEST_CASE("compare SCENE finds both tracers' normals in agreement") {

@@ -258,6 +258,18 @@ TEST_CASE("sizes have stated limits") {
   CHECK(folder.fileCount() == 1);
 }
 
+TEST_CASE("--kernel wavefront is refused where no paths are traced") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  for (const char* integrator : {"whitted", "ao"}) {
+    const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu", "--integrator", integrator,
+                                             "--kernel", "wavefront"});
+    CHECK(result.exitCode == 1);
+    CHECK(contains(result.err, "--kernel wavefront: is for --integrator path alone"));
+  }
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("help and version go to stdout and exit with 0, wrong usage exits with 1") {
   const ProgramResult help = runCandela({"--help"});
   CHECK(help.exitCode == 0);

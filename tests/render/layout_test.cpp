@@ -12,6 +12,7 @@
 #include "shaders/shared/trace_rows.h"
 #include "spirv/path.h"
 #include "spirv/replay.h"
+#include "spirv/wave_shade.h"
 
 using namespace candela;
 
@@ -87,6 +88,20 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   CHECK(module.offsetsOf("Counters") ==
         Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated), MEMBER(Counters, finishedSamples),
                 MEMBER(Counters, unused)});
+}
+
+TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin as the megakernel's") {
+  const Module module(spirv::wave_shade);
+  const Offsets waves{MEMBER(WaveState, path), MEMBER(WaveState, hit), MEMBER(WaveState, shadowLimit),
+                      MEMBER(WaveState, shadowLeaving), MEMBER(WaveState, shadowLight)};
+  CHECK(module.offsetsOf("WaveState") == waves);
+  CHECK(waves.at("path") == 0);
+  CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
+                                                 MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
+  for (const char* name : {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants"}) {
+    CAPTURE(name);
+    CHECK(module.offsetsOf(name) == Module(spirv::path).offsetsOf(name));
+  }
 }
 
 TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C++, and are in no other kernel") {

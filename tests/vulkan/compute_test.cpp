@@ -1,4 +1,5 @@
 // Pipelines get every kind of input, and each command sees what those before it wrote.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 
@@ -101,6 +102,33 @@ TEST_CASE("dispatches, fills and copies of one submission follow each other") {
   CHECK(seconds > 0.0);
 }
 
+TEST_CASE("a dispatch has the workgroups that earlier commands of its submission wrote") {
+  Device device = openTestDevice();
+  constexpr std::uint32_t kCount = 192;
+  constexpr std::uint64_t kOffset = 8;
+  const ComputePipeline pipeline = makeShift(device);
+  Buffer a(device, 4 * kCount, Usage::storage);
+  Buffer b(device, 4 * kCount, Usage::storage);
+  Buffer groups(device, 32, Usage::storage | Usage::indirect);
+  const BindingSet bindings(pipeline, {&a, &b});
+  a.fill(6);
+  b.fill(0);
+  groups.fill(9);
+  const auto countsAfter = [&](std::uint32_t groupCount) {
+    const std::array<std::uint32_t, 3> written{groupCount, 1, 1};
+    device.run([&](CommandRecorder& commands) {
+      commands.updateBuffer(groups, kOffset, std::as_bytes(std::span(written)));
+      commands.dispatchIndirect(pipeline, bindings, {}, groups, kOffset);
+    });
+    return download(b);
+  };
+  CHECK(countsAfter(0) == Words(kCount, 0));
+  Words expected(kCount, 7);
+  std::fill(expected.begin() + 128, expected.end(), 0);
+  CHECK(countsAfter(2) == expected);
+  CHECK(download(groups) == Words{9, 9, 2, 1, 1, 9, 9, 9});
+}
+
 TEST_CASE("a binding set keeps its buffers and its pipeline alive") {
   Device device = openTestDevice();
   Buffer result(device, 256, Usage::storage);
@@ -141,4 +169,10 @@ TEST_CASE("what does not fit a pipeline is refused before the driver sees it") {
   CHECK_THROWS_AS(dispatch(push, {}), InternalError);
   CHECK_THROWS_AS(dispatch({}, {.x = 0}), InternalError);
   CHECK_THROWS_AS(dispatch({}, {.y = 0xffffffffu}), InternalError);
+  Buffer groups(device, 16, Usage::storage | Usage::indirect);
+  const auto dispatchIndirect = [&](std::uint64_t offset) {
+    device.run([&](CommandRecorder& commands) { commands.dispatchIndirect(pipeline, bindings, {}, groups, offset); });
+  };
+  CHECK_THROWS_AS(dispatchIndirect(8), InternalError);
+  CHECK_THROWS_AS(dispatchIndirect(2), InternalError);
 }

@@ -1,0 +1,15 @@
+// Entry point of the wavefront's stage that traces the rays of paths.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "wavefront.glsl"
+
+void main() {
+  uint pixelIndex;
+  if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
+  uvec4 direction = waves[pixelIndex].path.directionLeaving;
+  Ray ray = makeRay(uintBitsToFloat(waves[pixelIndex].path.originPdf.xyz), uintBitsToFloat(direction.xyz), direction.w);
+  Work work = Work(0u, 0u);
+  Hit hit = traceClosest(ray, work);
+  waves[pixelIndex].hit.xyz = uvec3(floatBitsToUint(hit.t), hit.slot, hit.index);
+  addSteps(pixelIndex, work);
+}

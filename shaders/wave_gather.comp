@@ -1,0 +1,16 @@
+// Entry point of the wavefront's first stage, once for each of its submissions: puts every pixel of the region that has
+// samples left into a queue.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "wavefront.glsl"
+
+void main() {
+  uvec2 inRegion = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
+  uvec2 pixel = dispatch.region.xy + inRegion;
+  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
+  if (waves[pixelIndex].path.radianceSample.w >= dispatch.work.z) return;
+  bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
+  if (hasPath) pushPixel(queueOfNextRound(), pixelIndex);
+  else pushPixel(kQueueRenew, pixelIndex);
+}

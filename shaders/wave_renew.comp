@@ -1,0 +1,30 @@
+// Entry point of the wavefront's stage that adds the samples of ended paths to the film and starts each pixel's next.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "wavefront.glsl"
+
+// Adds the pixel's sample, if it has one, and returns the index of the next.
+uint finishSample(uint pixelIndex) {
+  uvec4 radianceSample = waves[pixelIndex].path.radianceSample;
+  bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
+  if (!hasPath) return radianceSample.w;
+  FilmRows sums = film[pixelIndex];
+  addSample(sums, uintBitsToFloat(radianceSample.xyz), radianceSample.w);
+  film[pixelIndex] = sums;
+  atomicAdd(counters.finishedSamples, 1u);
+  return radianceSample.w + 1u;
+}
+
+void main() {
+  uint pixelIndex;
+  if (!takePixel(kQueueRenew, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
+  uint sampleIndex = finishSample(pixelIndex);
+  bool done = sampleIndex >= dispatch.work.z;
+  uvec2 pixel = pixelAt(pixelIndex);
+  Path path;
+  startPath(path, sampleKey(pixel, sampleIndex), pixel);
+  if (done) path.depth = 0u;
+  waves[pixelIndex].path = packPath(path, sampleIndex, waves[pixelIndex].path.counts);
+  if (done) atomicAdd(counters.finishedPixels, 1u);
+  else pushPixel(queueOfNextRound(), pixelIndex);
+}

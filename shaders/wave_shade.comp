@@ -1,0 +1,44 @@
+// Entry point of the wavefront's stage that shades what the rays of paths hit: everything up to the next ray, but for
+// the shadow ray, which is queued.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "wavefront.glsl"
+
+void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
+  waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.limit));
+  waves[pixelIndex].shadowLeaving = uvec4(floatBitsToUint(shadow.ray.direction), shadow.ray.leaving);
+  waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.light);
+}
+
+// What becomes of the shadow ray is not known yet.
+void record(uint pixelIndex, uint depth, Decisions decisions) {
+  waves[pixelIndex].hit.w = depth;
+  if (depth > kRecordedVertices) return;
+  uint word = recordWord(pixelIndex, depth);
+  words[word] = decisions.index;
+  words[word + 1u] = kRecordValid | (decisions.survived ? 1u << 16 : 0u) | decisions.lobe;
+}
+
+void main() {
+  uint pixelIndex;
+  if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
+  PathState state = waves[pixelIndex].path;
+  uvec3 found = waves[pixelIndex].hit.xyz;
+  Path path = unpackPath(state);
+  RayCounts counts = RayCounts(state.counts.x, state.counts.y, state.counts.z);
+  Work work = Work(0u, 0u);
+  uint depth = path.depth;
+  SampleKey key = sampleKey(pixelAt(pixelIndex), state.radianceSample.w);
+  Decisions decisions;
+  ShadowRay shadow;
+  bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
+  waves[pixelIndex].path = packPath(path, state.radianceSample.w,
+                                    uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w));
+  if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+  if (kRecordPaths) record(pixelIndex, depth, decisions);
+  if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
+  else pushPixel(kQueueRenew, pixelIndex);
+  if (!kHasLights || !shadow.wanted) return;
+  storeShadowRay(pixelIndex, shadow);
+  pushPixel(kQueueShadow, pixelIndex);
+}

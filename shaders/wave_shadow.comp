@@ -1,0 +1,24 @@
+// Entry point of the wavefront's stage that traces shadow rays and adds what they bring.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "wavefront.glsl"
+
+ShadowRay loadShadowRay(uint pixelIndex) {
+  uvec4 origin = waves[pixelIndex].shadowLimit;
+  uvec4 direction = waves[pixelIndex].shadowLeaving;
+  uvec4 light = waves[pixelIndex].shadowLight;
+  Ray ray = makeRay(uintBitsToFloat(origin.xyz), uintBitsToFloat(direction.xyz), direction.w);
+  return ShadowRay(true, ray, light.w, uintBitsToFloat(origin.w), uintBitsToFloat(light.xyz));
+}
+
+void main() {
+  uint pixelIndex;
+  if (!takePixel(kQueueShadow, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
+  vec3 radiance = uintBitsToFloat(waves[pixelIndex].path.radianceSample.xyz);
+  Work work = Work(0u, 0u);
+  uint outcome = traceShadow(loadShadowRay(pixelIndex), radiance, work);
+  waves[pixelIndex].path.radianceSample.xyz = floatBitsToUint(radiance);
+  addSteps(pixelIndex, work);
+  uint depth = waves[pixelIndex].hit.w;
+  if (kRecordPaths && depth <= kRecordedVertices) words[recordWord(pixelIndex, depth) + 1u] |= outcome << 8;
+}

@@ -1,0 +1,66 @@
+// What the stages of the wavefront path tracer share (Laine, Karras and Aila, Megakernels Considered Harmful, HPG
+// 2013): the states of paths, and the queues in which pixels wait for a stage. A segment is four dispatches: the path's
+// ray is traced (wave_extend), its hit is shaded (wave_shade), shadow rays are traced (wave_shadow), and paths that ended
+// make way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
+#ifndef CANDELA_WAVEFRONT_GLSL
+#define CANDELA_WAVEFRONT_GLSL
+#include "film.glsl"
+#include "path_state.glsl"
+
+layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
+layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
+layout(set = 0, binding = kBindingPathStates, std430) buffer WaveStates { WaveState waves[]; };
+layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
+layout(set = 0, binding = kBindingResults, std430) buffer Results {
+  Counters counters;
+  QueueHead heads[kQueueCount];
+  uint words[];
+};
+
+uint extendQueue(uint parity) { return parity == 0u ? kQueueExtendEven : kQueueExtendOdd; }
+uint queueNow() { return extendQueue(dispatch.work.y); }
+uint queueOfNextRound() { return extendQueue(1u - dispatch.work.y); }
+
+// Lanes of a workgroup.
+uint laneCount() { return gl_WorkGroupSize.x * gl_WorkGroupSize.y; }
+
+uint queueWord(uint queue, uint place) { return queue * dispatch.work.w + place; }
+
+// Takes the pixel of lane `lane` of a workgroup from a queue. False: there are fewer.
+bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
+  uint place = (group.y * kGroupsPerRow + group.x) * laneCount() + lane;
+  bool taken = place < heads[queue].count;
+  pixelIndex = taken ? words[queueWord(queue, place)] : 0u;
+  return taken;
+}
+
+// Puts a pixel into a queue; the first of a workgroup makes sure of the workgroup.
+void pushPixel(uint queue, uint pixelIndex) {
+  uint place = atomicAdd(heads[queue].count, 1u);
+  words[queueWord(queue, place)] = pixelIndex;
+  if (place % laneCount() != 0u) return;
+  uint group = place / laneCount();
+  atomicMax(heads[queue].groupsX, min(group + 1u, kGroupsPerRow));
+  atomicMax(heads[queue].groupsY, group / kGroupsPerRow + 1u);
+}
+
+uvec2 pixelAt(uint pixelIndex) {
+  uint width = constants.imageSeed.x;
+  return uvec2(pixelIndex % width, dispatch.work.x + pixelIndex / width);
+}
+
+SampleKey sampleKey(uvec2 pixel, uint sampleIndex) {
+  return SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+}
+
+void addSteps(uint pixelIndex, Work work) {
+  waves[pixelIndex].path.counts.w += work.steps;
+  if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+}
+
+// The word of a path record behind the queues: see `records` in lanes.glsl.
+uint recordWord(uint pixelIndex, uint depth) {
+  return queueWord(kQueueCount, 0u) + 2u * (pixelIndex * kRecordedVertices + depth - 1u);
+}
+
+#endif
