@@ -11,6 +11,7 @@
 #include "host/core/interrupt.h"
 #include "host/render/make_renderer.h"
 #include "host/scene/load.h"
+#include "host/vulkan/device.h"
 
 namespace candela::cli {
 namespace {
