@@ -12,6 +12,7 @@
 #include "host/render/kernel.h"
 #include "host/render/make_renderer.h"
 #include "host/scene/load.h"
+#include "host/vulkan/device.h"
 
 namespace candela::cli {
 namespace {

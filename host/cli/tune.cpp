@@ -14,6 +14,7 @@
 #include "host/tune/tune_report.h"
 #include "host/tune/tuning_file.h"
 #include "host/tune/work.h"
+#include "host/vulkan/device.h"
 
 namespace candela::cli {
 namespace {

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "host/render/replay.h"
-#include "host/vulkan/device.h"
+
+namespace candela::vulkan {
+class Device;
+}
 
 namespace candela {
 
