@@ -120,7 +120,7 @@ std::vector<Option> executionOptions() {
            choice<SceneLoads>({{"auto", SceneLoads::automatic}, {"texel", SceneLoads::texel}, {"storage", SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
     valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
-    valued({"--kernel", kTracing, kGroup, "how a device traces paths: each to its end by one lane, or all stage by stage; `auto`: megakernel"},
+    valued({"--kernel", kTracing, kGroup, "how a device traces paths: each to its end by one lane, or all stage by stage; `auto`: as tuned, else megakernel"},
            choice<KernelKind>({{"auto", KernelKind::automatic}, {"megakernel", KernelKind::megakernel}, {"wavefront", KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.kernel; }),
     valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup; `auto`: as tuned, else 8x8"},
            orAbsent(extent("XxY", kLargestWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),

@@ -72,7 +72,7 @@ Kernel kernelFor(const FlatScene& flat, const RenderSettings& settings) {
     return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
   }
   if (isView(settings.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
-  if (settings.kernel != KernelKind::wavefront) {
+  if (settings.kernelInUse() == KernelKind::megakernel) {
     return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
   }
   return {"wavefront",

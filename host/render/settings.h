@@ -29,9 +29,8 @@ enum class BvhLayout { automatic, bvh2, cwbvh };
 /// How the device reads the scene: one way for certain, or the way that AutomaticChoices names, where the scene fits so
 /// (automatic).
 enum class SceneLoads { automatic, texel, storage };
-
-/// How a device traces paths: each to its end by one lane, or all a segment at a time, stage by stage; automatic: the
-/// megakernel. Other integrators have one kernel each.
+/// How a device traces paths: each to its end by one lane, or all a segment at a time, stage by stage; automatic: as
+/// AutomaticChoices says. Other integrators have one kernel each.
 enum class KernelKind { automatic, megakernel, wavefront };
 
 /// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.
@@ -39,6 +38,7 @@ struct AutomaticChoices {
   BvhLayout bvhLayout = BvhLayout::cwbvh;     ///< one of both; midpoint splits have a rule of their own
   SceneLoads sceneLoads = SceneLoads::texel;  ///< one of both; where the scene does not fit, the other
   Extent workgroup{8, 8};                     ///< one that every device has
+  KernelKind kernel = KernelKind::megakernel; ///< one of both
   std::string origin = "built-in";            ///< for reports
 };
 
@@ -83,6 +83,8 @@ struct RenderSettings {
   bool recordPaths = false;
 
   Extent workgroupInUse() const { return workgroup.value_or(automatic.workgroup); }
+  /// Of Integrator::path.
+  KernelKind kernelInUse() const { return kernel == KernelKind::automatic ? automatic.kernel : kernel; }
 
   /// Whether camera rays are spread by the pixel filter; if not, they go through the pixels' origins.
   bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }

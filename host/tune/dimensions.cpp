@@ -17,7 +17,7 @@ Value shape() {
 
 std::span<const Dimension> dimensionTable() {
   // Fewer variants in a stage than PipelineStore::kCapacity: a renderer that forgets pipelines compiles all the time.
-  static const std::array<Dimension, 3> table{{
+  static const std::array<Dimension, 4> table{{
       {"layout",
        0,
        {{"cwbvh", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::cwbvh; }},
@@ -29,6 +29,10 @@ std::span<const Dimension> dimensionTable() {
       {"workgroup",
        1,
        {shape<8, 8>(), shape<8, 4>(), shape<16, 4>(), shape<16, 8>(), shape<16, 16>(), shape<32, 1>(), shape<64, 1>()}},
+      {"kernel",
+       2,
+       {{"megakernel", [](AutomaticChoices& choices) { choices.kernel = KernelKind::megakernel; }},
+        {"wavefront", [](AutomaticChoices& choices) { choices.kernel = KernelKind::wavefront; }}}},
   }};
   return table;
 }

@@ -30,7 +30,7 @@ std::span<const Dimension> dimensionTable();
 using Candidate = std::vector<std::size_t>;
 
 Candidate builtIn();
-/// E.g. "layout=cwbvh loads=texel workgroup=8x8".
+/// E.g. "layout=cwbvh loads=texel workgroup=8x8 kernel=megakernel".
 std::string nameOf(const Candidate& candidate);
 AutomaticChoices choicesOf(const Candidate& candidate);
 bool isFeasible(const Candidate& candidate, const DeviceInfo& info);

@@ -4,6 +4,7 @@
 #include "host/core/errors.h"
 #include "host/render/device_scene.h"
 #include "host/render/flatten_hierarchy.h"
+#include "host/render/kernel.h"
 
 namespace candela {
 namespace {
@@ -67,6 +68,21 @@ TEST_CASE("a workgroup that is asked for is used, else the preferred one") {
   CHECK(extentText(settings.workgroupInUse()) == "32x1");
   settings.workgroup = Extent{4, 4};
   CHECK(extentText(settings.workgroupInUse()) == "4x4");
+}
+
+TEST_CASE("a kernel that is asked for is used, others as preferred, but integrators that have but one keep it") {
+  RenderSettings settings;
+  const auto nameOf = [&] { return std::string(kernelFor(FlatScene{}, settings).name); };
+  CHECK(nameOf() == "megakernel");
+  settings.automatic.kernel = KernelKind::wavefront;
+  CHECK(nameOf() == "wavefront");
+  settings.kernel = KernelKind::megakernel;
+  CHECK(nameOf() == "megakernel");
+  settings.kernel = KernelKind::automatic;
+  settings.integrator = Integrator::whitted;
+  CHECK(nameOf() == "whitted");
+  settings.integrator = Integrator::depth;
+  CHECK(nameOf() == "views");
 }
 
 }  // namespace

@@ -14,16 +14,18 @@ TEST_CASE("the first value of every dimension is what is built in") {
   CHECK(choices.bvhLayout == AutomaticChoices{}.bvhLayout);
   CHECK(choices.sceneLoads == AutomaticChoices{}.sceneLoads);
   CHECK(extentText(choices.workgroup) == extentText(AutomaticChoices{}.workgroup));
+  CHECK(choices.kernel == AutomaticChoices{}.kernel);
   CHECK(choices.origin == "built-in");
 }
 
 TEST_CASE("a candidate is named by its values, and chooses them") {
-  const Candidate candidate = candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}});
-  CHECK(nameOf(candidate) == "layout=bvh2 loads=storage workgroup=16x4");
+  const Candidate candidate = candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}, {"kernel", "wavefront"}});
+  CHECK(nameOf(candidate) == "layout=bvh2 loads=storage workgroup=16x4 kernel=wavefront");
   const AutomaticChoices choices = choicesOf(candidate);
   CHECK(choices.bvhLayout == BvhLayout::bvh2);
   CHECK(choices.sceneLoads == SceneLoads::storage);
   CHECK(extentText(choices.workgroup) == "16x4");
+  CHECK(choices.kernel == KernelKind::wavefront);
 }
 
 TEST_CASE("every value of a dimension chooses something else, and is found by its name") {
