@@ -12,7 +12,7 @@
 namespace candela {
 
 struct Kernel {
-  const char* name;  ///< as in RenderStatistics::kernel
+  const char* name;                                   ///< as in RenderStatistics::kernel
   std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
   std::uint32_t stateBytes;                           ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
