@@ -258,7 +258,7 @@ TEST_CASE("sizes have stated limits") {
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("--kernel wavefront is refused where no paths are traced") {
+TEST_CASE("the wavefront is refused where no paths are traced") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const char* integrator : {"whitted", "ao"}) {
