@@ -5,6 +5,10 @@
 #include "sampling.glsl"
 #include "scene_access.glsl"
 
+SampleKey sampleKeyOf(uvec2 pixel, uint sampleIndex) {
+  return SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+}
+
 vec2 sampleLens(vec2 u) {
   if (kLens == kLensDisc) return sampleDisc(u).xy;
   return 2.0 * u - 1.0;

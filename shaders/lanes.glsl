@@ -3,13 +3,10 @@
 // dispatch.
 #ifndef CANDELA_LANES_GLSL
 #define CANDELA_LANES_GLSL
-#include "film.glsl"
+#include "dispatch.glsl"
 #include "path_state.glsl"
 
-layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
-layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
 layout(set = 0, binding = kBindingPathStates, std430) buffer PathStates { PathState pathStates[]; };
-layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 layout(set = 0, binding = kBindingResults, std430) buffer Results {
   Counters counters;
   uvec2 records[];
@@ -20,14 +17,13 @@ bool extendSample(inout Path path, SampleKey key, inout Work work, inout RayCoun
 
 void record(uint pixelIndex, uint depth, Decisions decisions) {
   if (depth > kRecordedVertices) return;
-  uint flags = kRecordValid | (decisions.survived ? 1u << 16 : 0u) | (decisions.shadow << 8) | decisions.lobe;
-  records[pixelIndex * kRecordedVertices + depth - 1u] = uvec2(decisions.index, flags);
+  records[pixelIndex * kRecordedVertices + depth - 1u] = packDecisions(decisions);
 }
 
 void advancePixel(uvec2 inRegion) {
   if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
   uvec2 pixel = dispatch.region.xy + inRegion;
-  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
+  uint pixelIndex = pixelIndexOf(pixel);
   PathState state = pathStates[pixelIndex];
   uint firstSample = state.radianceSample.w;
   uint sampleIndex = firstSample;
@@ -42,7 +38,7 @@ void advancePixel(uvec2 inRegion) {
   bool working = true;
   uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
   while (working) {
-    SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+    SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (path.depth == 0u) startPath(path, key, pixel);
     uint depth = path.depth;
     Decisions decisions;

@@ -35,7 +35,7 @@ void main() {
   uint i = range.work.x + gl_WorkGroupID.x * range.work.z + gl_LocalInvocationIndex;
   if (i >= range.work.y) return;
   uvec2 pixel = uvec2(i % constants.imageSeed.x, i / constants.imageSeed.x);
-  SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, 0u, constants.imageSeed.z, constants.imageSeed.w);
+  SampleKey key = sampleKeyOf(pixel, 0u);
   vec3 origin, direction;
   cameraRay(pixel, toUnit(sampleGroup(key, 0u)), origin, direction);
   Ray ray = makeRay(origin, direction, kNoSlot);

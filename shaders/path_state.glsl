@@ -22,4 +22,10 @@ PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }
 
+// As a vertex's record keeps them.
+uvec2 packDecisions(Decisions decisions) {
+  uint survived = decisions.survived ? 1u << 16 : 0u;
+  return uvec2(decisions.index, kRecordValid | survived | (decisions.shadow << 8) | decisions.lobe);
+}
+
 #endif

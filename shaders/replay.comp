@@ -35,7 +35,7 @@ void main() {
   uvec2 pixel = dispatch.region.xy;
   PathState state = pathState;
   uint sampleIndex = state.radianceSample.w;
-  SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+  SampleKey key = sampleKeyOf(pixel, sampleIndex);
   Path path = unpackPath(state);
   if (path.depth == 0u) startPath(path, key, pixel);
   RayCounts counts = RayCounts(0u, 0u, 0u);

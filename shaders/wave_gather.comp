@@ -7,8 +7,7 @@
 void main() {
   uvec2 inRegion = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
-  uvec2 pixel = dispatch.region.xy + inRegion;
-  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
+  uint pixelIndex = pixelIndexOf(dispatch.region.xy + inRegion);
   if (waves[pixelIndex].path.radianceSample.w >= dispatch.work.z) return;
   bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
   if (hasPath) pushPixel(queueOfNextRound(), pixelIndex);

@@ -22,7 +22,7 @@ void main() {
   bool done = sampleIndex >= dispatch.work.z;
   uvec2 pixel = pixelAt(pixelIndex);
   Path path;
-  startPath(path, sampleKey(pixel, sampleIndex), pixel);
+  startPath(path, sampleKeyOf(pixel, sampleIndex), pixel);
   if (done) path.depth = 0u;
   waves[pixelIndex].path = packPath(path, sampleIndex, waves[pixelIndex].path.counts);
   if (done) atomicAdd(counters.finishedPixels, 1u);

@@ -15,8 +15,9 @@ void record(uint pixelIndex, uint depth, Decisions decisions) {
   waves[pixelIndex].hit.w = depth;
   if (depth > kRecordedVertices) return;
   uint word = recordWord(pixelIndex, depth);
-  words[word] = decisions.index;
-  words[word + 1u] = kRecordValid | (decisions.survived ? 1u << 16 : 0u) | decisions.lobe;
+  uvec2 packed = packDecisions(decisions);
+  words[word] = packed.x;
+  words[word + 1u] = packed.y;
 }
 
 void main() {
@@ -28,7 +29,7 @@ void main() {
   RayCounts counts = RayCounts(state.counts.x, state.counts.y, state.counts.z);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
-  SampleKey key = sampleKey(pixelAt(pixelIndex), state.radianceSample.w);
+  SampleKey key = sampleKeyOf(pixelAt(pixelIndex), state.radianceSample.w);
   Decisions decisions;
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);

@@ -4,13 +4,10 @@
 // make way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
 #ifndef CANDELA_WAVEFRONT_GLSL
 #define CANDELA_WAVEFRONT_GLSL
-#include "film.glsl"
+#include "dispatch.glsl"
 #include "path_state.glsl"
 
-layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
-layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
 layout(set = 0, binding = kBindingPathStates, std430) buffer WaveStates { WaveState waves[]; };
-layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 layout(set = 0, binding = kBindingResults, std430) buffer Results {
   Counters counters;
   QueueHead heads[kQueueCount];
@@ -47,10 +44,6 @@ void pushPixel(uint queue, uint pixelIndex) {
 uvec2 pixelAt(uint pixelIndex) {
   uint width = constants.imageSeed.x;
   return uvec2(pixelIndex % width, dispatch.work.x + pixelIndex / width);
-}
-
-SampleKey sampleKey(uvec2 pixel, uint sampleIndex) {
-  return SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
 }
 
 void addSteps(uint pixelIndex, Work work) {

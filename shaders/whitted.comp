@@ -2,13 +2,10 @@
 // after its share of rays or loop turns it keeps its tree in a buffer and goes on in the next dispatch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "film.glsl"
+#include "dispatch.glsl"
 #include "whitted.glsl"
 
-layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
-layout(push_constant) uniform Dispatch { DispatchConstants dispatch; };
 layout(set = 0, binding = kBindingPathStates, std430) buffer TreeStates { uvec4 treeRows[]; };
-layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 layout(set = 0, binding = kBindingResults, std430) buffer Results {
   Counters counters;
   uvec2 records[];
@@ -94,7 +91,7 @@ void main() {
   uvec2 inRegion = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
   uvec2 pixel = dispatch.region.xy + inRegion;
-  uint pixelIndex = (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x;
+  uint pixelIndex = pixelIndexOf(pixel);
   uint treeRow = pixelIndex * constants.limits.w;
   TreeState state = loadTree(treeRow);
   uint firstSample = state.radianceSample.w;
@@ -112,7 +109,7 @@ void main() {
   bool working = true;
   uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
   while (working) {
-    SampleKey key = SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+    SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (tree.node == 0u) startTree(tree, key, pixel);
     Decisions decisions;
     Surface surface;
