@@ -8,7 +8,8 @@
 
 layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows { uvec4 sceneRows[]; };
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
-layout(set = 0, binding = kBindingConstants, std140) uniform Constants { RenderConstants constants; };
+layout(set = 0, binding = kBindingConstants, std140) uniform Constants { RenderConstants constantsBlock; };
+RenderConstants constants = constantsBlock;
 
 // Both ways give the same bits; which is faster depends on the device, and texel buffers are shorter on some.
 uvec4 sceneRow(uint row) {
