@@ -12,28 +12,33 @@ struct Ray {
   vec3 origin;
   vec3 direction;  // unit
   uint leaving;    // slot of the primitive that the ray leaves | kLeavingInward, or kNoSlot
-  mat3 shear;      // v * shear has the ray along z: see shearAlong
+  bvec2 along;
+  vec3 shear;
 };
 
 // The shear of Woop, Benthin and Wald (JCGT 2013): the direction's largest component becomes z, and (0, 0, 1) the ray.
-// Each column has one or two entries that are not 0, so that a product is rounded as theirs is.
-mat3 shearAlong(vec3 direction) {
-  vec3 size = abs(direction);
-  bool alongX = size.x > size.y && size.x > size.z;
-  bool alongY = !alongX && size.y > size.z;
-  vec3 d = alongX ? direction.yzx : alongY ? direction.zxy : direction;
-  vec3 x = vec3(1.0, 0.0, -d.x / d.z);
-  vec3 y = vec3(0.0, 1.0, -d.y / d.z);
-  vec3 z = vec3(0.0, 0.0, 1.0 / d.z);
-  if (alongX) return mat3(x.zxy, y.zxy, z.zxy);
-  if (alongY) return mat3(x.yzx, y.yzx, z.yzx);
-  return mat3(x, y, z);
+vec3 largestLast(vec3 v, bvec2 along) {
+  vec3 w = mix(v, v.zxy, bvec3(along.y));
+  return mix(w, v.yzx, bvec3(along.x));
 }
 
 Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
-  mat3 shear = mat3(1.0);
-  if (kHasTriangles) shear = shearAlong(direction);
-  return Ray(origin, direction, leaving, shear);
+  bvec2 along = bvec2(false);
+  vec3 shear = vec3(0.0);
+  if (kHasTriangles) {
+    vec3 size = abs(direction);
+    along.x = size.x > size.y && size.x > size.z;
+    along.y = !along.x && size.y > size.z;
+    vec3 d = largestLast(direction, along);
+    shear = vec3(-d.x / d.z, -d.y / d.z, 1.0 / d.z);
+  }
+  return Ray(origin, direction, leaving, along, shear);
+}
+
+vec3 sheared(vec3 p, Ray ray) {
+  precise vec3 q = largestLast(p - ray.origin, ray.along);
+  precise vec3 result = vec3(q.xy + ray.shear.xy * q.z, ray.shear.z * q.z);
+  return result;
 }
 
 // Whether the ray starts on the primitive in this slot.
@@ -68,13 +73,13 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
 // number but for its sign, so nothing slips between them. The distance is the weighted mean of the vertices' distances
 // along the ray, so it never leaves the triangle's bounds.
 float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
-  precise vec3 a = (p0 - ray.origin) * ray.shear;
-  precise vec3 b = (p1 - ray.origin) * ray.shear;
-  precise vec3 c = (p2 - ray.origin) * ray.shear;
+  precise vec3 a = sheared(p0, ray);
+  precise vec3 b = sheared(p1, ray);
+  precise vec3 c = sheared(p2, ray);
   precise float u = c.x * b.y - c.y * b.x;
   precise float v = a.x * c.y - a.y * c.x;
   precise float w = b.x * a.y - b.y * a.x;
-  bool inside = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+  bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
   precise float sum = u + v + w;
   if (!inside || sum == 0.0) return kNoHit;
   precise float t = (u * a.z + v * b.z + w * c.z) / sum;
