@@ -29,14 +29,23 @@ layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
-layout(constant_id = kSpecUniformPlanes) const bool kUniformPlanes = false;
-layout(constant_id = kSpecUniformKinds0) const uint kUniformKinds0 = 0u;
-layout(constant_id = kSpecUniformKinds1) const uint kUniformKinds1 = 0u;
-layout(constant_id = kSpecUniformKinds2) const uint kUniformKinds2 = 0u;
-layout(constant_id = kSpecUniformKinds3) const uint kUniformKinds3 = 0u;
+layout(constant_id = kSpecRowsAhead) const bool kRowsAhead = false;
 layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
 layout(constant_id = kSpecView) const uint kView = kViewNone;
+layout(constant_id = kSpecUniformKinds + 0u) const uint kKinds0 = 0u;
+layout(constant_id = kSpecUniformKinds + 1u) const uint kKinds1 = 0u;
+layout(constant_id = kSpecUniformKinds + 2u) const uint kKinds2 = 0u;
+layout(constant_id = kSpecUniformKinds + 3u) const uint kKinds3 = 0u;
+layout(constant_id = kSpecUniformKinds + 4u) const uint kKinds4 = 0u;
+layout(constant_id = kSpecUniformKinds + 5u) const uint kKinds5 = 0u;
+layout(constant_id = kSpecUniformKinds + 6u) const uint kKinds6 = 0u;
+layout(constant_id = kSpecUniformKinds + 7u) const uint kKinds7 = 0u;
+layout(constant_id = kSpecUniformKinds + 8u) const uint kKinds8 = 0u;
+layout(constant_id = kSpecUniformKinds + 9u) const uint kKinds9 = 0u;
+const uvec4 kKindsOfSlots0 = uvec4(kKinds0, kKinds1, kKinds2, kKinds3);
+const uvec4 kKindsOfSlots16 = uvec4(kKinds4, kKinds5, kKinds6, kKinds7);
+const uvec4 kKindsOfSlots32 = uvec4(kKinds8, kKinds9, 0u, 0u);
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
 const uint kManyKinds = 7u;
@@ -44,7 +53,7 @@ const uint kKindCount = uint(kHasSpheres) + uint(kHasTriangles) + uint(kHasBoxes
 const uint kOnlyKind = kKindCount != 1u ? kManyKinds
                        : kHasSpheres ? kKindSphere
                        : kHasTriangles ? kKindTriangle : kHasBoxes ? kKindBox : kHasCones ? kKindCone : kKindPlane;
-const bool kLoopsOverPlanes = kHasPlanes && !kUniformPlanes;
+const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;
 const bool kHasLights = kHasSampledEmitters || kHasPointLights;

@@ -1,6 +1,7 @@
 // The only file that declares scene buffers: rows in, values out.
 #ifndef CANDELA_SCENE_ACCESS_GLSL
 #define CANDELA_SCENE_ACCESS_GLSL
+#extension GL_EXT_control_flow_attributes : require
 #include "options.glsl"
 #include "shared/bindings.h"
 #include "shared/render_data.h"
@@ -8,8 +9,27 @@
 
 layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows { uvec4 sceneRows[]; };
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
-layout(set = 0, binding = kBindingConstants, std140) uniform Constants { RenderConstants constantsBlock; };
-RenderConstants constants = constantsBlock;
+layout(set = 0, binding = kBindingUniforms, std140) uniform Uniforms { RenderUniforms uniforms; };
+
+// Read before any branch or loop: behind one lavapipe reads a constant for each lane by itself, at ten times the cost
+// (docs/performance.md).
+RenderConstants constants = uniforms.constants;
+
+// The same of slots' rows, where kRowsAhead; else one row that nobody asks for.
+const uint kRowsReadAhead = kRowsAhead && kUniformSlots > 0u ? kUniformSlots * kPrimitiveRows : 1u;
+uvec4 slotRowsAhead[kRowsReadAhead];
+
+bool readAhead() {
+  [[unroll]] for (uint row = 0u; row < kRowsReadAhead; ++row) slotRowsAhead[row] = uniforms.slotRows[row];
+  return true;
+}
+
+bool rowsWereReadAhead = readAhead();
+
+uvec4 slotRow(uint row) {
+  if (kRowsAhead) return slotRowsAhead[row];
+  return uniforms.slotRows[row];
+}
 
 // Both ways give the same bits; which is faster depends on the device, and texel buffers are shorter on some.
 uvec4 sceneRow(uint row) {

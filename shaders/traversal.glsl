@@ -55,32 +55,29 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
   return blocked;
 }
 
-// Of a handful of primitives all are tested, from the uniform buffer, in loops that compilers unroll (the bound is a
-// literal for their sake): then each value is loaded once for all lanes, where a row that is looked up costs every lane
-// a load of its own. Kinds are known when the kernel is compiled: a slot pays for its own kind's test alone, and no branch
-// hangs on a uniform value, for which lavapipe would compile the kernel anew at every dispatch (docs/performance.md).
+// Of a small scene all primitives are tested, from the uniform buffer. Where compilers unroll the loops each value is
+// loaded once for all lanes, where a row that is looked up costs every lane a load of its own. Kinds are known when the
+// kernel is compiled: a slot pays for its own kind's test alone, and no branch hangs on a uniform value, for which lavapipe
+// would compile the kernel anew at every dispatch (docs/performance.md).
 uint uniformKind(uint slot) {
-  uint four = slot < 4u ? kUniformKinds0 : slot < 8u ? kUniformKinds1 : slot < 12u ? kUniformKinds2 : kUniformKinds3;
-  return (four >> (8u * (slot & 3u))) & 255u;
+  uvec4 kinds = slot < 16u ? kKindsOfSlots0 : slot < 32u ? kKindsOfSlots16 : kKindsOfSlots32;
+  return (kinds[(slot >> 2) & 3u] >> (8u * (slot & 3u))) & 255u;
 }
 
 PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
   uint row = slot * kPrimitiveRows;
-  uvec4 rows[3] = uvec4[3](constants.slotRows[row], constants.slotRows[row + 1u], constants.slotRows[row + 2u]);
-  return hitRows(ray, slot, rows, uniformKind(slot));
+  return hitRows(ray, slot, uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u)), uniformKind(slot));
 }
 
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
-  [[unroll]] for (uint slot = 0u; slot < kMaxUniformSlots; ++slot) {
-    if (slot < kUniformSlots) keepCloser(hit, hitUniformSlot(ray, slot), slot);
-  }
+  [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) keepCloser(hit, hitUniformSlot(ray, slot), slot);
   work.steps += kUniformSlots;
 }
 
 bool anyOfUniform(Ray ray, uint ignored, float limit, inout Work work) {
   bool blocked = false;
-  [[unroll]] for (uint slot = 0u; slot < kMaxUniformSlots; ++slot) {
-    if (slot < kUniformSlots) blocked = blocked || (slot != ignored && hitUniformSlot(ray, slot).t < limit);
+  [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
+    blocked = blocked || (slot != ignored && hitUniformSlot(ray, slot).t < limit);
   }
   work.steps += kUniformSlots;
   return blocked;

@@ -86,7 +86,7 @@ Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
-      bindings_(*pipelines.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.constants()}) {}
+      bindings_(*pipelines.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
 
 void Band::start(BandRows rows) {
   rows_ = rows;

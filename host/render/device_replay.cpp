@@ -33,7 +33,7 @@ PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& 
   vulkan::Buffer noFilm(device, sizeof(gpu::FilmRows), vulkan::Usage::storage);
   vulkan::Buffer results(device, sizeof(gpu::Counters) + sizeof(gpu::TracedSample), vulkan::Usage::storage);
   const vulkan::BindingSet bindings(pipeline,
-                                    {&scene.rows(), &state, &noFilm, &results, &scene.texels(), &scene.constants()});
+                                    {&scene.rows(), &state, &noFilm, &results, &scene.texels(), &scene.uniforms()});
   const gpu::PathState before = stateBefore(sample);
   state.upload(std::as_bytes(std::span(&before, 1)));
   results.fill(0);

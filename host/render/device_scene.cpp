@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 
 #include "host/core/errors.h"
@@ -57,8 +58,10 @@ DeviceScene::DeviceScene(vulkan::Device& device, const FlatScene& flat, SceneLoa
     : readsTexels_(loads == SceneLoads::texel),
       rows_(makeRows(device, flat, !readsTexels_, vulkan::Usage::storage)),
       texels_(makeRows(device, flat, readsTexels_, vulkan::Usage::uniformTexel)),
-      constants_(device, sizeof(gpu::RenderConstants), vulkan::Usage::uniform) {
-  constants_.upload(std::as_bytes(std::span(&flat.constants, 1)));
+      uniforms_(device, sizeof(gpu::RenderUniforms), vulkan::Usage::uniform) {
+  gpu::RenderUniforms uniforms{.constants = flat.constants, .slotRows = {}};
+  std::ranges::copy(flat.slotRows, uniforms.slotRows);
+  uniforms_.upload(std::as_bytes(std::span(&uniforms, 1)));
 }
 
 }  // namespace candela

@@ -24,13 +24,13 @@ class DeviceScene {
   bool readsTexels() const { return readsTexels_; }
   const vulkan::Buffer& rows() const { return rows_; }
   const vulkan::Buffer& texels() const { return texels_; }
-  const vulkan::Buffer& constants() const { return constants_; }
+  const vulkan::Buffer& uniforms() const { return uniforms_; }
 
  private:
   bool readsTexels_;
   vulkan::Buffer rows_;
   vulkan::Buffer texels_;
-  vulkan::Buffer constants_;
+  vulkan::Buffer uniforms_;
 };
 
 }  // namespace candela

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/render/settings.h"
+#include "host/render/small_scene.h"
 #include "host/scene/scene.h"
 #include "shaders/shared/render_data.h"
 #include "shaders/shared/specialization.h"
@@ -39,16 +40,23 @@ struct FlatScene {
   SceneFeatures features;
   std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
   std::uint32_t stackSize = 1;      ///< entries that the traversal of a BVH needs
-  std::uint32_t uniformSlots = 0;   ///< primitives whose rows are in the constants too; 0: none
-  bool uniformPlanes = false;       ///< infinite planes are among them
-  std::array<std::uint32_t, gpu::kMaxUniformSlots / 4> uniformKinds{};  ///< kind and flags of each, a byte a slot
+  std::uint32_t uniformSlots = 0;   ///< all primitives of a small scene, whose rows are in `slotRows` too; 0: it is not small
+  std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};
+  std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
+  bool rowsAhead = false;           ///< SmallSceneRule::rowsAhead
   std::uint32_t slotCount = 0;      ///< primitives, planes included
   double structureSeconds = 0;      ///< that building the search structure took
   std::map<std::string, double> structureQuality;
 };
 
-/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera. A grid
-/// gets at most `maxGridSide` cells along an axis. Throws FileError if the scene exceeds a limit of the layout.
-FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint32_t maxGridSide = kAnyGridSide);
+/// What of a flat scene depends on the device.
+struct FlattenLimits {
+  std::uint32_t maxGridSide = kAnyGridSide;  ///< cells along an axis of a grid
+  SmallSceneRule smallScene;
+};
+
+/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera. Throws
+/// FileError if it exceeds a limit of the layout.
+FlatScene flatten(const Scene& scene, const RenderSettings& settings, const FlattenLimits& limits = {});
 
 }  // namespace candela

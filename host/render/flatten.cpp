@@ -115,13 +115,11 @@ void appendPrimitives(const Scene& scene, std::span<const std::uint32_t> order, 
   flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
 }
 
-// A handful of primitives: with the infinite planes if these find room.
-void copyToConstants(std::uint32_t finiteCount, FlatScene& flat) {
-  if (flat.structure != gpu::kStructureNone || finiteCount > gpu::kMaxUniformSlots) return;
-  flat.uniformPlanes = flat.slotCount <= gpu::kMaxUniformSlots;
-  flat.uniformSlots = flat.uniformPlanes ? flat.slotCount : finiteCount;
+// The same rows once more, for the uniform buffer.
+void copySlotRows(FlatScene& flat) {
+  flat.uniformSlots = flat.slotCount;
   const auto first = flat.rows.begin() + flat.constants.sections.y;
-  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.constants.slotRows);
+  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
   for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
     const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
     flat.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
@@ -148,6 +146,13 @@ void setConstants(const Scene& scene, const RenderSettings& settings, gpu::Rende
   constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
 }
 
+// Whether a structure is asked for by more than the default.
+bool wantsStructure(const RenderSettings& settings) {
+  if (settings.accel == AccelKind::grid) return true;
+  return settings.accel == AccelKind::bvh &&
+         (settings.bvhSplit == BvhSplit::midpoint || settings.bvhLayout != BvhLayout::automatic);
+}
+
 // Builds what the settings ask for as the first rows, and gives the finite primitives' order.
 std::vector<std::uint32_t> appendStructure(const SceneBounds& bounds, const RenderSettings& settings,
                                            std::uint32_t maxGridSide, FlatScene& flat) {
@@ -162,14 +167,16 @@ std::vector<std::uint32_t> appendStructure(const SceneBounds& bounds, const Rend
 
 }  // namespace
 
-FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint32_t maxGridSide) {
+FlatScene flatten(const Scene& scene, const RenderSettings& settings, const FlattenLimits& limits) {
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
   flat.features = featuresOf(scene, settings.integrator);
   const bool whitted = settings.integrator == Integrator::whitted;
   const SceneBounds bounds = boundPrimitives(scene);
-  std::vector<std::uint32_t> order = appendStructure(bounds, settings, maxGridSide, flat);
+  const bool small = isSmall(scene, limits.smallScene);
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
   flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   flat.slotCount = static_cast<std::uint32_t>(order.size());
@@ -178,7 +185,8 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings, std::uint3
   const std::vector<LightEntry> table =
       whitted ? std::vector<LightEntry>{} : buildLightTable(scene, settings.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
-  copyToConstants(flat.constants.moreSections.z, flat);
+  flat.rowsAhead = limits.smallScene.rowsAhead;
+  if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
   appendMaterials(scene, settings.integrator, flat);
   if (whitted) {
     appendPointLights(scene, settings.lightSize, flat);

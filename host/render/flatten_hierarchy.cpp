@@ -4,7 +4,6 @@
 
 #include "host/render/flat_rows.h"
 #include "host/render/flatten_wide_hierarchy.h"
-#include "shaders/shared/render_data.h"
 
 namespace candela {
 namespace {
@@ -13,10 +12,6 @@ namespace {
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
 // A child's share of an eight-wide node costs little beside a primitive.
 constexpr BvhOptions kWideOptions{.maxLeafSize = kMaxWideLeaf, .maxDepth = 60, .traversalCost = 0.4f, .intersectionCost = 1};
-// So few primitives are tested faster than a tree over them is traversed (docs/performance.md): they make one leaf,
-// unless another tree was asked for.
-constexpr std::uint32_t kSingleLeaf = gpu::kMaxUniformSlots;
-constexpr BvhOptions kSingleLeafOptions{.maxLeafSize = kSingleLeaf, .traversalCost = 1e6f};
 // Two primitives a leaf are part of the report's rule.
 constexpr BvhOptions kMidpointOptions{.rule = SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
 
@@ -27,9 +22,8 @@ BvhOptions withQuality(BvhOptions options, BuildQuality quality) {
   return options;
 }
 
-BvhOptions optionsFor(BvhSplit split, BuildQuality quality, BvhLayout layout, std::size_t primitiveCount) {
+BvhOptions optionsFor(BvhSplit split, BuildQuality quality, BvhLayout layout) {
   if (split == BvhSplit::midpoint) return kMidpointOptions;
-  if (primitiveCount <= kSingleLeaf) return kSingleLeafOptions;
   return withQuality(layout == BvhLayout::cwbvh ? kWideOptions : kBvhOptions, quality);
 }
 
@@ -95,7 +89,7 @@ const char* buildQualityName(BuildQuality quality) {
 }
 
 Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality, BvhLayout layout) {
-  return buildBvh(bounds, optionsFor(split, quality, layout, bounds.size()));
+  return buildBvh(bounds, optionsFor(split, quality, layout));
 }
 
 std::vector<std::uint32_t> appendHierarchy(const SceneBounds& bounds, const RenderSettings& settings, FlatScene& flat) {

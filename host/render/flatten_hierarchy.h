@@ -18,7 +18,7 @@ BvhLayout layoutFor(const RenderSettings& settings);
 const char* buildQualityName(BuildQuality quality);
 
 /// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
-/// eight-wide one; `layout` is one of both. A single leaf where testing all primitives is faster.
+/// eight-wide one; `layout` is one of both.
 Bvh buildHierarchy(std::span<const Aabb> bounds, BvhSplit split, BuildQuality quality,
                    BvhLayout layout = BvhLayout::bvh2);
 

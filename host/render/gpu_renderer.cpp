@@ -41,6 +41,7 @@ class GpuRenderer final : public ReplayingRenderer {
   Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override;
 
  private:
+  FlattenLimits limitsFor(std::uint32_t raysPerSegment) const;
   void describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                 RenderStatistics& statistics) const;
   std::vector<const vulkan::ComputePipeline*> pipelinesOf(const Kernel& kernel, const vulkan::PipelineOptions& options);
@@ -61,13 +62,17 @@ void describeBuild(const RenderSettings& settings, RenderStatistics& statistics)
   statistics.bvhQuality = buildQualityName(settings.bvhQuality);
 }
 
+FlattenLimits GpuRenderer::limitsFor(std::uint32_t raysPerSegment) const {
+  return {mostGridSide(loopLimit_, device_.info(), raysPerSegment), smallSceneRule(device_.info())};
+}
+
 void GpuRenderer::describe(const Kernel& kernel, const FlatScene& flat, const RenderSettings& settings, bool texels,
                            RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
   statistics.structure = structureName(settings.accel);
   if (settings.accel == AccelKind::bvh) describeBuild(settings, statistics);
-  statistics.layout = layoutName(flat.structure);
+  statistics.layout = flat.uniformSlots > 0 ? "row" : layoutName(flat.structure);
   statistics.kernel = kernel.name;
   statistics.workgroup = settings.workgroupInUse();
   statistics.automaticOrigin = settings.automatic.origin;
@@ -90,7 +95,7 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   RenderStatistics& statistics = result.statistics;
   Stopwatch watch;
   const std::uint32_t rays = mostRaysPerSegment(scene, settings);
-  const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
+  const FlatScene flat = flatten(scene, settings, limitsFor(rays));
   const Kernel kernel = kernelFor(flat, settings);
   LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
   if (kernel.isWavefront()) budget.maxSegments = std::min(budget.maxSegments, kMostRounds);
@@ -137,7 +142,7 @@ void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget
 
 Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) {
   const std::uint32_t rays = mostRaysPerSegment(scene, settings);
-  const FlatScene flat = flatten(scene, settings, mostGridSide(loopLimit_, device_.info(), rays));
+  const FlatScene flat = flatten(scene, settings, limitsFor(rays));
   const LoopBudget budget = loopBudget(loopLimit_, device_.info(), flat, rays);
   const DeviceScene deviceScene(device_, flat, loadsFor(device_.info(), flat, settings));
   const Kernel kernel = replayKernel();

@@ -107,7 +107,7 @@ RaySets RayCaster::makeRays() {
   const std::uint32_t pixels = settings_.size.width * settings_.size.height;
   const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));
   const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &all, &hits_, &unused_, &deviceScene_.texels(),
-                                               &deviceScene_.constants()});
+                                               &deviceScene_.uniforms()});
   dispatch(pipeline, bindings, pixels);
   std::vector<gpu::CastRay> made(std::size_t{gpu::kRayKindCount} * pixels);
   all.download(std::as_writable_bytes(std::span(made)));
@@ -133,7 +133,7 @@ void RayCaster::load(std::span<const gpu::CastRay> rays, bool anyHit) {
 double RayCaster::trace() {
   const vulkan::ComputePipeline& pipeline = casts_[anyHit_];
   const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &rays_, &hits_, &unused_, &deviceScene_.texels(),
-                                               &deviceScene_.constants()});
+                                               &deviceScene_.uniforms()});
   return dispatch(pipeline, bindings, rayCount_);
 }
 

@@ -42,7 +42,8 @@ std::uint32_t viewOf(Integrator integrator) {
 
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
   const SceneFeatures& has = flat.features;
-  return {{gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
+  std::vector<vulkan::Specialisation> constants{
+          {gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
           {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
           {gpu::kSpecSpheres, has.spheres},
           {gpu::kSpecTriangles, has.triangles},
@@ -70,13 +71,13 @@ std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const Rend
           {gpu::kSpecMixtures, has.mixtures},
           {gpu::kSpecInsideOnly, has.insideOnly},
           {gpu::kSpecUniformSlots, flat.uniformSlots},
-          {gpu::kSpecUniformPlanes, flat.uniformPlanes},
-          {gpu::kSpecUniformKinds0, flat.uniformKinds[0]},
-          {gpu::kSpecUniformKinds1, flat.uniformKinds[1]},
-          {gpu::kSpecUniformKinds2, flat.uniformKinds[2]},
-          {gpu::kSpecUniformKinds3, flat.uniformKinds[3]},
+          {gpu::kSpecRowsAhead, flat.rowsAhead},
           {gpu::kSpecAreaLights, settings.lightSize > 0},
           {gpu::kSpecView, viewOf(settings.integrator)}};
+  for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
+    constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
+  }
+  return constants;
 }
 
 vulkan::PipelineOptions kernelOptions(const FlatScene& flat, const RenderSettings& settings, bool texels,

@@ -66,7 +66,7 @@ RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t
 }  // namespace
 
 std::vector<Scene> builtInScenes() {
-  constexpr std::uint32_t kBox = 1;
+  constexpr std::uint32_t kBox = 2;
   constexpr std::uint32_t kMesh = 91;
   std::vector<Scene> scenes;
   for (const std::uint32_t size : {kBox, kMesh}) scenes.push_back(generatedScene(size));

@@ -9,7 +9,7 @@ CANDELA_CONST uint kBindingPathStates = 1u;   // storage buffer: PathState of ea
 CANDELA_CONST uint kBindingFilm = 2u;         // storage buffer: film rows of each pixel of the band
 CANDELA_CONST uint kBindingResults = 3u;      // storage buffer: counters, then path records if asked for
 CANDELA_CONST uint kBindingSceneTexels = 4u;  // the same rows as texels; only one of the two holds them
-CANDELA_CONST uint kBindingConstants = 5u;    // uniform buffer: RenderConstants
+CANDELA_CONST uint kBindingUniforms = 5u;     // uniform buffer: RenderUniforms
 
 CANDELA_END
 #endif

@@ -4,11 +4,7 @@
 #include "language.h"
 CANDELA_BEGIN
 
-// Of a scene with so few primitives, their rows are in the uniform buffer too: see traversal.glsl.
-CANDELA_CONST uint kMaxUniformSlots = 16u;
-CANDELA_CONST uint kUniformRows = 48u;
-
-// One per render, uniform buffer, std140.
+// One per render.
 struct RenderConstants {
   vec4 cameraOrigin;      // xyz; w: where in its pixel a ray goes that is not jittered, across
   vec4 cameraForward;     // xyz: -d n, from the eye to the view plane's centre; w: the same, down
@@ -27,6 +23,15 @@ struct RenderConstants {
   vec4 gridWidth;         // xyz: of a cell
   uvec4 gridSides;        // xyz: cells along each axis; w: first row of items
   uvec4 gridStrides;      // xyz: cell (x, y, z) is number dot(strides, (x, y, z))
+};
+
+// Of a scene with so few primitives, their rows are in the uniform buffer too: see traversal.glsl.
+CANDELA_CONST uint kMaxUniformSlots = 40u;
+CANDELA_CONST uint kUniformRows = 120u;
+
+// One per render, uniform buffer, std140.
+struct RenderUniforms {
+  RenderConstants constants;
   uvec4 slotRows[kUniformRows];
 };
 

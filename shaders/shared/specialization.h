@@ -32,17 +32,16 @@ CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
 CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
-CANDELA_CONST uint kSpecUniformPlanes = 28u; // the infinite planes are among them
-CANDELA_CONST uint kSpecUniformKinds0 = 29u; // kind and flags of each, a byte a slot
-CANDELA_CONST uint kSpecUniformKinds1 = 30u;
-CANDELA_CONST uint kSpecUniformKinds2 = 31u;
-CANDELA_CONST uint kSpecUniformKinds3 = 32u;
+CANDELA_CONST uint kSpecRowsAhead = 28u;    // these rows are read before anything else
 // From 40 on, of Whitted's tracer alone.
 CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
 // From 50 on, of the views alone.
 CANDELA_CONST uint kSpecView = 50u;         // kView...
 // From 60 on, of rays cast alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;    // any hit instead of the closest
+// From 70 on, kinds and flags of the slots in the uniform buffer, four to a word, a byte each.
+CANDELA_CONST uint kSpecUniformKinds = 70u;
+CANDELA_CONST uint kUniformKindWords = 10u;
 
 CANDELA_CONST uint kStructureNone = 0u;     // brute force
 CANDELA_CONST uint kStructureGrid = 1u;

@@ -18,7 +18,7 @@ using nlohmann::json;
 // More primitives than are tested without a structure.
 std::string sceneWithATree() {
   std::string spheres;
-  for (int i = 0; i < 30; ++i) spheres += fmt::format("s {} 0.5 {} 0.04\n", 0.1 * i - 1.5, 0.03 * i);
+  for (int i = 0; i < 60; ++i) spheres += fmt::format("s {} 0.5 {} 0.04\n", 0.05 * i - 1.5, 0.015 * i);
   return smallScene(spheres);
 }
 

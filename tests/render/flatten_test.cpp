@@ -138,7 +138,7 @@ TEST_CASE("a grid has no more cells along an axis than flatten is told") {
   settings.accel = AccelKind::grid;
   const Scene scene = loadFixture("primitives.p3f");
   const FlatScene free = flatten(scene, settings);
-  const FlatScene limited = flatten(scene, settings, 4);
+  const FlatScene limited = flatten(scene, settings, {.maxGridSide = 4, .smallScene = {}});
   CHECK(free.constants.gridSides.x > 4);
   CHECK(glm::all(glm::lessThanEqual(glm::uvec3(limited.constants.gridSides), glm::uvec3(4))));
   CHECK(free.structureQuality.at("density") == 2);

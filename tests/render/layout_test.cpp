@@ -77,7 +77,9 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                 MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
                 MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, gridLow),
                 MEMBER(RenderConstants, gridHigh), MEMBER(RenderConstants, gridScale), MEMBER(RenderConstants, gridWidth),
-                MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides), MEMBER(RenderConstants, slotRows)});
+                MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides)});
+  CHECK(module.offsetsOf("RenderUniforms") ==
+        Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
         Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
   CHECK(module.offsetsOf("PathState") ==
@@ -98,7 +100,7 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
   CHECK(waves.at("path") == 0);
   CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
                                                  MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
-  for (const char* name : {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants"}) {
+  for (const char* name : {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
     CAPTURE(name);
     CHECK(module.offsetsOf(name) == Module(spirv::path).offsetsOf(name));
   }

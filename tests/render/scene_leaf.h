@@ -30,7 +30,7 @@ class SceneLeaf {
     vulkan::Buffer out(device_, outputs * sizeof(Output), vulkan::Usage::storage);
     in.upload(std::as_bytes(std::span(inputs)));
     const vulkan::BindingSet bindings(
-        pipeline_, {&scene_.rows(), &in, &out, &scene_.rows(), &scene_.texels(), &scene_.constants()});
+        pipeline_, {&scene_.rows(), &in, &out, &scene_.rows(), &scene_.texels(), &scene_.uniforms()});
     const std::array<std::uint32_t, 2> push{static_cast<std::uint32_t>(lanes), task};
     device_.run([&](vulkan::CommandRecorder& recorder) {
       recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(push)), {.x = (push[0] + 63) / 64});

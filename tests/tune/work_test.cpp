@@ -138,7 +138,7 @@ TEST_CASE("Ctrl-C ends the measuring as an interruption, wherever it comes") {
 TEST_CASE("the built-in scenes are a small box and a mesh of some hundred thousand triangles, both lit") {
   const std::vector<Scene> scenes = builtInScenes();
   REQUIRE(scenes.size() == 2);
-  CHECK(scenes[0].primitives.size() == 32);
+  CHECK(scenes[0].primitives.size() == 68);
   CHECK(scenes[1].primitives.size() == 99392);
   for (const Scene& scene : scenes) {
     CHECK(scene.camera);
