@@ -60,11 +60,11 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
   precise float near2 = b * b - c;
   precise float far2 = radius * radius - dot(closest, closest);
   float discriminant = aa > radius * radius && !leaving ? far2 : near2;
-  float root = sqrt(max(discriminant, 0.0));
+  float root = sqrt(larger(discriminant, 0.0));
   precise float q = b > 0.0 ? -b - root : root - b;
   precise float other = c / q;
-  float first = min(q, other);
-  float second = max(q, other);
+  float first = smaller(q, other);
+  float second = larger(q, other);
   float t = first > 0.0 && !insideOnly ? first : second;
   return discriminant >= 0.0 && t > 0.0 ? t : kNoHit;
 }
