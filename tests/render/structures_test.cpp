@@ -130,6 +130,18 @@ Scene coincidentSpheres() {
   return sceneFromText(text);
 }
 
+// Triples of spheres that overlap so much that no split is worth it; a band of each is seen.
+Scene triples() {
+  std::string text = kView;
+  int third = 0;
+  for (const char* const colour : {"1 0 0", "0 1 0", "0 0 1"}) {
+    text += fmt::format("f {} 1 0 0 0 0 1 0 1 0 0 0\n", colour);
+    for (int i = 0; i < 9; ++i) text += fmt::format("s {} 0 {} .4\n", i % 3 - 1 + 0.1 * third, i / 3 - 0.5);
+    ++third;
+  }
+  return sceneFromText(text + "l 0 -9 5\n");
+}
+
 RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   RenderSettings settings = squareSettings(side, samples);
   settings.maxDepth = 6;
@@ -196,6 +208,13 @@ TEST_CASE("of equal distances the lower primitive wins, through every structure"
     CHECK(red > 100);
     CHECK(green == 0);
   }
+}
+
+TEST_CASE("a wide tree's leaves of three primitives, the most that there are, are tested whole") {
+  const Scene scene = triples();
+  const RenderSettings settings = shortPaths(48, 1);
+  REQUIRE(renderOnDevice(scene, along(kWays[6], settings)).statistics.structureQuality.at("maxLeafSize") == 3);
+  requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
 TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
