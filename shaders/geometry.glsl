@@ -12,11 +12,11 @@ struct Ray {
   vec3 origin;
   vec3 direction;  // unit
   uint leaving;    // slot of the primitive that the ray leaves | kLeavingInward, or kNoSlot
-  bvec2 along;
-  vec3 shear;
+  bvec2 along;     // the direction's largest component is x, or y; else it is z
+  vec3 shear;      // of `sheared`; set where there are triangles
 };
 
-// The shear of Woop, Benthin and Wald (JCGT 2013): the direction's largest component becomes z, and (0, 0, 1) the ray.
+// Turned so that the component which `along` names becomes z.
 vec3 largestLast(vec3 v, bvec2 along) {
   vec3 w = mix(v, v.zxy, bvec3(along.y));
   return mix(w, v.yzx, bvec3(along.x));
@@ -35,6 +35,7 @@ Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
   return Ray(origin, direction, leaving, along, shear);
 }
 
+// The shear of Woop, Benthin and Wald (JCGT 2013): from the ray's origin, with the ray along (0, 0, 1).
 vec3 sheared(vec3 p, Ray ray) {
   precise vec3 q = largestLast(p - ray.origin, ray.along);
   precise vec3 result = vec3(q.xy + ray.shear.xy * q.z, ray.shear.z * q.z);

@@ -24,7 +24,7 @@ bool readAhead() {
   return true;
 }
 
-bool rowsWereReadAhead = readAhead();
+bool rowsWereReadAhead = readAhead();  // an initialiser, which every kernel begins with
 
 uvec4 slotRow(uint row) {
   if (kRowsAhead) return slotRowsAhead[row];

@@ -14,7 +14,8 @@ struct Work {
   RenderSettings settings;
 };
 
-/// A box of 68 triangles, small enough for any cache but too many to be tested in a row, and a mesh of 99,392 in a room, both with a lamp.
+/// A box of 68 triangles, which fits into any cache but is too large to be tested in a row, and a mesh of 99,392 in a
+/// room, both with a lamp.
 std::vector<Scene> builtInScenes();
 
 /// What of the work is not left to timing.
