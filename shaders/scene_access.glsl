@@ -11,8 +11,8 @@ layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows {
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
 layout(set = 0, binding = kBindingUniforms, std140) uniform Uniforms { RenderUniforms uniforms; };
 
-// Read before any branch or loop: behind one lavapipe reads a constant for each lane by itself, at ten times the cost
-// (docs/performance.md).
+// Read before any branch or loop: behind one lavapipe reads a constant for each lane by itself, in some thirty
+// instructions (docs/performance.md).
 RenderConstants constants = uniforms.constants;
 
 // The same of slots' rows, where kRowsAhead; else one row that nobody asks for.
