@@ -89,6 +89,7 @@ void descendToLeaf(BoxRay ray, float limit, inout Work work) {
   while (!finished && current.count == 0u) {
     visitNode(ray, limit);
     work.steps += 1u;
+    if (finished || current.count != 0u) break;
   }
   work.truncated += current.count == 0u ? unfinished : 0u;
 }
@@ -102,6 +103,7 @@ void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
       closestInRange(hit, ray, current.reference, current.reference + current.count, work);
       popSubtree();
     }
+    if (finished) break;
   }
   work.truncated += unfinished;
 }
@@ -116,6 +118,7 @@ bool anyInHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
       blocked = anyInRange(ray, current.reference, current.reference + current.count, ignored, limit, work);
       popSubtree();
     }
+    if (finished || blocked) break;
   }
   work.truncated += blocked ? 0u : unfinished;
   return blocked;

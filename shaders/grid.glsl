@@ -147,6 +147,7 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
       uint slot = takeItem(work);
       keepCloser(hit, hitPrimitive(ray, slot), slot);
     }
+    if (walk.finished) break;
   }
   work.truncated += walk.unfinished;
 }
@@ -160,6 +161,7 @@ bool anyInGrid(Ray ray, uint ignored, float limit, inout Work work) {
       uint slot = takeItem(work);
       blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     }
+    if (walk.finished || blocked) break;
   }
   work.truncated += blocked ? 0u : walk.unfinished;
   return blocked;

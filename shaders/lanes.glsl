@@ -52,6 +52,7 @@ void advancePixel(uvec2 inRegion) {
     segments += 1u;
     working = sampleIndex < sampleEnd && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
     cutShort = working ? 1u : 0u;
+    if (!working) break;
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;

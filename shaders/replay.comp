@@ -54,6 +54,7 @@ void main() {
     segments += 1u;
     working = goesOn && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
     cutShort = working ? 1u : 0u;
+    if (!working) break;
   }
   uint truncated = work.truncated + cutShort;
   pathState = packPath(path, sampleIndex, state.counts);

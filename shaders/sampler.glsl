@@ -88,6 +88,7 @@ uint permute(uint i, uint count, uint key) {
     i &= w;
     i ^= i >> 5;
     inside = i < count;
+    if (inside) break;
   }
   return (i % count + key % count) % count;
 }

@@ -138,6 +138,7 @@ uint chooseLight(uint k, inout uint truncated) {
     low = right ? middle + 1u : low;
     high = right ? high : middle;
     cutShort = low < high ? 1u : 0u;
+    if (low >= high) break;
   }
   truncated += cutShort;
   return low;

@@ -13,6 +13,10 @@ struct Hit {
 // Work done, and whether some loop was stopped before its end (a device may limit the turns of an invocation's loops).
 // Behind a loop compilers take for granted that its condition is false, and fold a test of that very variable away; but
 // it may have been the device that stopped the loop. So traversals keep a number beside the variable, and look at that.
+//
+// Loops test whether a lane goes on at their head and at their end. lavapipe looks behind the body whether any lane does:
+// with the test at the head alone every loop takes one more turn, with no lane in it, which costs as much as any other.
+// With the test at the end alone hits are wrong on lavapipe: lanes seem to lose the values that they left early with.
 struct Work {
   uint steps;
   uint truncated;
@@ -36,6 +40,7 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work wor
     keepCloser(hit, hitPrimitive(ray, slot), slot);
     ++slot;
     cutShort = slot < end ? 1u : 0u;
+    if (slot >= end) break;
   }
   work.steps += slot - first;
   work.truncated += cutShort;
@@ -49,6 +54,7 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
     blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
     ++slot;
     cutShort = slot < end && !blocked ? 1u : 0u;
+    if (slot >= end || blocked) break;
   }
   work.steps += slot - first;
   work.truncated += cutShort;

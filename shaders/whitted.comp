@@ -129,6 +129,7 @@ void main() {
     working = sampleIndex < sampleEnd && segments < dispatch.work.y &&
               work.steps + segments + lightTurns < dispatch.work.w;
     cutShort = working ? 1u : 0u;
+    if (!working) break;
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;

@@ -166,6 +166,7 @@ void descendToLeaves(WideRay ray, float limit, inout Work work) {
     nextBlock();
     noteWideEnd();
     work.steps += 1u;
+    if (leafHits != 0u || noneWaits) break;
   }
 }
 
@@ -186,7 +187,9 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
       uint slot = takeLeafHit();
       keepCloser(hit, hitPrimitive(ray, slot), slot);
       work.steps += 1u;
+      if (leafHits == 0u) break;
     }
+    if (noneWaits) break;
   }
   work.truncated += wideUnfinished;
 }
@@ -201,7 +204,9 @@ bool anyInWideHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
       uint slot = takeLeafHit();
       blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
       work.steps += 1u;
+      if (leafHits == 0u || blocked) break;
     }
+    if (noneWaits || blocked) break;
   }
   work.truncated += blocked ? 0u : wideUnfinished;
   return blocked;
