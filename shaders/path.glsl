@@ -117,10 +117,11 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   return above != transmitted && largest(path.throughput) > 0.0;
 }
 
-// Russian roulette by throughput; true if the path survives.
+// Russian roulette by the throughput's square root, which makes fewer paths dear than the throughput itself
+// (docs/performance.md); true if the path survives.
 bool survivesRoulette(inout Path path, float number) {
   if (path.depth <= constants.limits.y) return true;
-  float survival = min(1.0, largest(path.throughput));
+  float survival = min(1.0, sqrt(largest(path.throughput)));
   noteRoulette(survival);
   path.throughput /= survival;
   return number < survival;

@@ -2,6 +2,7 @@
 #include "host/reference/path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/reference/sampling.h"
 #include "shaders/shared/dimensions.h"
@@ -99,7 +100,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
 
     if (depth > settings_.rouletteStart) {
-      const double survival = std::min(1.0, largestChannel(beta));
+      const double survival = std::min(1.0, std::sqrt(largestChannel(beta)));
       const bool survives = u.roulette() < survival;
       notes.roulette(survival, survives);
       if (!survives) return radiance;

@@ -54,7 +54,7 @@ struct RenderSettings {
   std::uint32_t sampleCount = 16;   ///< per pixel, >= 1
   std::uint32_t seed = 0;
   std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
-  std::uint32_t rouletteStart = 5;  ///< path vertices that never face Russian roulette
+  std::uint32_t rouletteStart = 4;  ///< path vertices that never face Russian roulette
   Integrator integrator = Integrator::path;
   std::optional<float> aoDistance;  ///< reach of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;

@@ -20,9 +20,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 CYCLES = Path(__file__).with_name("cycles.py")
-# Candela's paths face Russian roulette from their 6th vertex on, Cycles' from their 3rd: each also as the other has it.
+# Russian roulette may take the 6th vertex from Candela's paths, the 3rd from Cycles': each also as the other has it.
 VARIANTS = [("Candela", "candela", []), ("Candela, early roulette", "candela", ["--rr-start", "1"]),
-            ("Cycles", "cycles", []), ("Cycles, late roulette", "cycles", ["--roulette-start", "4"])]
+            ("Cycles", "cycles", []), ("Cycles, late roulette", "cycles", ["--roulette-start", "3"])]
 NOISE_SIZE = 128  # side of the pictures whose noise is measured, pixels
 NOISE_SEEDS = 3
 LONG_SPP = 1024

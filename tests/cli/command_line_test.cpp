@@ -43,7 +43,7 @@ TEST_CASE("defaults are those of the settings") {
   CHECK(arguments.device.empty());
   CHECK(arguments.settings.seed == 0);
   CHECK(arguments.settings.maxDepth == 64);
-  CHECK(arguments.settings.rouletteStart == 5);
+  CHECK(arguments.settings.rouletteStart == 4);
   CHECK(arguments.settings.nextEventEstimation);
   CHECK(arguments.settings.sampler == SamplerKind::sobol);
   CHECK(arguments.verbosity() == Verbosity::normal);

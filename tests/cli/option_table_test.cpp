@@ -50,7 +50,7 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--seed", "N", "0"},
                                       {"--size", "WxH", "the file's"},
                                       {"--max-depth", "N", "64; whitted 4"},
-                                      {"--rr-start", "N", "5"},
+                                      {"--rr-start", "N", "4"},
                                       {"--integrator", "path|whitted|ao|normal|albedo|depth|id|cost", "path"},
                                       {"--ao-distance", "D", "auto"},
                                       {"--nee", "on|off", "on"},

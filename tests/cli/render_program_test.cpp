@@ -50,7 +50,7 @@ TEST_CASE("an EXR file says how it was made") {
   CHECK(metadata.count("candela.driver") == 1);
   CHECK(metadata.at("candela.version") == CANDELA_VERSION);
   CHECK(metadata.at("candela.settings") ==
-        "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 5 --integrator path --ao-distance auto --nee on "
+        "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 4 --integrator path --ao-distance auto --nee on "
         "--sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --one-sided");
 }
 

@@ -1,5 +1,7 @@
 // A replay traces the very sample that a render traces.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
 
 #include "host/explain/explanation.h"
@@ -86,6 +88,30 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of 
     Film replayed(1, 1);
     replayed.addSample(0, 0, replay.path.radiance, 0);
     CHECK(replayed.at(0, 0).red == tracer->render(scene, settings, {}).film.at(place.x, place.y).red);
+  }
+}
+
+TEST_CASE("roulette spares the first vertices, and a path survives it by the square root of its throughput") {
+  const Scene scene = loadTestScene("cornell.p3f");
+  RenderSettings settings = squareSettings(6, 1);
+  settings.rouletteStart = 2;
+  for (ReplayingRenderer* tracer : {&deviceTracer(), &referenceTracer()}) {
+    std::uint32_t played = 0;
+    forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
+      const PathTrace path = tracer->replay(scene, settings, {x, y, 0}).path;
+      for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+        const VertexTrace& vertex = path.vertices[i];
+        if (!vertex.roulette) continue;
+        CAPTURE(x, y, i);
+        CHECK(i >= settings.rouletteStart);
+        REQUIRE(vertex.scattering);
+        const glm::dvec3 throughput = vertex.throughput * vertex.scattering->weight;
+        const double largest = std::max({throughput.x, throughput.y, throughput.z});
+        CHECK(vertex.roulette->probability == Approx(std::min(1.0, std::sqrt(largest))).epsilon(1e-5));
+        ++played;
+      }
+    });
+    CHECK(played > 10);
   }
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("a closed furnace of albedo a shows 1 / (1 - a) everywhere") {
   CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
 
   settings.nextEventEstimation = false;
-  settings.rouletteStart = 5;  // one path in 64 survives its first roulette: 0.25 is a sample's standard deviation
+  settings.rouletteStart = 5;  // by it the standard deviation of a sample is less than 0.25
   CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(2e-3));
 }
 
