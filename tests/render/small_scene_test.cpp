@@ -34,8 +34,8 @@ TEST_CASE("a scene is small by what its primitives cost, not by their number alo
   CHECK(!isSmall(scattered(kTriangle, 17), rule));
   CHECK(isSmall(scattered(kSphere, 24), rule));
   CHECK(!isSmall(scattered(kSphere, 25), rule));
-  CHECK(isSmall(scattered(kCone, 6), rule));
-  CHECK(!isSmall(scattered(kCone, 7), rule));
+  CHECK(isSmall(scattered(kCone, 3), rule));
+  CHECK(!isSmall(scattered(kCone, 4), rule));
   CHECK(isSmall(scattered(kCone, 0), rule));
 }
 
