@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "host/accel/block_packer.h"
 #include "host/accel/task_pool.h"
 #include "host/accel/wide_families.h"
 #include "host/core/errors.h"
@@ -34,7 +35,7 @@ class Collapser {
  public:
   Collapser(const Bvh& bvh, const WideFamilies& families, std::uint32_t root)
       : bvh_(bvh), families_(families), pending_{{root, 0, 0}} {
-    wide_.nodes.resize(kWideChildren);
+    wide_.nodes.resize(blocks_.end());
   }
 
   // Level by level, until that many nodes are left to do.
@@ -128,27 +129,26 @@ class Collapser {
     return (1u << leaf.count) - 1;
   }
 
-  std::uint32_t addBlock(const Places& places, std::uint32_t innerMask, std::uint32_t depth) {
-    const std::size_t first = wide_.nodes.size();
-    const std::size_t block = first / kWideChildren;
-    wide_.nodes.resize(first + kWideChildren);
+  std::uint32_t addBlock(const Places& places, std::uint8_t innerMask, std::uint32_t depth) {
+    const std::uint32_t block = blocks_.place(innerMask);
+    wide_.nodes.resize(blocks_.end());
     for (std::uint32_t place = kWideChildren; place-- > 0;) {
       if ((innerMask >> place & 1) == 0) continue;
-      pending_.push_back({places[place], static_cast<std::uint32_t>(first + place), depth});
+      pending_.push_back({places[place], block + place, depth});
     }
-    return static_cast<std::uint32_t>(block);
+    return block;
   }
 
   const Bvh& bvh_;
   const WideFamilies& families_;
   WideBvh wide_;
+  BlockPacker blocks_;
   std::vector<Pending> pending_;
 };
 
-// A node of a subtree, where the subtree's blocks but the first, which has its root alone, follow `blocks` others and its
-// primitives follow `primitives` others.
-WideNode moved(WideNode node, std::size_t blocks, std::size_t primitives) {
-  if (node.innerMask != 0) node.block += static_cast<std::uint32_t>(blocks) - 1;
+// A node of a subtree, where the subtree's nodes but the root follow `nodes` others and its primitives `primitives` others.
+WideNode moved(WideNode node, std::size_t nodes, std::size_t primitives) {
+  if (node.innerMask != 0) node.block += static_cast<std::uint32_t>(nodes) - 1;
   node.firstPrimitive += static_cast<std::uint32_t>(primitives);
   return node;
 }
@@ -157,17 +157,15 @@ WideNode moved(WideNode node, std::size_t blocks, std::size_t primitives) {
 WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideBvh> subtrees) {
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const WideBvh& part = subtrees[i];
-    const std::size_t blocks = wide.nodes.size() / kWideChildren;
+    const std::size_t nodes = wide.nodes.size();
     const std::size_t primitives = wide.primitiveIndices.size();
-    wide.nodes[roots[i].target] = moved(part.nodes.front(), blocks, primitives);
-    for (std::size_t k = kWideChildren; k < part.nodes.size(); ++k) wide.nodes.push_back(moved(part.nodes[k], blocks, primitives));
+    wide.nodes[roots[i].target] = moved(part.nodes.front(), nodes, primitives);
+    for (std::size_t k = 1; k < part.nodes.size(); ++k) wide.nodes.push_back(moved(part.nodes[k], nodes, primitives));
     wide.primitiveIndices.insert(wide.primitiveIndices.end(), part.primitiveIndices.begin(), part.primitiveIndices.end());
     wide.depth = std::max(wide.depth, roots[i].depth + part.depth);
     wide.nodeCount += part.nodeCount;
   }
-  if (wide.nodes.size() / kWideChildren > kMaxWideBlocks) {
-    throw InternalError(fmt::format("a wide tree of {} blocks", wide.nodes.size() / kWideChildren));
-  }
+  if (wide.nodes.size() > kMaxWideNodes) throw InternalError(fmt::format("a wide tree of {} nodes", wide.nodes.size()));
   return wide;
 }
 

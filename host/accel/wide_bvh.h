@@ -3,8 +3,8 @@
 // take in single precision. Knows nothing of primitives.
 //
 // Two things differ from theirs. Children that are nodes stand in a block of eight, each at the number that it has in
-// its parent, with gaps where others are leaves: then a block and eight bits, one word, say which nodes wait. And leaves
-// are told by three bits a child at fixed places instead of a byte.
+// its parent: then a block and eight bits, one word, say which nodes wait. Where others are leaves the block has gaps, in
+// which nodes of other blocks stand. And leaves are told by three bits a child at fixed places instead of a byte.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,33 +18,34 @@
 namespace candela {
 
 inline constexpr std::uint32_t kMaxWideLeaf = 3;  ///< primitives
-inline constexpr std::uint32_t kMaxWideBlocks = 1u << 24;
+inline constexpr std::uint32_t kMaxWideNodes = 1u << 24;  ///< with gaps
 
 /// Bit k of a child's number says, as well as the children's places allow, on which side of the node it lies along axis
 /// k: for a ray whose direction is negative on the axes of the bits of `octant`, number ^ octant orders them from near
 /// to far.
 struct WideNode {
   QuantisedBoxes boxes;
-  std::uint32_t block = 0;           ///< child i, if it is a node, is node 8 block + i
+  std::uint32_t block = 0;           ///< child i, if it is a node, is node block + i
   std::uint8_t innerMask = 0;        ///< bit i: child i is a node
   std::uint32_t firstPrimitive = 0;  ///< of the leaves together, which follow each other in the order of children
   std::uint32_t leafMask = 0;        ///< bits 3 i to 3 i + 2: as many are set, from the lowest, as child i has primitives
 };
 
-/// The root is node 0. Blocks are in depth-first order but for those next to the root; nodes of a block that no parent names are of no account.
+/// The root is node 0. Blocks are nearly in depth-first order but for those next to the root; nodes that no parent names
+/// are of no account.
 struct WideBvh {
-  std::vector<WideNode> nodes;  ///< a multiple of eight
+  std::vector<WideNode> nodes;
   std::vector<std::uint32_t> primitiveIndices;
   std::uint32_t depth = 0;      ///< steps from the root to the deepest node
   std::uint32_t nodeCount = 0;  ///< without gaps
 };
 
 /// Collapses a valid tree whose leaves hold at most kMaxWideLeaf primitives, into the nodes that WideFamilies chooses.
-/// Throws InternalError if a leaf is larger, or if there would be more than kMaxWideBlocks blocks.
+/// Throws InternalError if a leaf is larger, or if there would be more than kMaxWideNodes nodes.
 WideBvh collapse(const Bvh& bvh);
 
-/// What is wrong with a wide tree over `bounds`, or nothing: every primitive in exactly one leaf, every block named
-/// once, every quantised box around what lies in it by the margin that exactness asks for, depth at most `maxDepth`.
+/// What is wrong with a wide tree over `bounds`, or nothing: every primitive in exactly one leaf, every node named at
+/// most once, every quantised box around what lies in it by the margin that exactness asks for, depth at most `maxDepth`.
 /// Safe on any input.
 std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth);
 

@@ -29,7 +29,6 @@ class Validator {
     if (wide_.primitiveIndices.size() != bounds_.size()) {
       return fmt::format("{} primitive indices for {} primitives", wide_.primitiveIndices.size(), bounds_.size());
     }
-    if (wide_.nodes.size() % kWideChildren != 0) return fmt::format("{} nodes are no whole blocks", wide_.nodes.size());
     if (bounds_.empty() || wide_.nodes.empty()) {
       if (bounds_.empty() && wide_.nodes.empty()) return std::nullopt;
       return fmt::format("{} nodes for {} primitives", wide_.nodes.size(), bounds_.size());
@@ -39,20 +38,17 @@ class Validator {
   }
 
  private:
-  // Blocks are named once, so that the walk ends on any input. Notes the order of nodes, parents first.
+  // Nodes are named once, so that the walk ends on any input. Notes the order of nodes, parents first.
   std::optional<std::string> walk() {
-    blockReached_.assign(wide_.nodes.size() / kWideChildren, false);
+    nodeNamed_.assign(wide_.nodes.size(), false);
     primitiveSeen_.assign(bounds_.size(), false);
-    blockReached_[0] = true;
+    nodeNamed_[0] = true;
     order_ = {{0, 0, 0, 0}};
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const Visit visit = order_[i];
       if (visit.depth > maxDepth_) return fmt::format("node {} is {} steps deep, the limit is {}", visit.node, visit.depth, maxDepth_);
       if (auto problem = visitChildren(visit)) return problem;
       if (auto problem = visitLeaves(visit.node)) return problem;
-    }
-    for (std::size_t i = 0; i < blockReached_.size(); ++i) {
-      if (!blockReached_[i]) return fmt::format("block {} is not reached", i);
     }
     for (std::size_t i = 0; i < primitiveSeen_.size(); ++i) {
       if (!primitiveSeen_[i]) return fmt::format("primitive {} is in no leaf", i);
@@ -63,14 +59,14 @@ class Validator {
 
   std::optional<std::string> visitChildren(const Visit& visit) {
     const WideNode& node = wide_.nodes[visit.node];
-    if (node.innerMask == 0) return std::nullopt;
-    if (node.block >= blockReached_.size()) return fmt::format("node {} names block {}", visit.node, node.block);
-    if (blockReached_[node.block]) return fmt::format("block {} is named twice", node.block);
-    blockReached_[node.block] = true;
     for (std::uint32_t place = 0; place < kWideChildren; ++place) {
       if ((node.innerMask >> place & 1) == 0) continue;
       if (leafSize(node, place) > 0) return fmt::format("child {} of node {} is both node and leaf", place, visit.node);
-      order_.push_back({node.block * kWideChildren + place, visit.node, place, visit.depth + 1});
+      const std::uint64_t child = std::uint64_t{node.block} + place;
+      if (child >= nodeNamed_.size()) return fmt::format("node {} names node {} of {}", visit.node, child, nodeNamed_.size());
+      if (nodeNamed_[child]) return fmt::format("node {} is named twice", child);
+      nodeNamed_[child] = true;
+      order_.push_back({static_cast<std::uint32_t>(child), visit.node, place, visit.depth + 1});
     }
     return std::nullopt;
   }
@@ -137,7 +133,7 @@ class Validator {
   std::span<const Aabb> bounds_;
   std::uint32_t maxDepth_;
   std::vector<Visit> order_;
-  std::vector<bool> blockReached_;
+  std::vector<bool> nodeNamed_;
   std::vector<bool> primitiveSeen_;
 };
 

@@ -27,7 +27,6 @@ std::uint32_t exponentsAndMask(const WideNode& node) {
 }  // namespace
 
 void appendWideNodes(const WideBvh& wide, Rows& rows) {
-  static_assert(gpu::kWideChildCount == kWideChildren);
   rows.reserve(rows.size() + wide.nodes.size() * gpu::kWideNodeRows);
   for (const WideNode& node : wide.nodes) {
     const QuantisedBoxes& boxes = node.boxes;

@@ -72,7 +72,7 @@ class Searcher {
         const std::uint32_t leaf = node.leafMask >> (3 * child) & 7, first = next;
         next += static_cast<std::uint32_t>(std::popcount(leaf));
         if (!slabs.meets(node.boxes, child, best.t)) continue;
-        if (node.innerMask >> child & 1) stack.push_back(node.block * kWideChildren + child);
+        if (node.innerMask >> child & 1) stack.push_back(node.block + child);
         for (std::uint32_t i = first; i < next; ++i) test(ray, wide.primitiveIndices[i], best);
       }
     }

@@ -49,7 +49,7 @@ TEST_CASE("a wide tree has a third of the nodes and half of the depth at most, a
   const std::size_t inner = (bvh.nodes.size() - 1) / 2;
   CHECK(wide.nodeCount < inner / 3);
   CHECK(wide.depth <= quality(bvh).depth / 2);
-  CHECK(wide.nodes.size() < 4 * wide.nodeCount);
+  CHECK(10 * wide.nodes.size() < 11 * wide.nodeCount);
 }
 
 TEST_CASE("children lie on the sides that their numbers say, for most pairs that differ in one bit") {
@@ -136,11 +136,10 @@ TEST_CASE("validate names what is wrong with a wide tree") {
   };
   using Catch::Contains;
   CHECK_THAT(complaint([](WideBvh& w) { w.primitiveIndices.pop_back(); }), Contains("399 primitive indices for 400"));
-  CHECK_THAT(complaint([](WideBvh& w) { w.nodes.pop_back(); }), Contains("no whole blocks"));
+  CHECK_THAT(complaint([](WideBvh& w) { w.nodes.pop_back(); }), Contains("names node"));
   CHECK_THAT(complaint([](WideBvh& w) { w.nodes.clear(); }), Contains("0 nodes for 400"));
-  CHECK_THAT(complaint([](WideBvh& w) { w.nodes.resize(w.nodes.size() + 8); }), Contains("is not reached"));
-  CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 0; }), Contains("block 0 is named twice"));
-  CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 1u << 20; }), Contains("names block 1048576"));
+  CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 0; }), Contains("is named twice"));
+  CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 1u << 20; }), Contains("names node 10485"));
   CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].leafMask = 0xffffff; }), Contains("both node and leaf"));
   CHECK_THAT(complaint([](WideBvh& w) { w.nodeCount += 1; }), Contains("said to be"));
   CHECK_THAT(complaint([&](WideBvh& w) { w.nodes[leafy].leafMask ^= 1; }), Contains("has gaps"));
