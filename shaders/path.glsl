@@ -117,8 +117,8 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   return above != transmitted && largest(path.throughput) > 0.0;
 }
 
-// Russian roulette by the throughput's square root, which makes fewer paths dear than the throughput itself
-// (docs/performance.md); true if the path survives.
+// Russian roulette; true if the path survives. The square root of the throughput gives less noise for the same number of
+// rays than the throughput itself (docs/performance.md).
 bool survivesRoulette(inout Path path, float number) {
   if (path.depth <= constants.limits.y) return true;
   float survival = min(1.0, sqrt(largest(path.throughput)));

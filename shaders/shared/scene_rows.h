@@ -10,8 +10,8 @@ CANDELA_BEGIN
 CANDELA_CONST uint kNodeRows = 4u;
 
 // Nodes of the compressed eight-wide tree (host/accel/wide_bvh.h), five rows: (origin, exponent of the step in x | y << 8 |
-// z << 16, each biased by 127, | children that are nodes << 24) (first node of the block, first primitive slot, leaf mask, 0) and the numbers
-// of planes, a byte each, children 0 to 3 and 4 to 7: (low x, low y) (low z, high x) (high y, high z).
+// z << 16, each biased by 127, | children that are nodes << 24) (first node of the block, first primitive slot, leaf mask,
+// 0) and the numbers of planes, a byte each, children 0 to 3 and 4 to 7: (low x, low y) (low z, high x) (high y, high z).
 CANDELA_CONST uint kWideNodeRows = 5u;
 
 // A grid's cells, three to a row: where the items of each begin, and where those of the last end. Its items, the slots of
