@@ -6,19 +6,19 @@
 namespace candela {
 namespace {
 
-constexpr std::uint32_t kLastShift = 64 - 8;
+constexpr std::uint32_t kBlockSlots = 8;
+constexpr std::uint32_t kLastShift = 64 - kBlockSlots;
 
 }  // namespace
 
 std::uint32_t BlockPacker::place(std::uint8_t mask) {
   const auto below = static_cast<std::uint32_t>(std::countr_zero(mask));  // slots before the first that is needed
   const std::uint64_t shape = std::uint64_t{mask} >> below;
-  for (;; moveWindow(8)) {
+  for (;; moveWindow(kBlockSlots)) {
     for (std::uint32_t shift = 0; shift <= kLastShift; ++shift) {
       const std::uint32_t first = start_ + shift;
       if ((taken_ >> shift & shape) != 0 || first < below) continue;
       taken_ |= shape << shift;
-      end_ = std::max(end_, first + static_cast<std::uint32_t>(std::bit_width(shape)));
       moveWindow(std::min(static_cast<std::uint32_t>(std::countr_one(taken_)), 63u));
       return first - below;
     }

@@ -1,5 +1,6 @@
 // Where blocks of eight slots go of which some stay empty: into each other, so that one's gaps hold what others have.
 #pragma once
+#include <bit>
 #include <cstdint>
 
 namespace candela {
@@ -12,14 +13,13 @@ class BlockPacker {
   std::uint32_t place(std::uint8_t mask);
 
   /// The number of slots up to the last one that is taken.
-  std::uint32_t end() const { return end_; }
+  std::uint32_t end() const { return start_ + static_cast<std::uint32_t>(std::bit_width(taken_)); }
 
  private:
   void moveWindow(std::uint32_t slots);
 
-  std::uint32_t start_ = 0;  ///< of the window; what lies before it stays as it is
+  std::uint32_t start_ = 0;  ///< of the window, which reaches to the last slot that is taken; what lies before it is left
   std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i
-  std::uint32_t end_ = 1;
 };
 
 }  // namespace candela
