@@ -8,8 +8,8 @@ namespace candela {
 /// First fit in a window of the last 64 slots. Slot 0 is taken from the beginning.
 class BlockPacker {
  public:
-  /// The slot that the new block starts with, so near the front of the window that slot + i is free, and taken from then on,
-  /// for every bit i of `mask`, which must not be 0.
+  /// The slot that the new block starts with, so near the front of the window that slot + i is free, and taken from
+  /// then on, for every bit i of `mask`, which must not be 0.
   std::uint32_t place(std::uint8_t mask);
 
   /// The number of slots up to the last one that is taken.
@@ -18,7 +18,8 @@ class BlockPacker {
  private:
   void moveWindow(std::uint32_t slots);
 
-  std::uint32_t start_ = 0;  ///< of the window, which reaches to the last slot that is taken; what lies before it is left
+  std::uint32_t
+      start_ = 0;  ///< of the window, which reaches to the last slot that is taken; what lies before it is left
   std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i
 };
 

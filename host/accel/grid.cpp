@@ -162,8 +162,8 @@ class Builder {
   }
 
   void sortSlab(std::uint32_t slab) {
-    const std::span<const Entry> entries =
-        std::span(entries_).subspan(slabs_[slab].entries, slabs_[slab + 1].entries - slabs_[slab].entries);
+    const std::span<const Entry> entries = std::span(entries_).subspan(slabs_[slab].entries,
+                                                                       slabs_[slab + 1].entries - slabs_[slab].entries);
     const std::uint32_t firstLayer = slab * slabLayers_;
     const std::uint32_t endLayer = std::min(firstLayer + slabLayers_, grid_.shape.sides[outermost_]);
     const std::uint32_t stride = grid_.shape.strides[outermost_];

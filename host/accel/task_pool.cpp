@@ -8,7 +8,9 @@
 
 namespace candela {
 
-std::uint32_t threadsFor(std::uint32_t asked) { return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency()); }
+std::uint32_t threadsFor(std::uint32_t asked) {
+  return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+}
 
 TaskPool::TaskPool(std::uint32_t threadCount) {
   try {

@@ -41,7 +41,8 @@ class Collapser {
   // Level by level, until that many nodes are left to do.
   std::vector<Pending> runUntil(std::size_t count) {
     for (std::size_t next = 0;; ++next) {
-      if (next == pending_.size() || pending_.size() - next >= count) return {pending_.begin() + static_cast<std::ptrdiff_t>(next), pending_.end()};
+      if (next == pending_.size() || pending_.size() - next >= count)
+        return {pending_.begin() + static_cast<std::ptrdiff_t>(next), pending_.end()};
       collapse(Pending(pending_[next]));
     }
   }
@@ -85,8 +86,8 @@ class Collapser {
     return bvh_.nodes[root].isLeaf() ? Family{{root}, 1} : families_.of(root);
   }
 
-  // Again and again the child and the free place that suit each other best: Ylitie et al. section 3.2, with a greedy choice
-  // instead of an auction.
+  // Again and again the child and the free place that suit each other best: Ylitie et al. section 3.2, with a greedy
+  // choice instead of an auction.
   Places arrange(const Family& family, const Aabb& bounds) const {
     std::array<glm::dvec3, kWideChildren> offsets;
     for (std::uint32_t i = 0; i < family.size; ++i) {
@@ -146,7 +147,8 @@ class Collapser {
   std::vector<Pending> pending_;
 };
 
-// A node of a subtree, where the subtree's nodes but the root follow `nodes` others and its primitives `primitives` others.
+// A node of a subtree, where the subtree's nodes but the root follow `nodes` others and its primitives `primitives`
+// others.
 WideNode moved(WideNode node, std::size_t nodes, std::size_t primitives) {
   if (node.innerMask != 0) node.block += static_cast<std::uint32_t>(nodes) - 1;
   node.firstPrimitive += static_cast<std::uint32_t>(primitives);
@@ -161,7 +163,8 @@ WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideB
     const std::size_t primitives = wide.primitiveIndices.size();
     wide.nodes[roots[i].target] = moved(part.nodes.front(), nodes, primitives);
     for (std::size_t k = 1; k < part.nodes.size(); ++k) wide.nodes.push_back(moved(part.nodes[k], nodes, primitives));
-    wide.primitiveIndices.insert(wide.primitiveIndices.end(), part.primitiveIndices.begin(), part.primitiveIndices.end());
+    wide.primitiveIndices.insert(wide.primitiveIndices.end(), part.primitiveIndices.begin(),
+                                 part.primitiveIndices.end());
     wide.depth = std::max(wide.depth, roots[i].depth + part.depth);
     wide.nodeCount += part.nodeCount;
   }

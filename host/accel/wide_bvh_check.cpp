@@ -46,7 +46,8 @@ class Validator {
     order_ = {{0, 0, 0, 0}};
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const Visit visit = order_[i];
-      if (visit.depth > maxDepth_) return fmt::format("node {} is {} steps deep, the limit is {}", visit.node, visit.depth, maxDepth_);
+      if (visit.depth > maxDepth_)
+        return fmt::format("node {} is {} steps deep, the limit is {}", visit.node, visit.depth, maxDepth_);
       if (auto problem = visitChildren(visit)) return problem;
       if (auto problem = visitLeaves(visit.node)) return problem;
     }
@@ -63,7 +64,8 @@ class Validator {
       if ((node.innerMask >> place & 1) == 0) continue;
       if (leafSize(node, place) > 0) return fmt::format("child {} of node {} is both node and leaf", place, visit.node);
       const std::uint64_t child = std::uint64_t{node.block} + place;
-      if (child >= nodeNamed_.size()) return fmt::format("node {} names node {} of {}", visit.node, child, nodeNamed_.size());
+      if (child >= nodeNamed_.size())
+        return fmt::format("node {} names node {} of {}", visit.node, child, nodeNamed_.size());
       if (nodeNamed_[child]) return fmt::format("node {} is named twice", child);
       nodeNamed_[child] = true;
       order_.push_back({static_cast<std::uint32_t>(child), visit.node, place, visit.depth + 1});
@@ -79,7 +81,8 @@ class Validator {
       const std::uint32_t bits = node.leafMask >> (3 * place) & 7;
       if (bits != (1u << leafSize(node, place)) - 1) return fmt::format("leaf {} of node {} has gaps", place, index);
       for (std::uint32_t i = 0; i < leafSize(node, place); ++i, ++next) {
-        if (next >= bounds_.size()) return fmt::format("node {} holds primitives up to {} of {}", index, next, bounds_.size());
+        if (next >= bounds_.size())
+          return fmt::format("node {} holds primitives up to {} of {}", index, next, bounds_.size());
         const std::uint32_t primitive = wide_.primitiveIndices[next];
         if (primitive >= bounds_.size()) return fmt::format("node {} names primitive {}", index, primitive);
         if (primitiveSeen_[primitive]) return fmt::format("primitive {} is in two leaves", primitive);

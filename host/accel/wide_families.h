@@ -15,8 +15,8 @@ struct Family {
   std::uint32_t size = 0;
 };
 
-/// The choice by which a random line that meets the root meets fewest wide nodes: Ylitie, Karras and Laine, section 3.1,
-/// but leaves stay those of the two-wide tree. The tree must be valid and outlive this.
+/// The choice by which a random line that meets the root meets fewest wide nodes: Ylitie, Karras and Laine,
+/// section 3.1, but leaves stay those of the two-wide tree. The tree must be valid and outlive this.
 class WideFamilies {
  public:
   explicit WideFamilies(const Bvh& bvh);

@@ -41,7 +41,8 @@ std::uint64_t commonHash(const RunsByHash& runsByHash) {
 }
 
 // What the caller sees of one run: its share of all of them, behind those that are over.
-RenderControl shareOf(const RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs, std::uint64_t samplesOver) {
+RenderControl shareOf(const RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
+                      std::uint64_t samplesOver) {
   RenderControl part = whole;
   if (!whole.progress) return part;
   part.progress = [&whole, runsOver, runs, samplesOver](double fraction, std::uint64_t samples) {
@@ -91,8 +92,7 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
   std::uint64_t samples = 0;
   for (std::uint32_t run = 0; run < runs; ++run) {
     Measurement& measurement = measurements[run % variants.size()];
-    RenderResult result =
-        renderer.render(scene, measurement.variant.settings, shareOf(control, run, runs, samples));
+    RenderResult result = renderer.render(scene, measurement.variant.settings, shareOf(control, run, runs, samples));
     if (result.interrupted) return {};
     samples += result.statistics.samples;
     const std::uint64_t hash = result.film.hash();
@@ -105,7 +105,8 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
   return measurements;
 }
 
-bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements, const RenderControl& control) {
+bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements,
+                  const RenderControl& control) {
   RenderControl silent = control;  // what is left of the progress is over
   silent.progress = nullptr;
   std::map<std::string, double> noiseOf;

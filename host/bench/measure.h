@@ -20,7 +20,7 @@ struct Variant {
 /// What the renders of one variant took.
 struct Measurement {
   Variant variant;
-  RenderStatistics statistics{};      ///< of the last run; rays and steps are the same in every run
+  RenderStatistics statistics{};  ///< of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
   std::vector<double> buildSeconds{};  ///< of the search structure, one per run, ascending
@@ -29,7 +29,7 @@ struct Measurement {
   /// relMSE (compareImages) of the image to what it converges to; absent where nobody has measured it: measureNoise().
   std::optional<double> relMse{};
 
-  double mraysPerSecond() const;      ///< at the median time
+  double mraysPerSecond() const;  ///< at the median time
   double msamplesPerSecond() const;
   double stepsPerRay() const;
   /// 1 / (seconds x relMSE), the figure of merit of a way to sample; 0 without either.
@@ -51,6 +51,7 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
 
 /// Renders each image twice more, with two other seeds, and takes half of the relMSE between the two for what either
 /// has: that holds for evenly spread samples, too. False if `control` stops a run.
-bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements, const RenderControl& control);
+bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements,
+                  const RenderControl& control);
 
 }  // namespace candela::bench

@@ -32,11 +32,11 @@ struct RayMeasurement {
   std::uint32_t kind = gpu::kPrimaryRay;
   std::uint64_t rayCount = 0;
   double stepsPerRay = 0;
-  double share = 1;                         ///< of rays whose hits are those of the first tracer
-  std::vector<double> seconds{};            ///< one per run, ascending
-  std::vector<double> processorSeconds{};   ///< of this process, user and system, ascending
+  double share = 1;                        ///< of rays whose hits are those of the first tracer
+  std::vector<double> seconds{};           ///< one per run, ascending
+  std::vector<double> processorSeconds{};  ///< of this process, user and system, ascending
 
-  double mraysPerSecond() const;            ///< at the median time
+  double mraysPerSecond() const;  ///< at the median time
   double mraysPerProcessorSecond() const;
 };
 

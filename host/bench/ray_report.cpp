@@ -31,7 +31,8 @@ std::vector<std::string> figures(const RayRow& row) {
 
 TextTable tableOf(const RayReport& report) {
   TextTable table;
-  table.header = {"scene", "rays", "layout", "loads", "MiB", "count", "ms", "spread", "Mrays/s", "Mrays per CPU s", "steps per ray"};
+  table.header = {"scene", "rays",   "layout",  "loads",           "MiB",          "count",
+                  "ms",    "spread", "Mrays/s", "Mrays per CPU s", "steps per ray"};
   for (const RayRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
                                    fmt::format("{:.1f}", static_cast<double>(row.sceneBytes) / (1 << 20))};
@@ -43,7 +44,8 @@ TextTable tableOf(const RayReport& report) {
 
 std::string headline(const RayReport& report) {
   return fmt::format("candela {} on {}, {}; {} pixels, workgroup {}; median of {}, runs interleaved", versionText(),
-                     report.device, report.driver, extentText(report.size), extentText(report.workgroup), report.repeats);
+                     report.device, report.driver, extentText(report.size), extentText(report.workgroup),
+                     report.repeats);
 }
 
 ordered_json rowJson(const RayReport& report, const RayRow& row) {

@@ -15,7 +15,7 @@ struct RayRow {
   std::string sceneLoads;        ///< "texel" or "storage"; empty of a peer
   std::uint64_t sceneBytes = 0;  ///< of nodes, primitives and all else of the scene; 0 of a peer
   RayMeasurement measurement;
-  double leastShare = 1;         ///< of equal hits, for which its figures count
+  double leastShare = 1;  ///< of equal hits, for which its figures count
 };
 
 struct RayReport {

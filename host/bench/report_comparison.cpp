@@ -14,9 +14,10 @@ namespace {
 
 using nlohmann::json;
 
-// What makes a row the same in both reports. Segments per dispatch are not among it: by default they are chosen by timing.
-constexpr std::array kIdentity{"scene",    "size",   "samplesPerPixel", "variant",    "rays",     "structure",
-                               "bvhSplit", "bvhQuality", "kernel", "layout",          "sceneLoads", "workgroup"};
+// What makes a row the same in both reports. Segments per dispatch are not among it: by default they are chosen by
+// timing.
+constexpr std::array kIdentity{"scene",    "size",       "samplesPerPixel", "variant", "rays",       "structure",
+                               "bvhSplit", "bvhQuality", "kernel",          "layout",  "sceneLoads", "workgroup"};
 
 struct Row {
   std::string name;
@@ -46,7 +47,8 @@ std::optional<T> fieldOf(const json& row, const char* key) {
 
 std::vector<Row> readRows(const json& report, const std::string& name) {
   try {
-    if (report.at("schema") != "candela-bench/1") throw FileError(name + ": not a report of candela bench: its schema is another one");
+    if (report.at("schema") != "candela-bench/1")
+      throw FileError(name + ": not a report of candela bench: its schema is another one");
     std::vector<Row> rows;
     for (const json& row : report.at("rows")) {
       rows.push_back({nameOf(row), row.at("sceneHash").get<std::string>(), fieldOf<double>(row, "mraysPerSecond"),
@@ -59,7 +61,8 @@ std::vector<Row> readRows(const json& report, const std::string& name) {
 }
 
 std::string deviceOf(const json& report) {
-  return fieldOf<std::string>(report, "device").value_or("") + ", " + fieldOf<std::string>(report, "driver").value_or("");
+  return fieldOf<std::string>(report, "device").value_or("") + ", " +
+         fieldOf<std::string>(report, "driver").value_or("");
 }
 
 RowVerdict judge(const Row& before, const Row& after, double threshold) {
@@ -83,12 +86,18 @@ bool isRegression(const ComparedRow& row) {
 
 const char* wordFor(RowVerdict verdict) {
   switch (verdict) {
-    case RowVerdict::alike: return "alike";
-    case RowVerdict::faster: return "faster";
-    case RowVerdict::slower: return "slower";
-    case RowVerdict::missing: return "missing";
-    case RowVerdict::added: return "added";
-    case RowVerdict::changed: break;
+    case RowVerdict::alike:
+      return "alike";
+    case RowVerdict::faster:
+      return "faster";
+    case RowVerdict::slower:
+      return "slower";
+    case RowVerdict::missing:
+      return "missing";
+    case RowVerdict::added:
+      return "added";
+    case RowVerdict::changed:
+      break;
   }
   return "another scene";
 }
@@ -121,9 +130,7 @@ std::string headline(const ReportComparison& comparison) {
 
 }  // namespace
 
-bool ReportComparison::regressed() const {
-  return std::any_of(rows.begin(), rows.end(), isRegression);
-}
+bool ReportComparison::regressed() const { return std::any_of(rows.begin(), rows.end(), isRegression); }
 
 ReportComparison compareReports(const json& oldReport, const std::string& oldName, const json& newReport,
                                 const std::string& newName, double threshold) {
@@ -140,7 +147,8 @@ ReportComparison compareReports(const json& oldReport, const std::string& oldNam
     }
   }
   for (const Row& row : after) {
-    if (find(before, row.name) == nullptr) comparison.rows.push_back({row.name, {}, row.score, row.spread, RowVerdict::added});
+    if (find(before, row.name) == nullptr)
+      comparison.rows.push_back({row.name, {}, row.score, row.spread, RowVerdict::added});
   }
   return comparison;
 }

@@ -17,10 +17,10 @@ enum class RowVerdict {
 };
 
 struct ComparedRow {
-  std::string name;                 ///< scene and settings
-  std::optional<double> oldScore;   ///< million rays per second
+  std::string name;                ///< scene and settings
+  std::optional<double> oldScore;  ///< million rays per second
   std::optional<double> newScore;
-  double spread = 0;                ///< the larger one of both rows
+  double spread = 0;  ///< the larger one of both rows
   RowVerdict verdict = RowVerdict::alike;
 };
 

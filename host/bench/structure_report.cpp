@@ -32,7 +32,8 @@ double structureBytes(const Measurement& measurement) {
 }
 
 bool hasPublished(const StructureReport& report) {
-  return std::any_of(report.rows.begin(), report.rows.end(), [](const StructureRow& row) { return row.publishedSeconds; });
+  return std::any_of(report.rows.begin(), report.rows.end(),
+                     [](const StructureRow& row) { return row.publishedSeconds; });
 }
 
 std::vector<std::string> figures(const Measurement& m) {
@@ -48,7 +49,7 @@ std::vector<std::string> figures(const Measurement& m) {
 
 TextTable tableOf(const StructureReport& report) {
   TextTable table;
-  table.header = {"scene",  "structure",   "build ms", "KiB",         "trace s",
+  table.header = {"scene",  "structure",  "build ms", "KiB",          "trace s",
                   "spread", "Msamples/s", "Mrays/s",  "steps per ray"};
   const bool published = hasPublished(report);
   if (published) table.header.emplace_back("the report's s");

@@ -18,7 +18,8 @@ using nlohmann::ordered_json;
 const RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
 
 double raysPerSample(const Measurement& m) {
-  return m.statistics.samples > 0 ? static_cast<double>(m.statistics.rays()) / static_cast<double>(m.statistics.samples) : 0;
+  return m.statistics.samples > 0 ? static_cast<double>(m.statistics.rays()) / static_cast<double>(m.statistics.samples)
+                                  : 0;
 }
 
 std::vector<std::string> figures(const Measurement& m) {
@@ -34,7 +35,7 @@ std::vector<std::string> figures(const Measurement& m) {
 
 TextTable tableOf(const SweepReport& report) {
   TextTable table;
-  table.header = {"scene",   "variant",         "ms",     "spread",       "Msamples/s",
+  table.header = {"scene",   "variant",         "ms",     "spread",      "Msamples/s",
                   "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)"};
   for (const SweepRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, row.measurement.variant.name};
@@ -53,7 +54,8 @@ const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
   for (; from < report.rows.size() && report.rows[from].scene == start.scene; ++from) {
     const SweepRow& row = report.rows[from];
     if (!row.measurement.agrees) continue;
-    if (fastest == nullptr || row.measurement.msamplesPerSecond() > fastest->measurement.msamplesPerSecond()) fastest = &row;
+    if (fastest == nullptr || row.measurement.msamplesPerSecond() > fastest->measurement.msamplesPerSecond())
+      fastest = &row;
   }
   return fastest;
 }
@@ -61,10 +63,11 @@ const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
 std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
   const Measurement& m = row.measurement;
   const RenderStatistics& s = m.statistics;
-  return fmt::format("candela {} | {} | {} {} x {} spp | {} | {:.3f} Msamples/s, {:.2f} Mrays/s | median of {}, spread {:.0f} %\n",
-                     versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.size),
-                     m.variant.settings.sampleCount, m.variant.name, m.msamplesPerSecond(), m.mraysPerSecond(), repeats,
-                     100 * spread(m.traceSeconds));
+  return fmt::format(
+      "candela {} | {} | {} {} x {} spp | {} | {:.3f} Msamples/s, {:.2f} Mrays/s | median of {}, spread {:.0f} %\n",
+      versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.size),
+      m.variant.settings.sampleCount, m.variant.name, m.msamplesPerSecond(), m.mraysPerSecond(), repeats,
+      100 * spread(m.traceSeconds));
 }
 
 std::string linesToPaste(const SweepReport& report) {

@@ -23,8 +23,8 @@ struct SweepReport {
   bool agree() const;
 };
 
-/// A table, and below it one line for each scene, to be pasted where people compare figures. A row whose film differs has
-/// no figures but the word "differs".
+/// A table, and below it one line for each scene, to be pasted where people compare figures. A row whose film differs
+/// has no figures but the word "differs".
 std::string toText(const SweepReport& report);
 std::string toMarkdown(const SweepReport& report);
 /// "schema": "candela-bench/1".

@@ -13,7 +13,18 @@
 
 namespace candela::cli {
 
-enum class Command : unsigned { render = 1, devices = 2, check = 4, compare = 8, generate = 16, bench = 32, verify = 64, boxes = 128, explain = 256, tune = 512 };
+enum class Command : unsigned {
+  render = 1,
+  devices = 2,
+  check = 4,
+  compare = 8,
+  generate = 16,
+  bench = 32,
+  verify = 64,
+  boxes = 128,
+  explain = 256,
+  tune = 512
+};
 
 struct PixelPlace {
   std::uint32_t x = 0;  ///< from the left
@@ -37,7 +48,7 @@ struct Arguments {
   std::vector<std::filesystem::path> allowedPaths;
 
   bool untuned = false;  ///< `auto` means what is built in
-  std::string device;  ///< "cpu", or a selector as selectDevice() takes it
+  std::string device;    ///< "cpu", or a selector as selectDevice() takes it
   std::vector<std::filesystem::path> outputs;
   DisplayTransform display;
 
@@ -46,7 +57,7 @@ struct Arguments {
   std::filesystem::path flipFile;
 
   verify::LightTestOptions verification;
-  std::string junit;  ///< as `json`
+  std::string junit;     ///< as `json`
   bool explain = false;  ///< of `verify`: the pixel that differs most
 
   std::optional<PixelPlace> pixel;  ///< to be explained; absent: the one that differs most
@@ -56,16 +67,16 @@ struct Arguments {
   std::string generatedFile = "-";             ///< "-": stdout
   std::optional<std::uint32_t> boxDepth;       ///< level of a BVH, the root's being 0; absent: all
 
-  std::uint32_t repeats = 3;  ///< runs of each variant of a benchmark
+  std::uint32_t repeats = 3;        ///< runs of each variant of a benchmark
   std::vector<std::string> sweeps;  ///< as sweepOver() reads them
-  double threshold = 0.05;    ///< share of its speed that a row may lose
-  std::string markdown;       ///< as `json`
-  std::string svg;            ///< as `json`
+  double threshold = 0.05;          ///< share of its speed that a row may lose
+  std::string markdown;             ///< as `json`
+  std::string svg;                  ///< as `json`
 
   bool dryRun = false;  ///< of `tune`: store nothing
 
   std::filesystem::path report;  ///< a page; empty for none
-  std::string json;  ///< a file, "-" for stdout, empty for none
+  std::string json;              ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;
   bool strict = false;  ///< bad samples fail a run
   bool quiet = false;

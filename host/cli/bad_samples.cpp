@@ -93,8 +93,8 @@ void reportBadSamples(const BadSampleTally& device, const BadSampleTally& refere
 
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {
   if (!arguments.strict || badSamples == 0) return code;
-  log.problem(fmt::format("--strict: {} bad samples, so this run has failed; what it wrote shows where they are",
-                          badSamples));
+  log.problem(
+      fmt::format("--strict: {} bad samples, so this run has failed; what it wrote shows where they are", badSamples));
   return code == ExitCode::done ? ExitCode::differ : code;
 }
 

@@ -10,8 +10,8 @@
 
 namespace candela::cli {
 
-/// The command that shows the pixel's first bad sample again: its path on both tracers, or, where the integrator follows
-/// no paths, the picture as far as that sample.
+/// The command that shows the pixel's first bad sample again: its path on both tracers, or, where the integrator
+/// follows no paths, the picture as far as that sample.
 std::string replayCommand(const BadPixel& pixel, const RenderJob& job);
 
 /// One line in total and one for each of the first few pixels, with its replay; empty if no sample was bad.

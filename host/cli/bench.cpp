@@ -16,7 +16,7 @@ struct Benchmark {
   const char* name;
   std::size_t fewestFiles;  ///< behind the name
   std::size_t mostFiles;
-  const char* complaint;    ///< of another number
+  const char* complaint;  ///< of another number
   ExitCode (*run)(const Arguments&, const Log&);
 };
 
@@ -31,8 +31,9 @@ constexpr std::array kBenchmarks{
 [[noreturn]] void refuse(const std::string& word) {
   std::vector<std::string> names;
   for (const Benchmark& benchmark : kBenchmarks) names.emplace_back(benchmark.name);
-  throw UsageError(fmt::format("bench {}: neither a benchmark (table1, accel, rays, compare) nor a scene file{}\nsee candela bench --help",
-                               word, didYouMean(word, names)));
+  throw UsageError(fmt::format(
+      "bench {}: neither a benchmark (table1, accel, rays, compare) nor a scene file{}\nsee candela bench --help", word,
+      didYouMean(word, names)));
 }
 
 void requireFiles(const Benchmark& benchmark, std::size_t count) {
@@ -60,7 +61,8 @@ void requireScores(const Arguments& arguments) {
 ExitCode runBench(const Arguments& arguments, const Log& log) {
   requireScores(arguments);
   const std::string& word = arguments.files.front();
-  const auto found = std::find_if(kBenchmarks.begin(), kBenchmarks.end(), [&](const Benchmark& b) { return b.name == word; });
+  const auto found = std::find_if(kBenchmarks.begin(), kBenchmarks.end(),
+                                  [&](const Benchmark& b) { return b.name == word; });
   const bool ofScenes = found == kBenchmarks.end();
   if (ofScenes && !std::filesystem::path(word).has_extension() && !std::filesystem::exists(word)) refuse(word);
   if (ofScenes) return runBenchScenes(arguments, log);

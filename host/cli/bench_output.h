@@ -10,8 +10,8 @@
 
 namespace candela::cli {
 
-/// Prints a report of host/bench and writes the files that the command line asks for. Exit code 3, and `complaint` in the
-/// log, if what was measured does not agree.
+/// Prints a report of host/bench and writes the files that the command line asks for. Exit code 3, and `complaint` in
+/// the log, if what was measured does not agree.
 template <class Report>
 ExitCode publish(const Report& report, const Arguments& arguments, const Log& log, const char* complaint) {
   if (arguments.wantsText()) std::cout << toText(report) << std::flush;

@@ -38,7 +38,8 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 }  // namespace
 
 ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
+  if (arguments.device == "cpu")
+    throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
   vulkan::Device device = vulkan::Device::open(arguments.device);
   const AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
   RayReport report;

@@ -44,8 +44,8 @@ bool measureScene(const Arguments& arguments, Renderer& renderer, const Log& log
   log.note(fmt::format("{}: {} variants, {} runs each", job.scene.name, variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   const RenderControl control = makeControl(progress);
-  std::vector<Measurement> measurements =
-      bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats, control);
+  std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats,
+                                                                    control);
   if (measurements.empty() || !bench::measureNoise(renderer, job.scene, measurements, control)) return false;
   for (Measurement& measurement : measurements) {
     report.rows.push_back({job.scene.name, job.scene.hash, std::move(measurement)});

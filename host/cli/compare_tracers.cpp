@@ -15,8 +15,9 @@ namespace candela::cli {
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
   if (arguments.settings.integrator == Integrator::cost) {
-    throw UsageError("--integrator cost: each tracer has its own search structure and so its own counts, of which "
-                     "neither can be wrong; `candela render` shows those of one");
+    throw UsageError(
+        "--integrator cost: each tracer has its own search structure and so its own counts, of which "
+        "neither can be wrong; `candela render` shows those of one");
   }
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);

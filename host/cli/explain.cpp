@@ -62,8 +62,8 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRender
     log.note("interrupted; nothing is explained");
     return ExitCode::interrupted;
   }
-  if (const std::optional<Explanation> worst =
-          explain::explainWorst(job.scene, job.settings, *pixels, device, reference)) {
+  if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device,
+                                                                     reference)) {
     publish(*worst, job.arguments);
     return ExitCode::done;
   }

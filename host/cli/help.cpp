@@ -109,8 +109,8 @@ std::string groupText(const GroupTitle& title, std::optional<Command> command) {
 std::string kindsText() {
   std::string out = "\nKinds, with their sizes and the default:\n";
   for (const generate::Kind& kind : generate::kindTable()) {
-    const std::string head =
-        fmt::format("{:<10}{} to {} ({})", kind.name, kind.smallestSize, kind.largestSize(), kind.defaultSize);
+    const std::string head = fmt::format("{:<10}{} to {} ({})", kind.name, kind.smallestSize, kind.largestSize(),
+                                         kind.defaultSize);
     out += twoColumns(head, std::string(kind.summary));
   }
   return out;

@@ -11,7 +11,8 @@ namespace candela::cli {
 namespace {
 
 std::string toleranceText(const ImageVerdict& verdict) {
-  return fmt::format("{}: the tolerance of relMSE is {:g}", verdict.withinTolerance ? "PASS" : "FAIL", *verdict.tolerance);
+  return fmt::format("{}: the tolerance of relMSE is {:g}", verdict.withinTolerance ? "PASS" : "FAIL",
+                     *verdict.tolerance);
 }
 
 // Adds the test, or why there is none.
@@ -35,8 +36,8 @@ ImageVerdict judgeImages(const Arguments& arguments, const Image& a, const Image
   verdict.tolerance = arguments.tolerance;
   if (verdict.tolerance) {
     // A value that is not a number has no error to speak of; it fails whatever the tolerance.
-    verdict.withinTolerance =
-        comparison.notFiniteCount == 0 && comparison.relativeMeanSquaredError <= *verdict.tolerance;
+    verdict.withinTolerance = comparison.notFiniteCount == 0 &&
+                              comparison.relativeMeanSquaredError <= *verdict.tolerance;
   }
   test(verdict, arguments, a, reference);
   return verdict;

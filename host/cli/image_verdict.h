@@ -10,8 +10,9 @@
 
 namespace candela::cli {
 
-/// What was asked for is judged, and all of it must be met: the tolerance if --tolerance is given, the test of both films
-/// if --alpha is. Where neither is given, two films that carry variance are tested, and other images get no verdict.
+/// What was asked for is judged, and all of it must be met: the tolerance if --tolerance is given, the test of both
+/// films if --alpha is. Where neither is given, two films that carry variance are tested, and other images get no
+/// verdict.
 struct ImageVerdict {
   std::optional<double> tolerance;
   bool withinTolerance = true;

@@ -38,14 +38,10 @@ constexpr float kLongestReach = 1e30f;
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
     {"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}, {"sobol", SamplerKind::sobol}};
-const std::vector<std::pair<std::string, Integrator>> kIntegrators{{"path", Integrator::path},
-                                                                   {"whitted", Integrator::whitted},
-                                                                   {"ao", Integrator::ao},
-                                                                   {"normal", Integrator::normal},
-                                                                   {"albedo", Integrator::albedo},
-                                                                   {"depth", Integrator::depth},
-                                                                   {"id", Integrator::id},
-                                                                   {"cost", Integrator::cost}};
+const std::vector<std::pair<std::string, Integrator>> kIntegrators{
+    {"path", Integrator::path},     {"whitted", Integrator::whitted}, {"ao", Integrator::ao},
+    {"normal", Integrator::normal}, {"albedo", Integrator::albedo},   {"depth", Integrator::depth},
+    {"id", Integrator::id},         {"cost", Integrator::cost}};
 const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::none},
                                                              {"srgb", ToneMap::srgb},
                                                              {"aces", ToneMap::aces},
@@ -248,8 +244,8 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
-                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(), tuningOptions(),
-                             generationOptions(), generalOptions()}) {
+                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(),
+                             tuningOptions(), generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

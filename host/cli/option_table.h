@@ -9,7 +9,19 @@
 
 namespace candela::cli {
 
-enum class OptionGroup { image, sceneFile, execution, output, comparison, verification, explanation, benchmark, tuning, generation, general };
+enum class OptionGroup {
+  image,
+  sceneFile,
+  execution,
+  output,
+  comparison,
+  verification,
+  explanation,
+  benchmark,
+  tuning,
+  generation,
+  general
+};
 
 struct Option {
   std::string names;  ///< e.g. "-t,--threads"

@@ -56,10 +56,10 @@ void writeImages(const RenderJob& job, const RenderResult& result, const Log& lo
 
 void summarise(const RenderReport& report, const Log& log) {
   const RenderSettings& settings = report.job.settings;
-  const std::string done =
-      report.result.interrupted
-          ? fmt::format("interrupted after {} samples; what was done is written", report.result.statistics.samples)
-          : fmt::format("{} samples per pixel", settings.sampleCount);
+  const std::string done = report.result.interrupted
+                               ? fmt::format("interrupted after {} samples; what was done is written",
+                                             report.result.statistics.samples)
+                               : fmt::format("{} samples per pixel", settings.sampleCount);
   log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.size.width, settings.size.height, done,
                        report.totalSeconds, report.result.statistics.device));
 }

@@ -48,7 +48,8 @@ struct SpecialOption {
   const char* reader;
 };
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee", [](const RenderSettings& s) { return s.integrator == Integrator::path; }, "--integrator path"},
+    SpecialOption{"--nee", [](const RenderSettings& s) { return s.integrator == Integrator::path; },
+                  "--integrator path"},
     SpecialOption{"--rr-start", [](const RenderSettings& s) { return s.integrator == Integrator::path; },
                   "--integrator path"},
     SpecialOption{"--max-depth", [](const RenderSettings& s) { return !isView(s.integrator); },
@@ -132,9 +133,10 @@ RenderControl makeControl(Progress& progress) {
 void requireComplete(const RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   if (statistics.structure == "grid") {
-    throw FileError(fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
-                                "nothing is written: use --accel bvh",
-                                statistics.truncated));
+    throw FileError(
+        fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
+                    "nothing is written: use --accel bvh",
+                    statistics.truncated));
   }
   throw InternalError(
       fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "

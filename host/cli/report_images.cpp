@@ -18,13 +18,17 @@ struct MetadataFact {
   const char* name;
   const char* key;
 };
-constexpr std::array kMetadataFacts{
-    MetadataFact{"Scene", "candela.scene"},           MetadataFact{"Scene hash", "candela.sceneHash"},
-    MetadataFact{"Film hash", "candela.filmHash"},    MetadataFact{"Device", "candela.device"},
-    MetadataFact{"Driver", "candela.driver"},         MetadataFact{"Samples per pixel", "candela.samplesPerPixel"},
-    MetadataFact{"Seed", verify::kSeedMetadata},      MetadataFact{"Settings", "candela.settings"},
-    MetadataFact{"Bad samples", "candela.badSamples"}, MetadataFact{"Interrupted", "candela.interrupted"},
-    MetadataFact{"Written by candela", "candela.version"}};
+constexpr std::array kMetadataFacts{MetadataFact{"Scene", "candela.scene"},
+                                    MetadataFact{"Scene hash", "candela.sceneHash"},
+                                    MetadataFact{"Film hash", "candela.filmHash"},
+                                    MetadataFact{"Device", "candela.device"},
+                                    MetadataFact{"Driver", "candela.driver"},
+                                    MetadataFact{"Samples per pixel", "candela.samplesPerPixel"},
+                                    MetadataFact{"Seed", verify::kSeedMetadata},
+                                    MetadataFact{"Settings", "candela.settings"},
+                                    MetadataFact{"Bad samples", "candela.badSamples"},
+                                    MetadataFact{"Interrupted", "candela.interrupted"},
+                                    MetadataFact{"Written by candela", "candela.version"}};
 
 std::string metadataOf(const Image& image, const char* key) {
   const auto entry = image.metadata.find(key);
@@ -64,13 +68,15 @@ std::string renderCommand(const std::string& file, const Image& image) {
 }
 
 std::vector<std::string> commandsOf(const Arguments& arguments, const Image& a, const Image& b) {
-  std::string compare = fmt::format("candela compare {} {}", shellQuoted(arguments.files[0]), shellQuoted(arguments.files[1]));
+  std::string compare = fmt::format("candela compare {} {}", shellQuoted(arguments.files[0]),
+                                    shellQuoted(arguments.files[1]));
   for (const OptionGroup group : {OptionGroup::output, OptionGroup::comparison}) {
     const std::string options = commandLineOf(arguments, group, true);
     if (!options.empty()) compare += " " + options;
   }
   std::vector<std::string> commands;
-  for (const std::string& command : {renderCommand(arguments.files[0], a), renderCommand(arguments.files[1], b), compare}) {
+  for (const std::string& command :
+       {renderCommand(arguments.files[0], a), renderCommand(arguments.files[1], b), compare}) {
     if (!command.empty()) commands.push_back(command);
   }
   return commands;
@@ -83,8 +89,8 @@ Outcome outcomeOf(const ImageVerdict& verdict) {
 
 }  // namespace
 
-Report imageReport(const Arguments& arguments, const Image& a, const Image& reference, const ImageComparison& comparison,
-                   const FlipResult& flip, const ImageVerdict& verdict) {
+Report imageReport(const Arguments& arguments, const Image& a, const Image& reference,
+                   const ImageComparison& comparison, const FlipResult& flip, const ImageVerdict& verdict) {
   Report page;
   page.title = fmt::format("{} and {}", arguments.files[0], arguments.files[1]);
   page.outcome = outcomeOf(verdict);

@@ -26,7 +26,8 @@ std::string commandOf(const Arguments& arguments, const char* command, std::init
 }
 
 // What both reports on a scene have in common: pictures, tracers, hashes.
-Report tracersReport(const RenderJob& job, const Film& device, const Film& reference, const RenderStatistics& statistics) {
+Report tracersReport(const RenderJob& job, const Film& device, const Film& reference,
+                     const RenderStatistics& statistics) {
   Report page;
   page.nameA = "Device: " + statistics.device;
   page.nameB = "Reference";
@@ -46,15 +47,18 @@ Report tracersReport(const RenderJob& job, const Film& device, const Film& refer
 
 std::string agreementSentence(const AgreementReport& agreement) {
   return fmt::format(
-      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and the means "
+      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and "
+      "the means "
       "of {} samples are {:.2e} apart (at most {:.0e}).",
       100 * agreement.pixels.share(), 100 * kRequiredShare, 100 * agreement.pixels.litShare(), 100 * kRequiredLitShare,
       agreement.mean.samples, agreement.mean.relativeDifference(), kMeanTolerance);
 }
 
 void addPaths(const PixelAgreement& paths, Report& page) {
-  page.figures.push_back({"Equal pixels at one sample", fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
-  page.figures.push_back({"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
+  page.figures.push_back({"Equal pixels at one sample",
+                          fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
+  page.figures.push_back(
+      {"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
   page.figures.push_back({"First difference of the others", paths.causesText()});
 }
 
@@ -68,7 +72,8 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const A
   addPaths(agreement.pixels, page);
   page.figures.push_back({"Samples per pixel, a side", fmt::to_string(agreement.mean.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings.seed)});
-  page.commands = {commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
+  page.commands = {
+      commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
   return page;
 }
 
@@ -81,17 +86,20 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   page.tests = report::LightTests{light.regions, light.level};
   addPaths(verification.paths, page);
   page.figures.push_back({"Samples per pixel, a side", fmt::format("{} in {} batches, {} looks", light.samplesPerPixel,
-                                                                    verify::kBatchCount, light.looks)});
+                                                                   verify::kBatchCount, light.looks)});
   page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.seed)});
-  page.figures.push_back({"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
+  page.figures.push_back(
+      {"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
   if (verification.exact) {
     const verify::ExactTest& exact = *verification.exact;
-    page.figures.push_back({"Stated answer", fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})",
-                                                         exact.expected, exact.device, exact.devicePValue, exact.reference,
-                                                         exact.referencePValue)});
+    page.figures.push_back(
+        {"Stated answer",
+         fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})", exact.expected, exact.device,
+                     exact.devicePValue, exact.reference, exact.referencePValue)});
   }
-  page.commands = {commandOf(arguments, "verify", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution,
-                                                   OptionGroup::verification})};
+  page.commands = {
+      commandOf(arguments, "verify",
+                {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution, OptionGroup::verification})};
   return page;
 }
 

@@ -17,7 +17,8 @@ report::Report imageReport(const Arguments& arguments, const Image& a, const Ima
 /// Device and reference on one scene. `arguments` are those of the command line; the run was not interrupted.
 report::Report agreementReport(const Arguments& arguments, const RenderJob& job, const AgreementReport& agreement);
 /// The same for `verify`, whose films were kept.
-report::Report verificationReport(const Arguments& arguments, const RenderJob& job, const verify::VerifyReport& verification);
+report::Report verificationReport(const Arguments& arguments, const RenderJob& job,
+                                  const verify::VerifyReport& verification);
 
 /// Writes the page, as a whole or not at all. Throws FileError.
 void writeReport(const std::filesystem::path& file, const report::Report& report);

@@ -18,7 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array kPhases{"parse", "build", "structure", "upload", "pipeline", "trace", "readBack", "write", "total"};
+constexpr std::array kPhases{"parse", "build",    "structure", "upload", "pipeline",
+                             "trace", "readBack", "write",     "total"};
 
 double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 

@@ -56,7 +56,8 @@ Sweep parse(const std::string& text) {
 
 void setOption(const Sweep& sweep, const std::string& value, Arguments& arguments) {
   if (!sweep.option->apply(arguments, value)) {
-    throw UsageError(fmt::format("--sweep {}: '{}' is no value, expected {}", sweep.name, value, sweep.option->expected));
+    throw UsageError(
+        fmt::format("--sweep {}: '{}' is no value, expected {}", sweep.name, value, sweep.option->expected));
   }
   arguments.given.insert(sweep.option->name());
 }

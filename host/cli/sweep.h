@@ -14,9 +14,9 @@ struct SweptArguments {
   Arguments arguments;
 };
 
-/// All combinations of the values of `arguments.sweeps`, the last sweep's changing fastest. NAME is an option of images or
-/// of their execution, without its dashes. Throws UsageError for one that is none, that is swept twice, or that cannot
-/// have a value; and for more than kMostVariants combinations.
+/// All combinations of the values of `arguments.sweeps`, the last sweep's changing fastest. NAME is an option of images
+/// or of their execution, without its dashes. Throws UsageError for one that is none, that is swept twice, or that
+/// cannot have a value; and for more than kMostVariants combinations.
 std::vector<SweptArguments> sweepOver(const Arguments& arguments);
 
 inline constexpr std::size_t kMostVariants = 256;

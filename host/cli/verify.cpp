@@ -18,21 +18,24 @@
 namespace candela::cli {
 namespace {
 
-// Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the verdict.
+// Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the
+// verdict.
 void explainWorst(const verify::VerifyReport& report, const RenderJob& job, ReplayingRenderer& device,
                   ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
-  const std::optional<explain::Explanation> worst =
-      explain::explainWorst(job.scene, job.settings, report.paths, device, reference);
+  const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,
+                                                                          reference);
   if (worst) requireComplete(worst->statistics);
   json["explanation"] = worst ? toJson(*worst) : nlohmann::ordered_json();
-  if (asText) std::cout << "\n" << (worst ? toText(*worst) : explain::nothingToExplain(report.paths) + "\n") << std::flush;
+  if (asText)
+    std::cout << "\n" << (worst ? toText(*worst) : explain::nothingToExplain(report.paths) + "\n") << std::flush;
 }
 
 }  // namespace
 
 ExitCode runVerify(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
-    throw UsageError("--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
+    throw UsageError(
+        "--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
   }
   if (arguments.explain) explain::requirePaths(arguments.settings.integrator);
   requireWritableReport(arguments.json);
@@ -45,7 +48,8 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   control.stop = &watchInterrupts();
   verify::LightTestOptions options = arguments.verification;
   options.keepFilms = !arguments.report.empty();
-  const verify::VerifyReport report = verify::verifyScene(job.scene, job.settings, *device, *reference, options, control);
+  const verify::VerifyReport report = verify::verifyScene(job.scene, job.settings, *device, *reference, options,
+                                                          control);
   const bool asText = arguments.wantsText() && arguments.junit != "-";
   if (asText) std::cout << toText(report) << std::flush;
   reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
@@ -54,7 +58,8 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   if (arguments.explain && !report.interrupted) explainWorst(report, job, *device, *reference, asText, json);
   writeText(arguments.junit, toJunit(report, arguments.strict));
   writeJson(arguments.json, json);
-  if (options.keepFilms && !report.interrupted) writeReport(arguments.report, verificationReport(arguments, job, report));
+  if (options.keepFilms && !report.interrupted)
+    writeReport(arguments.report, verificationReport(arguments, job, report));
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
   return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples(), arguments, log);
 }

@@ -32,8 +32,8 @@ std::string placeText(const Explanation& explanation, const Place& place) {
 
 std::string differenceText(const Explanation& explanation, const Place& place) {
   const Quantity& quantity = explanation.at(place);
-  const std::string sides =
-      fmt::format("{} on the device, {} by the reference", valueText(quantity.device), valueText(quantity.reference));
+  const std::string sides = fmt::format("{} on the device, {} by the reference", valueText(quantity.device),
+                                        valueText(quantity.reference));
   const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
   if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
   if (quantity.kind == Quantity::Kind::randomNumber)
@@ -54,8 +54,8 @@ std::string Explanation::verdict() const {
   if (!firstDifference) {
     return fmt::format("The two paths agree: no decision differs, and {}.", furthestText(*this));
   }
-  std::string text =
-      fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference), furthestText(*this));
+  std::string text = fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference),
+                                 furthestText(*this));
   if (!firstDecision) text += " No decision differs.";
   if (firstDecision && firstDecision != firstDifference) {
     text += fmt::format("\nFirst decision that differs: {}.", differenceText(*this, *firstDecision));

@@ -41,12 +41,12 @@ class TextLayout {
                          sample.x, sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
     text_ += explanation_.verdict() + "\n";
     if (explanation_.isCut()) {
-      text_ +=
-          fmt::format("The paths have {} and {} vertices; the first {} are shown.\n", explanation_.device.vertexCount,
-                      explanation_.reference.vertexCount, PathTrace::kMostVertices);
+      text_ += fmt::format("The paths have {} and {} vertices; the first {} are shown.\n",
+                           explanation_.device.vertexCount, explanation_.reference.vertexCount,
+                           PathTrace::kMostVertices);
     }
-    text_ +=
-        fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference", kSideWidth - 1);
+    text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference",
+                         kSideWidth - 1);
   }
 
   void addStage(std::size_t index) {

@@ -71,8 +71,8 @@ class Mountain {
     const double upper = middleOf(corner[2], corner[3], x + half, y + width);
     const double left = middleOf(corner[3], corner[0], x, y + half);
     constexpr double kDiagonal = 1.4142136;
-    const double middle =
-        (corner[0] + corner[1] + corner[2] + corner[3]) / 4 + kDiagonal * rise * displacement(x + half, y + half);
+    const double middle = (corner[0] + corner[1] + corner[2] + corner[3]) / 4 +
+                          kDiagonal * rise * displacement(x + half, y + half);
     grow({x, y, half, {corner[0], lower, middle, left}});
     grow({x + half, y, half, {lower, corner[1], right, middle}});
     grow({x + half, y + half, half, {middle, right, corner[2], upper}});

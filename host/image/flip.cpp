@@ -100,8 +100,8 @@ std::array<Plane, 3> opponentPlanes(const Image& image) {
   for (Plane& plane : planes) plane = {image.width, image.height, std::vector<double>(image.rgb.size())};
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const glm::vec3& rgb = image.rgb[i];
-    const dvec3 opponent =
-        flip::toOpponent({clampedToDisplay(rgb.x), clampedToDisplay(rgb.y), clampedToDisplay(rgb.z)});
+    const dvec3 opponent = flip::toOpponent(
+        {clampedToDisplay(rgb.x), clampedToDisplay(rgb.y), clampedToDisplay(rgb.z)});
     for (std::size_t c = 0; c < 3; ++c) planes[c].values[i] = opponent[static_cast<glm::length_t>(c)];
   }
   return planes;

@@ -67,8 +67,8 @@ Image toImage(const Pixels8& pixels);
 
 /// Formats, by extension in any case: .png (8 bit, display transform), .jpg and .jpeg (quality 95), .hdr (Radiance
 /// RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32 linear Rec. 709, ZIP; channels R G
-/// B, `variance.Y`, `samples`, `badSamples` as far as the image has them, and the metadata as string attributes). Throws UsageError
-/// for an extension that is not one of them.
+/// B, `variance.Y`, `samples`, `badSamples` as far as the image has them, and the metadata as string attributes).
+/// Throws UsageError for an extension that is not one of them.
 void checkImageFormat(const std::filesystem::path& file);
 /// Whether such a file holds 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
 bool isEightBit(const std::filesystem::path& file);

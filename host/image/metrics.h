@@ -59,8 +59,9 @@ double differenceScale(const Image& a, const Image& reference);
 
 /// Signed relative difference of the luminances, d = (a - b) / (b + scale), as colours: black where equal, orange where
 /// a is brighter, blue where it is darker, full strength at |d| >= `range`; magenta where a value is not finite.
-/// `scale` is 1 % of the reference's mean luminance, so that dark pixels do not outshine the rest (differenceScale). Throws UsageError if
-/// the sizes differ or `range` is not positive. Written as PNG with ToneMap::srgb it shows these colours as they are.
+/// `scale` is 1 % of the reference's mean luminance, so that dark pixels do not outshine the rest (differenceScale).
+/// Throws UsageError if the sizes differ or `range` is not positive. Written as PNG with ToneMap::srgb it shows these
+/// colours as they are.
 Image differencePicture(const Image& a, const Image& reference, double range = 0.1);
 
 }  // namespace candela

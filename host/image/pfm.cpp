@@ -14,8 +14,8 @@ namespace {
 /// Words of the header end in exactly one white space character.
 template <typename Number>
 Number takeNumber(ByteCursor& cursor) {
-  const std::string_view word =
-      cursor.takeUntil([](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
+  const std::string_view word = cursor.takeUntil(
+      [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
   Number number{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size()) throw FileError("not a valid PFM header");
@@ -55,8 +55,9 @@ Image decodePfm(ByteView file) {
     for (std::uint32_t x = 0; x < width; ++x) {
       const std::byte* pixel = data.data() + pixelBytes * (std::size_t{row} * width + x);
       const float red = toFloat(pixel, littleEndian);
-      image.at(x, height - 1 - row) =
-          grey ? glm::vec3(red) : glm::vec3(red, toFloat(pixel + 4, littleEndian), toFloat(pixel + 8, littleEndian));
+      image.at(x, height - 1 - row) = grey ? glm::vec3(red)
+                                           : glm::vec3(red, toFloat(pixel + 4, littleEndian),
+                                                       toFloat(pixel + 8, littleEndian));
     }
   }
   return image;

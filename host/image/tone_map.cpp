@@ -89,9 +89,8 @@ glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform
   const double gain = std::exp2(double{transform.exposure});
   const dvec3 gained = dvec3(linear) * gain;
   const dvec3 exposed(sanitized(gained.x), sanitized(gained.y), sanitized(gained.z));
-  const dvec3 signal = isFalseColour(transform.toneMap)
-                           ? falseColour(exposed.x / transform.scale, transform.toneMap)
-                           : toneMapped(exposed, transform.toneMap);
+  const dvec3 signal = isFalseColour(transform.toneMap) ? falseColour(exposed.x / transform.scale, transform.toneMap)
+                                                        : toneMapped(exposed, transform.toneMap);
   return {quantized(signal.x), quantized(signal.y), quantized(signal.z)};
 }
 

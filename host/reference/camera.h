@@ -20,9 +20,9 @@ class CameraRays {
   FilterKind filter_;
   LensKind lens_;
   dvec3 eye_;
-  dvec3 right_;           ///< unit, u of the page
-  dvec3 upward_;          ///< unit, v of the page
-  dvec3 forward_;         ///< from the eye to the centre of the view plane
+  dvec3 right_;             ///< unit, u of the page
+  dvec3 upward_;            ///< unit, v of the page
+  dvec3 forward_;           ///< from the eye to the centre of the view plane
   glm::dvec2 viewPixels_;   ///< that fill the view plane
   glm::dvec2 pixelOrigin_;  ///< within a pixel
   glm::dvec2 planeSize_;    ///< of the view plane

@@ -20,8 +20,8 @@ std::pair<double, double> roots(double a, double b, double c) {
 }
 
 // Six times the volume that a ray's direction spans with both ends of an edge, as seen from the ray's origin: its sign
-// tells on which side of the edge the ray passes (Pluecker's inner product). Backwards it is exactly the negative. So two
-// triangles decide about the edge that they share by the same number, and no ray passes between them.
+// tells on which side of the edge the ray passes (Pluecker's inner product). Backwards it is exactly the negative. So
+// two triangles decide about the edge that they share by the same number, and no ray passes between them.
 double sideOfEdge(const dvec3& direction, const dvec3& from, const dvec3& to) {
   return dot(direction, cross(from, to));
 }
@@ -56,8 +56,8 @@ double TriangleShape::distance(const Ray& ray) const {
   const dvec3 a = corner - ray.origin;
   const dvec3 b = corner1 - ray.origin;
   const dvec3 c = corner2 - ray.origin;
-  const auto [least, most] =
-      std::minmax({sideOfEdge(ray.direction, a, b), sideOfEdge(ray.direction, b, c), sideOfEdge(ray.direction, c, a)});
+  const auto [least, most] = std::minmax(
+      {sideOfEdge(ray.direction, a, b), sideOfEdge(ray.direction, b, c), sideOfEdge(ray.direction, c, a)});
   if (least < 0 && most > 0) return kNoHit;
   const dvec3 normal = areaNormal();
   const double towards = dot(ray.direction, normal);

@@ -58,8 +58,8 @@ class Builder {
       return;
     }
     const Node node = result_.nodes[index];
-    const std::uint32_t middle =
-        byReport && depth < Hierarchy::kReportDepth ? splitByReport(node, begin, end) : halve(node, begin, end);
+    const std::uint32_t middle = byReport && depth < Hierarchy::kReportDepth ? splitByReport(node, begin, end)
+                                                                             : halve(node, begin, end);
     buildNode(begin, middle, depth + 1);
     result_.nodes[index].first = static_cast<std::uint32_t>(result_.nodes.size());
     buildNode(middle, end, depth + 1);

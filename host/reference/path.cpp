@@ -49,10 +49,7 @@ struct PathTracer::Vertex {
 };
 
 PathTracer::PathTracer(const Scene& scene, const RenderSettings& settings)
-    : PixelTracer(scene, settings),
-      settings_(settings),
-      background_(scene),
-      lights_(scene, settings) {
+    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
   for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
@@ -61,13 +58,13 @@ PathTrace PathTracer::trace(const PixelSample& place) const {
   PathNotes notes(trace);
   Counters uncounted;
   SampleNumbers numbers = numbersOf(place.x, place.y, place.index);
-  for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i) trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
+  for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
+    trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
   notes.finish(walk(cameraRay(place.x, place.y, numbers), numbers, uncounted, notes));
   return trace;
 }
 
-dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters,
-                           PathRecord* record) const {
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
   PathNotes notes(record);
   return walk(cameraRay, numbers, counters, notes);
 }

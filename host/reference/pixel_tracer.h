@@ -29,7 +29,9 @@ class PixelTracer {
   SampleNumbers numbersOf(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex) const {
     return SampleNumbers(sampler_, x, y, sampleIndex);
   }
-  Ray cameraRay(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const { return camera_.generate(x, y, numbers); }
+  Ray cameraRay(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
+    return camera_.generate(x, y, numbers);
+  }
 
  private:
   /// What the integrator makes of a sample whose camera ray is `ray`.

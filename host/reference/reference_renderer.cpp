@@ -131,9 +131,8 @@ void addCounters(const Counters& counters, Integrator integrator, RenderStatisti
   statistics.vertices = counters.vertices;
   statistics.traversalSteps = counters.traversalSteps;
   if (integrator != Integrator::whitted) return;
-  statistics.treeRays = {.cameraHits = counters.cameraHits,
-                         .reflected = counters.reflectedRays,
-                         .refracted = counters.refractedRays};
+  statistics.treeRays = {
+      .cameraHits = counters.cameraHits, .reflected = counters.reflectedRays, .refracted = counters.refractedRays};
 }
 
 void describeStructure(const reference::Tracing& tracing, const RenderSettings& settings,

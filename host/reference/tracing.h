@@ -17,7 +17,7 @@ struct Counters {
   std::uint64_t samples = 0;
   std::uint64_t cameraRays = 0;
   std::uint64_t bounceRays = 0;
-  std::uint64_t cameraHits = 0;     ///< this and the next two: Whitted only
+  std::uint64_t cameraHits = 0;  ///< this and the next two: Whitted only
   std::uint64_t reflectedRays = 0;
   std::uint64_t refractedRays = 0;
   std::uint64_t shadowRays = 0;

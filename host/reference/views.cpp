@@ -26,9 +26,7 @@ dvec3 ownShadingNormal(const Surface& surface) {
 }  // namespace
 
 ViewTracer::ViewTracer(const Scene& scene, const RenderSettings& settings)
-    : PixelTracer(scene, settings),
-      view_(settings.integrator),
-      aoDistance_(aoDistanceOf(*scene.camera, settings)) {
+    : PixelTracer(scene, settings), view_(settings.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
   for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
@@ -52,11 +50,16 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
 dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
                           VertexRecord& record) const {
   switch (view_) {
-    case Integrator::normal: return (ownShadingNormal(surface) + 1.0) / 2.0;
-    case Integrator::albedo: return bsdfs_[surface.material].albedo();
-    case Integrator::depth: return dvec3(hit.distance);
-    case Integrator::id: return indexColour(hit.primitive);
-    default: return dvec3(isOpen(surface, numbers, counters, record) ? 1 : 0);
+    case Integrator::normal:
+      return (ownShadingNormal(surface) + 1.0) / 2.0;
+    case Integrator::albedo:
+      return bsdfs_[surface.material].albedo();
+    case Integrator::depth:
+      return dvec3(hit.distance);
+    case Integrator::id:
+      return indexColour(hit.primitive);
+    default:
+      return dvec3(isOpen(surface, numbers, counters, record) ? 1 : 0);
   }
 }
 

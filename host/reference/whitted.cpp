@@ -40,10 +40,7 @@ struct WhittedTracer::Node {
 };
 
 WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
-    : PixelTracer(scene, settings),
-      maxDepth_(settings.maxDepth),
-      lightSize_(settings.lightSize),
-      background_(scene) {
+    : PixelTracer(scene, settings), maxDepth_(settings.maxDepth), lightSize_(settings.lightSize), background_(scene) {
   for (const PointLight& light : scene.pointLights) {
     const dvec3 position(light.position);
     const dvec3 towards = dvec3(scene.camera->at) - position;

@@ -98,8 +98,8 @@ nlohmann::ordered_json PixelAgreement::worstJson() const {
   return {{"difference", worst}, {"x", worstX}, {"y", worstY}};
 }
 
-AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                               const RenderControl& control) {
+AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device,
+                               Renderer& reference, const RenderControl& control) {
   AgreementReport report;
   report.scene = scene.name;
   TalliedRenderer talliedDevice(device, report.deviceBadSamples);
@@ -118,9 +118,10 @@ AgreementReport compareTracers(const Scene& scene, const RenderSettings& setting
 
 std::string AgreementReport::toText() const {
   std::string text = fmt::format("{}: {} against the reference\n", scene, deviceStatistics.device);
-  text += fmt::format("  1 sample: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at least {} %)\n",
-                      100 * pixels.share(), pixels.pixels, 100 * kRequiredShare, 100 * pixels.litShare(), pixels.lit,
-                      100 * kRequiredLitShare);
+  text += fmt::format(
+      "  1 sample: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at least {} %)\n",
+      100 * pixels.share(), pixels.pixels, 100 * kRequiredShare, 100 * pixels.litShare(), pixels.lit,
+      100 * kRequiredLitShare);
   text += "  first difference of the others:" + pixels.causesText();
   text += fmt::format("\n  {} samples: mean {:.8g} against {:.8g}, {:.2e} apart (at most {:.0e})\n", mean.samples,
                       mean.device, mean.reference, mean.relativeDifference(), kMeanTolerance);

@@ -60,7 +60,7 @@ struct AgreementReport {
   PixelAgreement pixels;
   MeanAgreement mean;
   BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
-  Film deviceFilm, referenceFilm;  ///< of the many samples
+  Film deviceFilm, referenceFilm;                        ///< of the many samples
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
@@ -78,7 +78,7 @@ std::optional<PixelAgreement> comparePaths(const Scene& scene, const RenderSetti
                                            Renderer& reference, const RenderControl& control);
 
 /// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.sampleCount` for the means.
-AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                               const RenderControl& control);
+AgreementReport compareTracers(const Scene& scene, const RenderSettings& settings, Renderer& device,
+                               Renderer& reference, const RenderControl& control);
 
 }  // namespace candela

@@ -21,11 +21,12 @@ struct BandRows {
   std::uint32_t height = 0;
 };
 
-/// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too much.
+/// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too
+/// much.
 std::uint32_t bandHeight(const DeviceInfo& info, const Kernel& kernel, const RenderSettings& settings);
 
-/// Buffers for one band, made once and used for each band in turn. `pipelines` are made of the kernel's modules, in that
-/// order.
+/// Buffers for one band, made once and used for each band in turn. `pipelines` are made of the kernel's modules, in
+/// that order.
 class Band {
  public:
   Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,

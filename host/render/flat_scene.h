@@ -38,14 +38,16 @@ struct FlatScene {
   std::vector<gpu::uvec4> rows;
   gpu::RenderConstants constants{};
   SceneFeatures features;
-  std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
-  std::uint32_t stackSize = 1;      ///< entries that the traversal of a BVH needs
-  std::uint32_t uniformSlots = 0;   ///< all primitives of a small scene, whose rows are in `slotRows` too; 0: it is not small
+  std::uint32_t
+      structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
+  std::uint32_t stackSize = 1;          ///< entries that the traversal of a BVH needs
+  std::uint32_t
+      uniformSlots = 0;  ///< all primitives of a small scene, whose rows are in `slotRows` too; 0: it is not small
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
-  bool rowsAhead = false;           ///< SmallSceneRule::rowsAhead
-  std::uint32_t slotCount = 0;      ///< primitives, planes included
-  double structureSeconds = 0;      ///< that building the search structure took
+  bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead
+  std::uint32_t slotCount = 0;                                       ///< primitives, planes included
+  double structureSeconds = 0;                                       ///< that building the search structure took
   std::map<std::string, double> structureQuality;
 };
 
@@ -55,8 +57,8 @@ struct FlattenLimits {
   SmallSceneRule smallScene;
 };
 
-/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera. Throws
-/// FileError if it exceeds a limit of the layout.
+/// Derives every row in double precision from the scene's binary32 values, rounding once. The scene has a camera.
+/// Throws FileError if it exceeds a limit of the layout.
 FlatScene flatten(const Scene& scene, const RenderSettings& settings, const FlattenLimits& limits = {});
 
 }  // namespace candela

@@ -23,12 +23,12 @@
 namespace candela {
 namespace {
 
-constexpr std::uint32_t kMaxSlots = 1u << 27;     // what a packed stack word holds
+constexpr std::uint32_t kMaxSlots = 1u << 27;  // what a packed stack word holds
 
 void checkLimits(const Scene& scene) {
   if (scene.primitives.size() >= kMaxSlots) {
-    throw FileError(fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(),
-                                kMaxSlots - 1));
+    throw FileError(
+        fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(), kMaxSlots - 1));
   }
   if (scene.materials.size() > gpu::kMaxMaterialCount) {
     throw FileError(fmt::format("{}: {} materials; at most {} are supported", scene.name, scene.materials.size(),
@@ -64,7 +64,8 @@ void appendEmitter(const Scene& scene, const LightEntry& entry, std::uint32_t sl
   const Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
   const bool sphere = primitive.kind == PrimitiveKind::sphere;
-  rows.push_back({entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
+  rows.push_back(
+      {entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
   rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
   const Sphere place = sphere ? scene.spheres[primitive.index] : Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
@@ -182,8 +183,8 @@ FlatScene flatten(const Scene& scene, const RenderSettings& settings, const Flat
   flat.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.moreSections.w = flat.slotCount;
 
-  const std::vector<LightEntry> table =
-      whitted ? std::vector<LightEntry>{} : buildLightTable(scene, settings.nextEventEstimation);
+  const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
+                                                : buildLightTable(scene, settings.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
   if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);

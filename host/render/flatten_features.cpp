@@ -17,9 +17,15 @@ void noteKind(const Scene& scene, const Primitive& primitive, SceneFeatures& fea
       features.triangles = true;
       features.smooth |= scene.triangles[primitive.index].normals != Triangle::kNoNormals;
       break;
-    case PrimitiveKind::box: features.boxes = true; break;
-    case PrimitiveKind::cone: features.cones = true; break;
-    case PrimitiveKind::plane: features.planes = true; break;
+    case PrimitiveKind::box:
+      features.boxes = true;
+      break;
+    case PrimitiveKind::cone:
+      features.cones = true;
+      break;
+    case PrimitiveKind::plane:
+      features.planes = true;
+      break;
   }
 }
 

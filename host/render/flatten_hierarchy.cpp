@@ -11,7 +11,8 @@ namespace {
 // A leaf's count has five bits on the traversal stack.
 constexpr BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
 // A child's share of an eight-wide node costs little beside a primitive.
-constexpr BvhOptions kWideOptions{.maxLeafSize = kMaxWideLeaf, .maxDepth = 60, .traversalCost = 0.4f, .intersectionCost = 1};
+constexpr BvhOptions kWideOptions{
+    .maxLeafSize = kMaxWideLeaf, .maxDepth = 60, .traversalCost = 0.4f, .intersectionCost = 1};
 // Two primitives a leaf are part of the report's rule.
 constexpr BvhOptions kMidpointOptions{.rule = SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
 

@@ -77,11 +77,16 @@ void appendPlane(const Scene& scene, const PrimitiveContext& context, const Prim
 void appendPrimitive(const Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& normals) {
   const Primitive& primitive = scene.primitives[context.primitive];
   switch (primitive.kind) {
-    case PrimitiveKind::sphere: return appendSphere(scene, context, primitive, primitives);
-    case PrimitiveKind::triangle: return appendTriangle(scene, context, primitive, primitives, normals);
-    case PrimitiveKind::box: return appendBox(scene, context, primitive, primitives);
-    case PrimitiveKind::cone: return appendCone(scene, context, primitive, primitives);
-    case PrimitiveKind::plane: return appendPlane(scene, context, primitive, primitives);
+    case PrimitiveKind::sphere:
+      return appendSphere(scene, context, primitive, primitives);
+    case PrimitiveKind::triangle:
+      return appendTriangle(scene, context, primitive, primitives, normals);
+    case PrimitiveKind::box:
+      return appendBox(scene, context, primitive, primitives);
+    case PrimitiveKind::cone:
+      return appendCone(scene, context, primitive, primitives);
+    case PrimitiveKind::plane:
+      return appendPlane(scene, context, primitive, primitives);
   }
 }
 

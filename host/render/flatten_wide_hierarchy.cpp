@@ -12,7 +12,8 @@ std::uint32_t fourPlanes(const std::array<std::uint8_t, kWideChildren>& planes, 
   return word;
 }
 
-gpu::uvec4 planeRow(const std::array<std::uint8_t, kWideChildren>& a, const std::array<std::uint8_t, kWideChildren>& b) {
+gpu::uvec4 planeRow(const std::array<std::uint8_t, kWideChildren>& a,
+                    const std::array<std::uint8_t, kWideChildren>& b) {
   return {fourPlanes(a, 0), fourPlanes(a, 4), fourPlanes(b, 0), fourPlanes(b, 4)};
 }
 

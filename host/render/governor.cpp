@@ -38,8 +38,8 @@ Plan Governor::next() const {
     return {pixels, segmentsFor(pixels)};
   }
   const auto total = static_cast<double>(options_.totalPixels);
-  const std::uint32_t preferred =
-      options_.fixedSegments > 0 ? options_.fixedSegments : std::min(kPreferredSegments, options_.maxSegments);
+  const std::uint32_t preferred = options_.fixedSegments > 0 ? options_.fixedSegments
+                                                             : std::min(kPreferredSegments, options_.maxSegments);
   const double fewest = options_.fixedSegments > 0 ? 1.0 : std::min(static_cast<double>(options_.minimumPixels), total);
   const double wanted = std::clamp(budget_ / preferred, fewest, total);
   const std::uint32_t segments = segmentsFor(static_cast<std::uint64_t>(wanted));

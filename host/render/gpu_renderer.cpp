@@ -24,9 +24,12 @@ namespace {
 
 const char* structureName(AccelKind accel) {
   switch (accel) {
-    case AccelKind::none: return "none";
-    case AccelKind::grid: return "grid";
-    case AccelKind::bvh: break;
+    case AccelKind::none:
+      return "none";
+    case AccelKind::grid:
+      return "grid";
+    case AccelKind::bvh:
+      break;
   }
   return "bvh";
 }
@@ -106,8 +109,8 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   statistics.seconds["upload"] = watch.lap();
   describe(kernel, flat, settings, deviceScene.readsTexels(), statistics);
 
-  const std::vector<const vulkan::ComputePipeline*> pipelines =
-      pipelinesOf(kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
+  const std::vector<const vulkan::ComputePipeline*> pipelines = pipelinesOf(
+      kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
   result.film = Film(settings.size.width, settings.size.height);
   Band band(device_, kernel, pipelines, deviceScene, settings, height);
@@ -117,8 +120,8 @@ RenderResult GpuRenderer::render(const Scene& scene, const RenderSettings& setti
   return result;
 }
 
-void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget& budget, const RenderSettings& settings,
-                              const RenderControl& control, RenderResult& result) {
+void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget& budget,
+                              const RenderSettings& settings, const RenderControl& control, RenderResult& result) {
   const double total = static_cast<double>(settings.size.width) * settings.size.height * settings.sampleCount;
   std::uint64_t done = 0;
   const auto count = [&](std::uint64_t fresh) {
@@ -148,8 +151,8 @@ Replay GpuRenderer::replay(const Scene& scene, const RenderSettings& settings, c
   const Kernel kernel = replayKernel();
   Replay replay;
   describe(kernel, flat, settings, deviceScene.readsTexels(), replay.statistics);
-  const std::vector<const vulkan::ComputePipeline*> pipelines =
-      pipelinesOf(kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
+  const std::vector<const vulkan::ComputePipeline*> pipelines = pipelinesOf(
+      kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   replay.path = replayOnDevice(device_, *pipelines.front(), deviceScene, sample, budget, replay.statistics);
   return replay;
 }

@@ -9,9 +9,9 @@ namespace candela {
 
 struct LightEntry {
   bool isPoint = false;
-  std::uint32_t index = 0;     ///< primitive index, or index into Scene::pointLights
-  std::uint32_t threshold = 0; ///< T_i, in units of 2^-24
-  float probability = 0;       ///< P_i, exact
+  std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights
+  std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
+  float probability = 0;        ///< P_i, exact
 };
 
 /// `withEmitters` false leaves point lights only (--nee off).

@@ -9,12 +9,15 @@ Lobes lobesOf(const Material& material) {
   if (material.kd == 0 && material.ks == 0) return {.dielectric = transmitted};
   const double sum = double{material.kd} + double{material.ks} + double{material.t};
   const double scale = sum > 1 ? 1 / sum : 1;
-  return {.diffuse = material.kd * scale, .glossy = material.ks * scale, .dielectric = material.t * scale * transmitted};
+  return {
+      .diffuse = material.kd * scale, .glossy = material.ks * scale, .dielectric = material.t * scale * transmitted};
 }
 
 Lobes whittedLobesOf(const Material& material) {
   const bool glass = material.t > 0 && material.ior > 0;
-  return {.diffuse = material.kd, .glossy = material.ks, .dielectric = glass ? 1.0 : 0.0,
+  return {.diffuse = material.kd,
+          .glossy = material.ks,
+          .dielectric = glass ? 1.0 : 0.0,
           .mirror = material.t == 0 && material.ks > 0};
 }
 

@@ -15,7 +15,8 @@ struct Lobes {
 
 Lobes lobesOf(const Material& material);
 
-/// As Whitted's tracer reads the line: Kd, Ks, 1 if it is glass, and whether it is a mirror, which takes Ks as its factor.
+/// As Whitted's tracer reads the line: Kd, Ks, 1 if it is glass, and whether it is a mirror, which takes Ks as its
+/// factor.
 Lobes whittedLobesOf(const Material& material);
 
 /// Of the integrator that is used.

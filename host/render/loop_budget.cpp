@@ -22,7 +22,8 @@ std::uint32_t mostGridSide(std::uint32_t limit, const DeviceInfo& info, std::uin
 
 // Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
 // device's limit is left for the turns that a lane does not count and for its last segment.
-LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat, std::uint32_t raysPerSegment) {
+LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat,
+                      std::uint32_t raysPerSegment) {
   if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
   if (flat.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * lanesOf(info))};
   constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations

@@ -13,8 +13,8 @@ struct LoopBudget {
   std::uint32_t laneTurns = 0;    ///< loop turns after which a lane begins no further segment
 };
 
-/// `limit` is what probeLoopLimit() found, `raysPerSegment` the most that one segment traces. Throws FileError where brute
-/// force over the scene exceeds it.
+/// `limit` is what probeLoopLimit() found, `raysPerSegment` the most that one segment traces. Throws FileError where
+/// brute force over the scene exceeds it.
 LoopBudget loopBudget(std::uint32_t limit, const DeviceInfo& info, const FlatScene& flat, std::uint32_t raysPerSegment);
 
 /// The finest grid, in cells along an axis, whose empty cells alone do not use up the limit.

@@ -38,7 +38,8 @@ std::uint32_t spread(std::uint32_t bits) {
   return result;
 }
 
-// Row-major numbers of an image's pixels along Morton's curve, so that the lanes of a group have neighbours on all sides.
+// Row-major numbers of an image's pixels along Morton's curve, so that the lanes of a group have neighbours on all
+// sides.
 std::vector<std::uint32_t> alongMortonCurve(const Extent& size) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> keyed;
   keyed.reserve(std::size_t{size.width} * size.height);
@@ -52,8 +53,8 @@ std::vector<std::uint32_t> alongMortonCurve(const Extent& size) {
   return pixels;
 }
 
-vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv, const FlatScene& flat,
-                                     const RenderSettings& settings, bool texels, bool anyHit) {
+vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv,
+                                     const FlatScene& flat, const RenderSettings& settings, bool texels, bool anyHit) {
   vulkan::PipelineOptions options = kernelOptions(flat, settings, texels, sizeof(gpu::CastConstants));
   options.specialisations.push_back({gpu::kSpecOcclusion, anyHit});
   return {device, spirv, options};
@@ -96,18 +97,19 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
     seconds += took;
     const bool whole = end - first == chunk_;
     first = end;
-    if (whole && took < kShortSeconds) chunk_ = std::min({2 * chunk_, kLastChunk, 65535 / gpu::kCastUnit * gpu::kCastUnit * lanes});
+    if (whole && took < kShortSeconds)
+      chunk_ = std::min({2 * chunk_, kLastChunk, 65535 / gpu::kCastUnit * gpu::kCastUnit * lanes});
   }
   return seconds;
 }
 
 RaySets RayCaster::makeRays() {
-  const vulkan::ComputePipeline pipeline =
-      castPipeline(device_, spirv::make_rays, flat_, settings_, readsTexels(), false);
+  const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, flat_, settings_, readsTexels(),
+                                                        false);
   const std::uint32_t pixels = settings_.size.width * settings_.size.height;
   const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));
-  const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &all, &hits_, &unused_, &deviceScene_.texels(),
-                                               &deviceScene_.uniforms()});
+  const vulkan::BindingSet bindings(
+      pipeline, {&deviceScene_.rows(), &all, &hits_, &unused_, &deviceScene_.texels(), &deviceScene_.uniforms()});
   dispatch(pipeline, bindings, pixels);
   std::vector<gpu::CastRay> made(std::size_t{gpu::kRayKindCount} * pixels);
   all.download(std::as_writable_bytes(std::span(made)));
@@ -115,7 +117,8 @@ RaySets RayCaster::makeRays() {
   for (const std::uint32_t pixel : alongMortonCurve(settings_.size)) {
     for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
       const gpu::CastRay& ray = made[std::size_t{pixel} * gpu::kRayKindCount + kind];
-      if (kind == gpu::kPrimaryRay && ray.direction.w != 0) throw InternalError("a loop was stopped while rays were made");
+      if (kind == gpu::kPrimaryRay && ray.direction.w != 0)
+        throw InternalError("a loop was stopped while rays were made");
       if (ray.originLimit.w > 0) sets[kind].push_back(ray);
     }
   }
@@ -132,15 +135,16 @@ void RayCaster::load(std::span<const gpu::CastRay> rays, bool anyHit) {
 
 double RayCaster::trace() {
   const vulkan::ComputePipeline& pipeline = casts_[anyHit_];
-  const vulkan::BindingSet bindings(pipeline, {&deviceScene_.rows(), &rays_, &hits_, &unused_, &deviceScene_.texels(),
-                                               &deviceScene_.uniforms()});
+  const vulkan::BindingSet bindings(
+      pipeline, {&deviceScene_.rows(), &rays_, &hits_, &unused_, &deviceScene_.texels(), &deviceScene_.uniforms()});
   return dispatch(pipeline, bindings, rayCount_);
 }
 
 std::vector<gpu::CastHit> RayCaster::hits() const {
   std::vector<gpu::CastHit> result(rayCount_);
   if (!result.empty()) hits_.download(std::as_writable_bytes(std::span(result)));
-  const bool stopped = std::any_of(result.begin(), result.end(), [](const gpu::CastHit& hit) { return hit.found.w != 0; });
+  const bool stopped = std::any_of(result.begin(), result.end(),
+                                   [](const gpu::CastHit& hit) { return hit.found.w != 0; });
   if (stopped) throw InternalError("the device stopped a loop before a ray's search was over");
   return result;
 }

@@ -14,8 +14,8 @@
 
 namespace candela {
 
-/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve; pixels that have no such ray are left
-/// out.
+/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve; pixels that have no such ray are
+/// left out.
 using RaySets = std::array<std::vector<gpu::CastRay>, gpu::kRayKindCount>;
 
 /// One scene in one layout on a device, ready to trace rays through it.

@@ -35,11 +35,11 @@ enum class KernelKind { automatic, megakernel, wavefront };
 
 /// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.
 struct AutomaticChoices {
-  BvhLayout bvhLayout = BvhLayout::cwbvh;     ///< one of both; midpoint splits have a rule of their own
-  SceneLoads sceneLoads = SceneLoads::texel;  ///< one of both; where the scene does not fit, the other
-  Extent workgroup{8, 8};                     ///< one that every device has
-  KernelKind kernel = KernelKind::megakernel; ///< one of both
-  std::string origin = "built-in";            ///< for reports
+  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< one of both; midpoint splits have a rule of their own
+  SceneLoads sceneLoads = SceneLoads::texel;   ///< one of both; where the scene does not fit, the other
+  Extent workgroup{8, 8};                      ///< one that every device has
+  KernelKind kernel = KernelKind::megakernel;  ///< one of both
+  std::string origin = "built-in";             ///< for reports
 };
 
 /// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
@@ -50,8 +50,8 @@ constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrat
 
 struct RenderSettings {
   // --- These decide the image.
-  Extent size;                      ///< pixels, each in [1, 65535]
-  std::uint32_t sampleCount = 16;   ///< per pixel, >= 1
+  Extent size;                     ///< pixels, each in [1, 65535]
+  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1
   std::uint32_t seed = 0;
   std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
   std::uint32_t rouletteStart = 4;  ///< path vertices that never face Russian roulette

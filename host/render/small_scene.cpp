@@ -5,15 +5,19 @@
 namespace candela {
 namespace {
 
-// What a test costs in a row, in units of about 9 ns for eight rays on lavapipe; a cone's takes 8, but trees spare so many
-// of such tests that it counts twice.
+// What a test costs in a row, in units of about 9 ns for eight rays on lavapipe; a cone's takes 8, but trees spare so
+// many of such tests that it counts twice.
 std::uint32_t rowCost(PrimitiveKind kind) {
   switch (kind) {
-    case PrimitiveKind::plane: return 1;
+    case PrimitiveKind::plane:
+      return 1;
     case PrimitiveKind::sphere:
-    case PrimitiveKind::box: return 2;
-    case PrimitiveKind::triangle: return 3;
-    case PrimitiveKind::cone: return 16;
+    case PrimitiveKind::box:
+      return 2;
+    case PrimitiveKind::triangle:
+      return 3;
+    case PrimitiveKind::cone:
+      return 16;
   }
   return 0;
 }

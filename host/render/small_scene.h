@@ -1,5 +1,5 @@
-// Scenes of so few primitives that testing all of them, in a row and from the uniform buffer, is faster than traversing a
-// structure (docs/performance.md).
+// Scenes of so few primitives that testing all of them, in a row and from the uniform buffer, is faster than traversing
+// a structure (docs/performance.md).
 #pragma once
 #include <cstdint>
 
@@ -11,13 +11,14 @@ namespace candela {
 /// Which scenes a device traces without any structure.
 struct SmallSceneRule {
   std::uint32_t mostCost = 48;  ///< of testing all primitives, in the units of rowCost()
-  bool rowsAhead = false;       ///< the kernel reads all rows before anything else: worth it where a read costs more later
+  bool rowsAhead = false;  ///< the kernel reads all rows before anything else: worth it where a read costs more later
 };
 
 /// As measured on lavapipe; on other devices, sixteen triangles.
 SmallSceneRule smallSceneRule(const DeviceInfo& info);
 
-/// Whether `rule` has the scene traced in a row: it costs little enough, and has at most gpu::kMaxUniformSlots primitives.
+/// Whether `rule` has the scene traced in a row: it costs little enough, and has at most gpu::kMaxUniformSlots
+/// primitives.
 bool isSmall(const Scene& scene, const SmallSceneRule& rule);
 
 }  // namespace candela

@@ -17,9 +17,12 @@ std::uint32_t filterOf(const RenderSettings& settings) {
 
 std::uint32_t samplerOf(SamplerKind kind) {
   switch (kind) {
-    case SamplerKind::independent: return gpu::kSamplerIndependent;
-    case SamplerKind::stratified: return gpu::kSamplerStratified;
-    case SamplerKind::sobol: break;
+    case SamplerKind::independent:
+      return gpu::kSamplerIndependent;
+    case SamplerKind::stratified:
+      return gpu::kSamplerStratified;
+    case SamplerKind::sobol:
+      break;
   }
   return gpu::kSamplerSobol;
 }
@@ -27,13 +30,20 @@ std::uint32_t samplerOf(SamplerKind kind) {
 std::uint32_t viewOf(Integrator integrator) {
   switch (integrator) {
     case Integrator::path:
-    case Integrator::whitted: break;
-    case Integrator::ao: return gpu::kViewAo;
-    case Integrator::normal: return gpu::kViewNormal;
-    case Integrator::albedo: return gpu::kViewAlbedo;
-    case Integrator::depth: return gpu::kViewDepth;
-    case Integrator::id: return gpu::kViewId;
-    case Integrator::cost: return gpu::kViewCost;
+    case Integrator::whitted:
+      break;
+    case Integrator::ao:
+      return gpu::kViewAo;
+    case Integrator::normal:
+      return gpu::kViewNormal;
+    case Integrator::albedo:
+      return gpu::kViewAlbedo;
+    case Integrator::depth:
+      return gpu::kViewDepth;
+    case Integrator::id:
+      return gpu::kViewId;
+    case Integrator::cost:
+      return gpu::kViewCost;
   }
   return gpu::kViewNone;
 }
@@ -42,38 +52,37 @@ std::uint32_t viewOf(Integrator integrator) {
 
 std::vector<vulkan::Specialisation> specialise(const FlatScene& flat, const RenderSettings& settings, bool texels) {
   const SceneFeatures& has = flat.features;
-  std::vector<vulkan::Specialisation> constants{
-      {gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
-      {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
-      {gpu::kSpecSpheres, has.spheres},
-      {gpu::kSpecTriangles, has.triangles},
-      {gpu::kSpecBoxes, has.boxes},
-      {gpu::kSpecCones, has.cones},
-      {gpu::kSpecPlanes, has.planes},
-      {gpu::kSpecSmooth, has.smooth},
-      {gpu::kSpecDiffuse, has.diffuse},
-      {gpu::kSpecGlossy, has.glossy},
-      {gpu::kSpecMirror, has.mirror},
-      {gpu::kSpecDielectric, has.dielectric},
-      {gpu::kSpecEmission, has.emission},
-      {gpu::kSpecSphereLights, has.sphereLights},
-      {gpu::kSpecTriangleLights, has.triangleLights},
-      {gpu::kSpecPointLights, has.pointLights},
-      {gpu::kSpecSky, has.sky},
-      {gpu::kSpecOneSided, settings.oneSided},
-      {gpu::kSpecLens, lensOf(flat, settings)},
-      {gpu::kSpecFilter, filterOf(settings)},
-      {gpu::kSpecSampler, samplerOf(settings.sampler)},
-      {gpu::kSpecStructure, flat.structure},
-      {gpu::kSpecTexels, texels},
-      {gpu::kSpecRecord, settings.recordPaths},
-      {gpu::kSpecStackSize, flat.stackSize},
-      {gpu::kSpecMixtures, has.mixtures},
-      {gpu::kSpecInsideOnly, has.insideOnly},
-      {gpu::kSpecUniformSlots, flat.uniformSlots},
-      {gpu::kSpecRowsAhead, flat.rowsAhead},
-      {gpu::kSpecAreaLights, settings.lightSize > 0},
-      {gpu::kSpecView, viewOf(settings.integrator)}};
+  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
+                                                {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
+                                                {gpu::kSpecSpheres, has.spheres},
+                                                {gpu::kSpecTriangles, has.triangles},
+                                                {gpu::kSpecBoxes, has.boxes},
+                                                {gpu::kSpecCones, has.cones},
+                                                {gpu::kSpecPlanes, has.planes},
+                                                {gpu::kSpecSmooth, has.smooth},
+                                                {gpu::kSpecDiffuse, has.diffuse},
+                                                {gpu::kSpecGlossy, has.glossy},
+                                                {gpu::kSpecMirror, has.mirror},
+                                                {gpu::kSpecDielectric, has.dielectric},
+                                                {gpu::kSpecEmission, has.emission},
+                                                {gpu::kSpecSphereLights, has.sphereLights},
+                                                {gpu::kSpecTriangleLights, has.triangleLights},
+                                                {gpu::kSpecPointLights, has.pointLights},
+                                                {gpu::kSpecSky, has.sky},
+                                                {gpu::kSpecOneSided, settings.oneSided},
+                                                {gpu::kSpecLens, lensOf(flat, settings)},
+                                                {gpu::kSpecFilter, filterOf(settings)},
+                                                {gpu::kSpecSampler, samplerOf(settings.sampler)},
+                                                {gpu::kSpecStructure, flat.structure},
+                                                {gpu::kSpecTexels, texels},
+                                                {gpu::kSpecRecord, settings.recordPaths},
+                                                {gpu::kSpecStackSize, flat.stackSize},
+                                                {gpu::kSpecMixtures, has.mixtures},
+                                                {gpu::kSpecInsideOnly, has.insideOnly},
+                                                {gpu::kSpecUniformSlots, flat.uniformSlots},
+                                                {gpu::kSpecRowsAhead, flat.rowsAhead},
+                                                {gpu::kSpecAreaLights, settings.lightSize > 0},
+                                                {gpu::kSpecView, viewOf(settings.integrator)}};
   for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
     constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
   }

@@ -36,9 +36,11 @@ std::string drawBar(const Bar& bar, double top, double scale, const std::string&
   out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>\n", kLabels, middle - kBar / 2,
                      bar.value * scale, kBar);
   if (bar.high > bar.low) {
-    out += fmt::format("<path d=\"M{:.1f} {}H{:.1f}\"/>\n", kLabels + bar.low * scale, middle, kLabels + bar.high * scale);
+    out += fmt::format("<path d=\"M{:.1f} {}H{:.1f}\"/>\n", kLabels + bar.low * scale, middle,
+                       kLabels + bar.high * scale);
   }
-  return out + label(std::max(end, kLabels + bar.high * scale) + 6, middle + 4, "start", fmt::format("{:.3g} {}", bar.value, unit));
+  return out + label(std::max(end, kLabels + bar.high * scale) + 6, middle + 4, "start",
+                     fmt::format("{:.3g} {}", bar.value, unit));
 }
 
 }  // namespace
@@ -56,7 +58,8 @@ std::string barChart(const std::string& title, const std::string& unit, const st
     }
   }
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" font-family=\"sans-serif\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+      "font-family=\"sans-serif\" "
       "font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n<g fill=\"#2b6cb0\" stroke-width=\"2\">\n"
       "<style>text {{ fill: #222; stroke: none }} path {{ stroke: #222 }}</style>\n{2}</g>\n</svg>\n",
       kWidth, top + kMargin, body);

@@ -37,7 +37,8 @@ std::string line(const Histogram& histogram, std::uint64_t most) {
   const double step = kWidth / static_cast<double>(histogram.counts.size());
   std::string path = fmt::format("M0 {:.1f}", kBase);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    path += fmt::format("V{:.1f}H{:.1f}", kBase - heightOf(histogram.counts[i], most), static_cast<double>(i + 1) * step);
+    path += fmt::format("V{:.1f}H{:.1f}", kBase - heightOf(histogram.counts[i], most),
+                        static_cast<double>(i + 1) * step);
   }
   return fmt::format("<path class=\"line\" d=\"{}V{:.1f}\"/>", path, kBase);
 }
@@ -64,12 +65,14 @@ std::string valueChart(const ValueHistograms& histograms) {
   const std::uint64_t most = std::max(highest(a), highest(b));
   const std::string description = fmt::format("Histogram of the luminances of A and B, from {} to {}, logarithmic",
                                               power(a.low), power(a.high));
-  return drawing(description, bars(a, most) + line(b, most) + axis(power(a.low), power((a.low + a.high) / 2), power(a.high)));
+  return drawing(description,
+                 bars(a, most) + line(b, most) + axis(power(a.low), power((a.low + a.high) / 2), power(a.high)));
 }
 
 std::string differenceChart(const Histogram& histogram) {
   const std::string range = fmt::format("{:g} %", 100 * histogram.high);
-  const std::string description = fmt::format("Histogram of the relative differences of the pixels, from -{0} to +{0}", range);
+  const std::string description = fmt::format("Histogram of the relative differences of the pixels, from -{0} to +{0}",
+                                              range);
   return drawing(description, bars(histogram, highest(histogram)) + axis("−" + range, "0", "+" + range));
 }
 

@@ -54,7 +54,8 @@ std::vector<double> relativeDifferences(const Image& a, const Image& b) {
 double rangeOf(const std::vector<double>& differences) {
   const auto wanted = kShareWithin * static_cast<double>(differences.size());
   for (const double range : {0.001, 0.01, 0.1, 1.0}) {
-    const auto within = std::count_if(differences.begin(), differences.end(), [=](double d) { return std::abs(d) <= range; });
+    const auto within = std::count_if(differences.begin(), differences.end(),
+                                      [=](double d) { return std::abs(d) <= range; });
     if (static_cast<double>(within) >= wanted) return range;
   }
   return 10;

@@ -16,24 +16,25 @@ Pixels8 reducedPixels(const Image& picture, std::uint32_t k) {
 }
 
 Map differenceMap(const Report& report, std::uint32_t k) {
-  return {"map-difference", "Differences",
-          fmt::format("Luminance, relative to B. Black: equal; orange: A is brighter; blue: A is darker; full colour at "
-                      "{:g} %; magenta: not a number.",
-                      100 * kDifferenceRange),
-          reducedPixels(differencePicture(report.a, report.b, kDifferenceRange), k)};
+  return {
+      "map-difference", "Differences",
+      fmt::format("Luminance, relative to B. Black: equal; orange: A is brighter; blue: A is darker; full colour at "
+                  "{:g} %; magenta: not a number.",
+                  100 * kDifferenceRange),
+      reducedPixels(differencePicture(report.a, report.b, kDifferenceRange), k)};
 }
 
 Map flipMap(const Report& report, std::uint32_t k) {
-  return {"map-flip", "FLIP",
-          fmt::format("How visible the difference is when A and B are shown in turn: black 0, pale yellow 1. Mean {:.4g}, "
-                      "maximum {:.4g}.",
-                      report.flip.mean, report.flip.maximum),
-          reducedPixels(errorPicture(report.flip), k)};
+  return {
+      "map-flip", "FLIP",
+      fmt::format("How visible the difference is when A and B are shown in turn: black 0, pale yellow 1. Mean {:.4g}, "
+                  "maximum {:.4g}.",
+                  report.flip.mean, report.flip.maximum),
+      reducedPixels(errorPicture(report.flip), k)};
 }
 
 Map testMap(const Report& report, std::uint32_t tileSize, std::uint32_t k) {
-  const Pixels8 map =
-      tileMap(report.tests->regions, tileSize, report.tests->level, report.a.width, report.a.height);
+  const Pixels8 map = tileMap(report.tests->regions, tileSize, report.tests->level, report.a.width, report.a.height);
   return {fmt::format("map-t{}", tileSize), fmt::format("t of tiles, {0} × {0} pixels", tileSize),
           "Welch's t. Black: 0; orange: A is brighter; blue: A is darker; full colour and a white frame: significant.",
           k == 1 ? map : reducedPixels(toImage(map), k)};

@@ -31,8 +31,9 @@ std::vector<Figure> imageFigures(const Report& report) {
       {"PSNR", fmt::format("{:.2f} dB", c.peakSignalToNoise)},
       {"FLIP", fmt::format("mean {:.4g}, maximum {:.4g}", report.flip.mean, report.flip.maximum)},
       {"Largest difference", fmt::format("{:.6g} at {}, {}", c.maximumDifference, c.maximumX, c.maximumY)},
-      {"Pixels that differ", fmt::format("{} ({:.4g} %), by more than {:g} relative and {:g} absolute", c.differingCount,
-                                         100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute)}};
+      {"Pixels that differ",
+       fmt::format("{} ({:.4g} %), by more than {:g} relative and {:g} absolute", c.differingCount,
+                   100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute)}};
   if (c.notFiniteCount > 0) figures.push_back({"Not finite", fmt::format("{} pixels, left out", c.notFiniteCount)});
   return figures;
 }
@@ -63,8 +64,10 @@ std::string factTable(const Report& report) {
   for (const Fact& fact : report.facts) rows += row(fact.name, cell(fact.a) + cell(fact.b));
   if (rows.empty()) return "";
   return "<section aria-labelledby=\"sides\">\n<h2 id=\"sides\">What was compared</h2>\n" +
-         scrolling("<table class=\"facts\">\n<thead><tr><td></td><th scope=\"col\">A</th><th scope=\"col\">B</th></tr></thead>\n" + rows +
-                   "</table>") +
+         scrolling(
+             "<table class=\"facts\">\n<thead><tr><td></td><th scope=\"col\">A</th><th "
+             "scope=\"col\">B</th></tr></thead>\n" +
+             rows + "</table>") +
          "</section>";
 }
 
@@ -79,10 +82,11 @@ std::string testTable(const Report& report) {
   return "<section aria-labelledby=\"tests\">\n<h2 id=\"tests\">Tests of regions</h2>\n" +
          fmt::format("<p>{} of {} regions differ at p &lt; {:.1e} each. The most significant ones:</p>\n", differing,
                      results.size(), report.tests->level) +
-         scrolling("<table>\n<thead><tr><th scope=\"col\">Region</th><th scope=\"col\">A</th><th scope=\"col\">B</th>"
-                   "<th scope=\"col\">difference</th><th scope=\"col\">t</th><th scope=\"col\">p</th>"
-                   "<th scope=\"col\">verdict</th></tr></thead>\n" +
-                   rows + "</table>") +
+         scrolling(
+             "<table>\n<thead><tr><th scope=\"col\">Region</th><th scope=\"col\">A</th><th scope=\"col\">B</th>"
+             "<th scope=\"col\">difference</th><th scope=\"col\">t</th><th scope=\"col\">p</th>"
+             "<th scope=\"col\">verdict</th></tr></thead>\n" +
+             rows + "</table>") +
          "</section>";
 }
 

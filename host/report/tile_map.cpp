@@ -22,8 +22,8 @@ double strengthOf(const RegionResult& result, double level) {
 
 void paint(Pixels8& map, std::uint32_t x, std::uint32_t y, const glm::dvec3& signal) {
   for (int c = 0; c < 3; ++c) {
-    map.rgb[3 * (std::size_t{y} * map.width + x) + static_cast<std::size_t>(c)] =
-        static_cast<std::uint8_t>(std::lround(255 * signal[c]));
+    map.rgb[3 * (std::size_t{y} * map.width + x) + static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(
+        std::lround(255 * signal[c]));
   }
 }
 

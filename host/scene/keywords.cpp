@@ -15,10 +15,10 @@
 namespace candela {
 namespace {
 
-constexpr std::string_view kViewForm =
-    "v from x y z at x y z up x y z angle degrees hither d resolution width height [aperture a] [focal f]";
-constexpr std::string_view kMaterialForm =
-    "f r g b Kd Ks Shine T ior, or f r g b Kd r g b Ks Shine T ior [roughness] [emission r g b]";
+constexpr std::string_view
+    kViewForm = "v from x y z at x y z up x y z angle degrees hither d resolution width height [aperture a] [focal f]";
+constexpr std::string_view
+    kMaterialForm = "f r g b Kd Ks Shine T ior, or f r g b Kd r g b Ks Shine T ior [roughness] [emission r g b]";
 constexpr std::string_view kBoxForm = "box minx miny minz maxx maxy maxz";
 
 constexpr std::array kKeywords{

@@ -37,7 +37,6 @@ std::string statementsText(const StatementCounts& counts) {
   return text.empty() ? "none" : text;
 }
 
-
 }  // namespace
 
 std::string toText(const SceneReport& r) {

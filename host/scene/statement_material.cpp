@@ -104,7 +104,8 @@ void warnOfGain(Parser& parser, const Material& m) {
   const bool mixture = m.kd != 1 && m.ks != 1;
   const float sum = m.kd + m.ks + m.t;
   if (mixture && sum > 1 + kRounding) {
-    parser.log.warn("energy gain", parser.keyword, fmt::format("Kd + Ks + T = {:g}; the path tracer scales them to sum 1", sum));
+    parser.log.warn("energy gain", parser.keyword,
+                    fmt::format("Kd + Ks + T = {:g}; the path tracer scales them to sum 1", sum));
   }
   const float brightest = std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z});
   if (brightest > 1)

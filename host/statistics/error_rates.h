@@ -13,9 +13,9 @@ double sidakLevel(double alpha, std::uint64_t tests);
 /// DeMets' spending function of Pocock's kind, alpha ln(1 + (e - 1) information) (Biometrika 70, 1983).
 double spentAlpha(double alpha, double information);
 
-/// The level of look `look` (1, 2, ...) of `looks` equally spaced ones: what the spending function adds there. All looks
-/// together then give a false alarm with probability at most `alpha`, whatever the correlation between them (Bonferroni's
-/// inequality over the increments; exact boundaries would be a little wider).
+/// The level of look `look` (1, 2, ...) of `looks` equally spaced ones: what the spending function adds there. All
+/// looks together then give a false alarm with probability at most `alpha`, whatever the correlation between them
+/// (Bonferroni's inequality over the increments; exact boundaries would be a little wider).
 double levelOfLook(double alpha, std::uint32_t look, std::uint32_t looks);
 
 }  // namespace candela::statistics

@@ -36,7 +36,9 @@ Estimate estimateOf(const Summary& summary) {
   return {summary.mean, summary.squaredError(), static_cast<double>(summary.count) - 1};
 }
 
-WelchTest welch(const Summary& a, const Summary& b, double margin) { return welch(estimateOf(a), estimateOf(b), margin); }
+WelchTest welch(const Summary& a, const Summary& b, double margin) {
+  return welch(estimateOf(a), estimateOf(b), margin);
+}
 
 WelchTest welch(const Estimate& a, const Estimate& b, double margin) {
   WelchTest test;

@@ -48,8 +48,8 @@ void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSet
     factor *= before / pixelsOf(settings.size);
   }
   if (!asked.sampleCount) {
-    settings.sampleCount =
-        static_cast<std::uint32_t>(std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
+    settings.sampleCount = static_cast<std::uint32_t>(
+        std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
   }
 }
 
@@ -99,8 +99,8 @@ std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, st
       variants.back().settings.automatic = choicesOf(candidate);
       variants.back().settings.automatic.origin = "tried";
     }
-    std::vector<bench::Measurement> measurements =
-        bench::measureInterleaved(renderer, work.scene, variants, repeats, shareOf(control, w, works.size(), samples));
+    std::vector<bench::Measurement> measurements = bench::measureInterleaved(
+        renderer, work.scene, variants, repeats, shareOf(control, w, works.size(), samples));
     if (measurements.empty()) throw InterruptedError("interrupted; nothing is written");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       samples += repeats * measurements[i].statistics.samples;

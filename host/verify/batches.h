@@ -23,8 +23,8 @@ class Batches {
   Batches(Side side, Renderer& renderer, const Scene& scene, const RenderSettings& settings,
           std::span<const Region> regions);
 
-  /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and of
-  /// no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
+  /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and
+  /// of no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
   bool render(std::uint32_t samples, std::uint32_t look, const RenderControl& control);
 
   /// Samples per pixel of each batch so far.
@@ -47,7 +47,7 @@ class Batches {
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   std::uint64_t badSamples_ = 0;
-  Film film_;  ///< empty unless it is kept
+  Film film_;                                          ///< empty unless it is kept
   std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
   RenderStatistics statistics_;
 };

@@ -43,14 +43,16 @@ statistics::Estimate estimateRegion(const Image& image, const Variances& varianc
 bool isUsable(const Image& image, std::size_t pixel) {
   const glm::vec3& rgb = image.rgb[pixel];
   const float variance = image.luminanceVariance[pixel];
-  return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) && variance >= 0;
+  return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) &&
+         variance >= 0;
 }
 
 std::optional<std::string> whyNotTestable(const std::string& name, const Image& image) {
-  if (!carriesVariance(image)) return name + " has no variance and sample counts, as the EXR files of candela render have";
+  if (!carriesVariance(image))
+    return name + " has no variance and sample counts, as the EXR files of candela render have";
   if (!image.metadata.contains(kSeedMetadata)) {
-    return fmt::format("{} does not state its seed ({}), and with equal random numbers the test would mean nothing", name,
-                       kSeedMetadata);
+    return fmt::format("{} does not state its seed ({}), and with equal random numbers the test would mean nothing",
+                       name, kSeedMetadata);
   }
   for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
     if (image.sampleCounts[pixel] < 2) return name + " has pixels of fewer than two samples: render it with more";
@@ -76,7 +78,8 @@ std::optional<std::string> whyNotTestable(const Image& a, const Image& reference
   if (const auto reason = whyNotTestable("A", a)) return reason;
   if (const auto reason = whyNotTestable("B", reference)) return reason;
   if (a.metadata.at(kSeedMetadata) != reference.metadata.at(kSeedMetadata)) return std::nullopt;
-  return "A and B have the same seed and so the same random numbers, on which the test would take chance for agreement: "
+  return "A and B have the same seed and so the same random numbers, on which the test would take chance for "
+         "agreement: "
          "render one with another --seed";
 }
 
@@ -84,14 +87,13 @@ FilmTestResult testFilms(const Image& a, const Image& reference, double alpha) {
   std::vector<Region> regions = regionsOf({a.width, a.height});
   std::erase_if(regions, [](const Region& region) { return region.quantity != Region::Quantity::luminance; });
   const bool equalCounts = a.sampleCounts == reference.sampleCounts;
-  const Variances larger =
-      equalCounts ? Variances{} : largerOf(a.luminanceVariance, reference.luminanceVariance);
+  const Variances larger = equalCounts ? Variances{} : largerOf(a.luminanceVariance, reference.luminanceVariance);
 
   FilmTestResult result{alpha, statistics::sidakLevel(alpha, regions.size()), {}};
   for (const Region& region : regions) {
-    result.regions.push_back(
-        compareRegion(region, estimateRegion(a, equalCounts ? a.luminanceVariance : larger, region),
-                      estimateRegion(reference, equalCounts ? reference.luminanceVariance : larger, region), result.level));
+    result.regions.push_back(compareRegion(
+        region, estimateRegion(a, equalCounts ? a.luminanceVariance : larger, region),
+        estimateRegion(reference, equalCounts ? reference.luminanceVariance : larger, region), result.level));
   }
   return result;
 }
@@ -99,13 +101,15 @@ FilmTestResult testFilms(const Image& a, const Image& reference, double alpha) {
 std::string FilmTestResult::verdict() const {
   if (differs()) {
     const RegionResult& most = mostSignificant();
-    return fmt::format("A and B do NOT show the same light: the {} is {:.3f} % {} in A, which chance alone would give {}.",
-                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
-                       most.test.difference > 0 ? "brighter" : "darker", rarityText(pValueOf(most, regions.size())));
+    return fmt::format(
+        "A and B do NOT show the same light: the {} is {:.3f} % {} in A, which chance alone would give {}.",
+        regionText(most.region), 100 * std::abs(most.relativeDifference()),
+        most.test.difference > 0 ? "brighter" : "darker", rarityText(pValueOf(most, regions.size())));
   }
-  return fmt::format("A and B show the same light, as far as their noise lets see: a difference of {:.2g} % of the image mean "
-                     "would have been seen with {:.0f} % probability.",
-                     100 * std::max(image().detectableBias, kRelativeTolerance), 100 * kPower);
+  return fmt::format(
+      "A and B show the same light, as far as their noise lets see: a difference of {:.2g} % of the image mean "
+      "would have been seen with {:.0f} % probability.",
+      100 * std::max(image().detectableBias, kRelativeTolerance), 100 * kPower);
 }
 
 std::string toText(const FilmTestResult& result) {
@@ -118,10 +122,8 @@ std::string toText(const FilmTestResult& result) {
 }
 
 nlohmann::ordered_json toJson(const FilmTestResult& result) {
-  nlohmann::ordered_json json{{"differs", result.differs()},
-                              {"verdict", result.verdict()},
-                              {"alpha", result.alpha},
-                              {"level", result.level}};
+  nlohmann::ordered_json json{
+      {"differs", result.differs()}, {"verdict", result.verdict()}, {"alpha", result.alpha}, {"level", result.level}};
   for (const RegionResult& region : result.regions) json["regions"].push_back(regionJson(region, "mean"));
   return json;
 }

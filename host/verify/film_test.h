@@ -1,11 +1,12 @@
 // "Same light?" of two finished films: one look at what EXR files carry, without rendering.
 //
-// The variance of a pixel's mean is the variance of its samples divided by their number, and pixels do not depend on each
-// other, so the squared error of a region's mean is the sum over its pixels, divided by their number squared; its degrees
-// of freedom are Welch and Satterthwaite's over all of its pixels. Stratified and Sobol samples spread more evenly than
-// their variance says: there the errors are too large, so that false alarms are rarer than `alpha`, and differences must
-// be larger to be seen. Where the films have unequal counts, each pixel is given the larger variance of the two: the side
-// with fewer samples may have missed what is rare, such as fireflies, and would then seem more certain than it is.
+// The variance of a pixel's mean is the variance of its samples divided by their number, and pixels do not depend on
+// each other, so the squared error of a region's mean is the sum over its pixels, divided by their number squared; its
+// degrees of freedom are Welch and Satterthwaite's over all of its pixels. Stratified and Sobol samples spread more
+// evenly than their variance says: there the errors are too large, so that false alarms are rarer than `alpha`, and
+// differences must be larger to be seen. Where the films have unequal counts, each pixel is given the larger variance
+// of the two: the side with fewer samples may have missed what is rare, such as fireflies, and would then seem more
+// certain than it is.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -21,8 +22,8 @@ namespace candela::verify {
 inline constexpr const char* kSeedMetadata = "candela.seed";
 
 struct FilmTestResult {
-  double alpha = 0;  ///< probability of a false alarm
-  double level = 0;  ///< of each region's test, after Sidak
+  double alpha = 0;                   ///< probability of a false alarm
+  double level = 0;                   ///< of each region's test, after Sidak
   std::vector<RegionResult> regions;  ///< luminance: the whole image first, then tiles of 8, 16 and 32 pixels
 
   bool differs() const { return anyDiffers(regions); }
@@ -36,8 +37,8 @@ struct FilmTestResult {
 bool carriesVariance(const Image& image);
 
 /// Why two images of equal size cannot be tested, as a clause about "A" and "B"; none if they can. Both need variance,
-/// at least two samples in every pixel, values that are finite, and seeds that are stated and not equal: with equal random
-/// numbers the noise of both is the same, and its size says nothing about their difference.
+/// at least two samples in every pixel, values that are finite, and seeds that are stated and not equal: with equal
+/// random numbers the noise of both is the same, and its size says nothing about their difference.
 std::optional<std::string> whyNotTestable(const Image& a, const Image& reference);
 
 /// Tests whether two images, for which whyNotTestable() is empty, show the same light; `alpha` in (0, 1).

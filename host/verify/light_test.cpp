@@ -12,7 +12,7 @@ namespace {
 using statistics::estimateOf;
 using statistics::summarise;
 
-constexpr std::uint32_t kFirstSamples = 1;  // per pixel and batch
+constexpr std::uint32_t kFirstSamples = 1;                      // per pixel and batch
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 24;  // per pixel and batch
 
 std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {

@@ -21,8 +21,8 @@ RegionResult compareRegion(const Region& region, const statistics::Estimate& dev
   result.differs = result.test.pValue < level;
   if (result.test.standardError == 0 || reference.mean == 0) return result;
   const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
-  result.detectableBias =
-      (critical + statistics::normalQuantile(kPower)) * result.test.standardError / std::abs(reference.mean);
+  result.detectableBias = (critical + statistics::normalQuantile(kPower)) * result.test.standardError /
+                          std::abs(reference.mean);
   return result;
 }
 

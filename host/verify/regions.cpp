@@ -12,18 +12,22 @@ void appendTiles(const Extent& image, std::uint32_t size, std::vector<Region>& r
   if (image.width <= size && image.height <= size) return;
   for (std::uint32_t y = 0; y < image.height; y += size) {
     for (std::uint32_t x = 0; x < image.width; x += size) {
-      regions.push_back({x, y, std::min(size, image.width - x), std::min(size, image.height - y), size,
-                         Region::Quantity::luminance});
+      regions.push_back(
+          {x, y, std::min(size, image.width - x), std::min(size, image.height - y), size, Region::Quantity::luminance});
     }
   }
 }
 
 double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
   switch (quantity) {
-    case Region::Quantity::red: return rgb.r;
-    case Region::Quantity::green: return rgb.g;
-    case Region::Quantity::blue: return rgb.b;
-    case Region::Quantity::luminance: break;
+    case Region::Quantity::red:
+      return rgb.r;
+    case Region::Quantity::green:
+      return rgb.g;
+    case Region::Quantity::blue:
+      return rgb.b;
+    case Region::Quantity::luminance:
+      break;
   }
   return luminance(rgb);
 }
@@ -32,8 +36,8 @@ double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
 
 std::vector<Region> regionsOf(const Extent& image) {
   std::vector<Region> regions;
-  for (const auto quantity : {Region::Quantity::luminance, Region::Quantity::red, Region::Quantity::green,
-                              Region::Quantity::blue}) {
+  for (const auto quantity :
+       {Region::Quantity::luminance, Region::Quantity::red, Region::Quantity::green, Region::Quantity::blue}) {
     regions.push_back({0, 0, image.width, image.height, 0, quantity});
   }
   for (const std::uint32_t size : {8u, 16u, 32u}) appendTiles(image, size, regions);

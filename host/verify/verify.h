@@ -12,7 +12,7 @@ namespace candela::verify {
 
 /// Both sides against what the scene states of itself.
 struct ExactTest {
-  double expected = 0;        ///< luminance of the stated mean
+  double expected = 0;  ///< luminance of the stated mean
   double device = 0;
   double reference = 0;
   double devicePValue = 1;
@@ -24,9 +24,9 @@ struct ExactTest {
 struct VerifyReport {
   std::string scene;
   LightTestOptions options;
-  PixelAgreement paths;           ///< 1: same numbers, same paths?
-  LightTestResult light;          ///< 2: same light?
-  std::optional<ExactTest> exact; ///< 3: right light? Only for scenes that state their answer
+  PixelAgreement paths;            ///< 1: same numbers, same paths?
+  LightTestResult light;           ///< 2: same light?
+  std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their answer
   double seconds = 0;
   BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
   bool interrupted = false;

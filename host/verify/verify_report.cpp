@@ -24,7 +24,8 @@ std::size_t differingTiles(const LightTestResult& light) {
 std::string pathsText(const VerifyReport& report) {
   const PixelAgreement& paths = report.paths;
   std::string text = fmt::format(
-      "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit ones (at least {} %)\n",
+      "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit ones (at least "
+      "{} %)\n",
       paths.agree() ? "yes" : "NO", 100 * paths.share(), paths.pixels, 100 * kRequiredShare, 100 * paths.litShare(),
       paths.lit, 100 * kRequiredLitShare);
   return text + "                             first difference of the others:" + paths.causesText() + "\n";
@@ -32,13 +33,15 @@ std::string pathsText(const VerifyReport& report) {
 
 std::string lightText(const VerifyReport& report) {
   const LightTestResult& light = report.light;
-  std::string text = fmt::format("2 Same light?                {}: {} samples per pixel a side, {} look{}, {} tests at p < {:.1e}\n",
-                                 light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks,
-                                 light.looks == 1 ? "" : "s", light.regions.size(), light.level);
+  std::string text = fmt::format(
+      "2 Same light?                {}: {} samples per pixel a side, {} look{}, {} tests at p < {:.1e}\n",
+      light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks, light.looks == 1 ? "" : "s",
+      light.regions.size(), light.level);
   text += fmt::format("                             {}\n", differenceText(light.image()));
   const RegionResult& most = light.mostSignificant();
   if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
-  if (const std::size_t tiles = differingTiles(light)) text += fmt::format("                             {} tiles differ\n", tiles);
+  if (const std::size_t tiles = differingTiles(light))
+    text += fmt::format("                             {} tiles differ\n", tiles);
   if (light.badSamples > 0) text += fmt::format("                             {} bad samples\n", light.badSamples);
   return text;
 }
@@ -46,42 +49,40 @@ std::string lightText(const VerifyReport& report) {
 std::string exactText(const VerifyReport& report) {
   if (!report.exact) return "3 Right light?               the scene does not state its answer\n";
   const ExactTest& exact = *report.exact;
-  return fmt::format("3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
-                     exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
-                     exact.referencePValue);
+  return fmt::format(
+      "3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
+      exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
+      exact.referencePValue);
 }
 
 std::string differenceVerdict(const VerifyReport& report) {
   if (report.light.differs()) {
     const RegionResult& most = report.light.mostSignificant();
-    return fmt::format("Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device, which chance "
-                       "alone would give once in {:.1e} runs.",
-                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
-                       most.test.difference > 0 ? "brighter" : "darker",
-                       most.test.pValue > 0 ? 1 / most.test.pValue : HUGE_VAL);
+    return fmt::format(
+        "Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device, which chance "
+        "alone would give once in {:.1e} runs.",
+        regionText(most.region), 100 * std::abs(most.relativeDifference()),
+        most.test.difference > 0 ? "brighter" : "darker", most.test.pValue > 0 ? 1 / most.test.pValue : HUGE_VAL);
   }
   if (!report.paths.agree()) {
-    return "Device and reference compute the same light as far as was seen, but NOT by the same paths: equal random numbers "
+    return "Device and reference compute the same light as far as was seen, but NOT by the same paths: equal random "
+           "numbers "
            "should give equal pixels.";
   }
   return "Device and reference agree with each other, but NOT with the answer that the scene states.";
 }
 
 ordered_json pathsJson(const PixelAgreement& paths) {
-  return {{"agree", paths.agree()},   {"pixels", paths.pixels},     {"share", paths.share()},
-          {"lit", paths.lit},         {"litShare", paths.litShare()}, {"causes", paths.causesJson()},
+  return {{"agree", paths.agree()},    {"pixels", paths.pixels},       {"share", paths.share()},
+          {"lit", paths.lit},          {"litShare", paths.litShare()}, {"causes", paths.causesJson()},
           {"worst", paths.worstJson()}};
 }
 
 ordered_json lightJson(const LightTestResult& light) {
-  ordered_json json{{"differs", light.differs()},
-                    {"batches", kBatchCount},
-                    {"samplesPerPixel", light.samplesPerPixel},
-                    {"information", light.information},
-                    {"looks", light.looks},
-                    {"level", light.level},
-                    {"outOfTime", light.outOfTime},
-                    {"badSamples", light.badSamples}};
+  ordered_json json{
+      {"differs", light.differs()},       {"batches", kBatchCount},        {"samplesPerPixel", light.samplesPerPixel},
+      {"information", light.information}, {"looks", light.looks},          {"level", light.level},
+      {"outOfTime", light.outOfTime},     {"badSamples", light.badSamples}};
   for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
   return json;
 }
@@ -117,10 +118,12 @@ std::string VerifyReport::verdict() const {
   if (interrupted) return "Interrupted: there is no verdict.";
   if (!agree()) return differenceVerdict(*this);
   const double seen = std::max(light.image().detectableBias, kRelativeTolerance);
-  const std::string limit = light.information < 1 ? " (the run ended before the bias that was asked for could be seen)" : "";
-  return fmt::format("Device and reference compute the same light{}: a difference of {:.2g} % of the image mean would have been "
-                     "seen with {:.0f} % probability{}.",
-                     exact ? ", and it is the stated answer" : "", 100 * seen, 100 * kPower, limit);
+  const std::string limit = light.information < 1 ? " (the run ended before the bias that was asked for could be seen)"
+                                                  : "";
+  return fmt::format(
+      "Device and reference compute the same light{}: a difference of {:.2g} % of the image mean would have been "
+      "seen with {:.0f} % probability{}.",
+      exact ? ", and it is the stated answer" : "", 100 * seen, 100 * kPower, limit);
 }
 
 std::string toText(const VerifyReport& report) {

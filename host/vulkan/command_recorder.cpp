@@ -17,8 +17,8 @@ using Stage = vk::PipelineStageFlagBits;
 
 constexpr vk::PipelineStageFlags kDeviceStages = Stage::eDrawIndirect | Stage::eComputeShader | Stage::eTransfer;
 constexpr vk::AccessFlags kWrites = Access::eShaderWrite | Access::eTransferWrite;
-constexpr vk::AccessFlags kReads =
-    Access::eShaderRead | Access::eUniformRead | Access::eTransferRead | Access::eIndirectCommandRead;
+constexpr vk::AccessFlags kReads = Access::eShaderRead | Access::eUniformRead | Access::eTransferRead |
+                                   Access::eIndirectCommandRead;
 
 void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
   const auto& most = limits.maxComputeWorkGroupCount;

@@ -14,8 +14,8 @@
 namespace candela::vulkan {
 namespace {
 
-constexpr const char* kHowToInstall =
-    "a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
+constexpr const char*
+    kHowToInstall = "a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),

@@ -9,11 +9,11 @@ namespace candela {
 struct DeviceInfo {
   std::uint32_t index = 0;
   std::string name;
-  std::string type;        ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
-  std::string driver;      ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+  std::string type;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
+  std::string driver;               ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   std::uint32_t driverVersion = 0;  ///< in the driver's own notation
   std::string pipelineCacheUuid;    ///< 32 hexadecimal digits; another one means another driver or device
-  std::string apiVersion;  ///< "1.3.230"
+  std::string apiVersion;           ///< "1.3.230"
   bool usable = false;
   std::string whyNot;             ///< if not usable: what is missing
   std::uint64_t memoryBytes = 0;  ///< of device-local heaps

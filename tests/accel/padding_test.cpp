@@ -40,8 +40,8 @@ glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::
       scene.spheres = {sphere};
       const glm::dvec3 toCentre = glm::dvec3(sphere.centre) - eye;
       const double sine = std::min(1.0, double{sphere.radius} / glm::length(toCentre));
-      const glm::dvec3 outline =
-          across(toCentre, random) * std::sqrt(1 - sine * sine) - glm::normalize(toCentre) * sine;
+      const glm::dvec3 outline = across(toCentre, random) * std::sqrt(1 - sine * sine) -
+                                 glm::normalize(toCentre) * sine;
       return glm::dvec3(sphere.centre) + double{sphere.radius} * outline;
     }
     case PrimitiveKind::triangle: {

@@ -27,8 +27,8 @@ using Counts = std::array<int, 10>;
 
 struct Outcome {
   int hits = 0;
-  int ties = 0;                    ///< if counted
-  Counts differing{};              ///< by structure, in the order of Structures
+  int ties = 0;        ///< if counted
+  Counts differing{};  ///< by structure, in the order of Structures
 };
 
 // Rays are of single precision; T is that of all tests and searches.
@@ -45,7 +45,8 @@ Outcome searchAll(const Scene& scene, int rayCount, std::uint64_t seed, bool cou
     const Hit<T> expected = searcher.bruteForce(ray);
     std::size_t place = 0;
     for (const Bvh& bvh : structures.trees) outcome.differing[place++] += searcher.throughTree(ray, bvh) != expected;
-    for (const WideBvh& wide : structures.wide) outcome.differing[place++] += searcher.throughWideTree(ray, wide) != expected;
+    for (const WideBvh& wide : structures.wide)
+      outcome.differing[place++] += searcher.throughWideTree(ray, wide) != expected;
     for (const Grid& grid : structures.grids) outcome.differing[place++] += searcher.throughGrid(ray, grid) != expected;
     if (expected.primitive == ~0u) continue;
     ++outcome.hits;

@@ -101,7 +101,8 @@ TEST_CASE("a ray with a hit at the limit of what a primitive test errs meets the
     const double away = std::exp2(random.real(-10, 10)), size = std::exp2(random.real(-20, 5));
     std::vector<Aabb> exact, padded;
     for (int k = 0; k < 8; ++k) {
-      exact.push_back(boxAround(away * random.inCube(-1, 1) + random.inCube(-size, size), size * random.inCube(0, 0.2)));
+      exact.push_back(
+          boxAround(away * random.inCube(-1, 1) + random.inCube(-size, size), size * random.inCube(0, 0.2)));
       const double pad = double{kBoundsPad} * largestOf(glm::max(glm::abs(exact[k].min), glm::abs(exact[k].max)));
       padded.push_back({glm::vec3(glm::dvec3(exact[k].min) - pad), glm::vec3(glm::dvec3(exact[k].max) + pad)});
     }
@@ -149,7 +150,10 @@ TEST_CASE("validate names what is wrong with a wide tree") {
   CHECK_THAT(complaint([](WideBvh& w) { w.primitiveIndices[3] = 400; }), Contains("names primitive 400"));
   CHECK_THAT(complaint([&](WideBvh& w) { w.nodes[leafy].boxes.high[1][0] = w.nodes[leafy].boxes.low[1][0]; }),
              Contains("reaches out of its quantised box"));
-  CHECK_THAT(complaint([](WideBvh& w) { ++w.nodes[0].boxes.low[2][0]; w.nodes[0].boxes.low[2][0] += 20; }),
+  CHECK_THAT(complaint([](WideBvh& w) {
+               ++w.nodes[0].boxes.low[2][0];
+               w.nodes[0].boxes.low[2][0] += 20;
+             }),
              Contains("reaches out of its quantised box"));
   CHECK_THAT(validate(good, boxes, 1).value_or(""), Contains("the limit is 1"));
 }

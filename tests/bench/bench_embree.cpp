@@ -17,7 +17,8 @@ namespace {
 // Rays that pass by an edge may meet either side of it: so many may find another primitive.
 constexpr double kEdgeShare = 0.01;
 
-RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint32_t repeats, const std::string& selector) {
+RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint32_t repeats,
+                  const std::string& selector) {
   vulkan::Device device = vulkan::Device::open(selector);
   const auto tracers = deviceTracers(device, scene, settings);
   EmbreeTracer embree(scene);
@@ -31,7 +32,11 @@ RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint3
     const std::size_t i = place++ % all.size();
     RayRow row{scene.name, scene.hash, "Embree", "", 0, std::move(measurement), 1 - kEdgeShare};
     if (i < tracers.size()) {
-      row = {scene.name, scene.hash, tracers[i]->layout(), tracers[i]->sceneLoads(), tracers[i]->sceneBytes(),
+      row = {scene.name,
+             scene.hash,
+             tracers[i]->layout(),
+             tracers[i]->sceneLoads(),
+             tracers[i]->sceneBytes(),
              std::move(row.measurement)};
     }
     report.rows.push_back(std::move(row));
@@ -44,10 +49,13 @@ void printRatios(const RayReport& report) {
   for (const RayRow& row : report.rows) {
     for (const RayRow& peer : report.rows) {
       if (peer.tracer != "Embree" || row.tracer == "Embree" || peer.measurement.kind != row.measurement.kind) continue;
-      fmt::print("{:<8} {:<6} {:<8} {:.3f} of Embree by the clock, {:.3f} by processor time; Embree finds {:.4f} of the hits\n",
-                 rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
-                 row.measurement.mraysPerSecond() / peer.measurement.mraysPerSecond(),
-                 row.measurement.mraysPerProcessorSecond() / peer.measurement.mraysPerProcessorSecond(), peer.measurement.share);
+      fmt::print(
+          "{:<8} {:<6} {:<8} {:.3f} of Embree by the clock, {:.3f} by processor time; Embree finds {:.4f} of the "
+          "hits\n",
+          rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
+          row.measurement.mraysPerSecond() / peer.measurement.mraysPerSecond(),
+          row.measurement.mraysPerProcessorSecond() / peer.measurement.mraysPerProcessorSecond(),
+          peer.measurement.share);
     }
   }
 }
@@ -55,7 +63,9 @@ void printRatios(const RayReport& report) {
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  const auto argument = [&](int i, const char* otherwise) { return std::string(argumentCount > i ? arguments[i] : otherwise); };
+  const auto argument = [&](int i, const char* otherwise) {
+    return std::string(argumentCount > i ? arguments[i] : otherwise);
+  };
   if (argumentCount < 2) {
     fmt::print("bench_embree SCENE [pixels a side] [runs] [device]\n");
     return static_cast<int>(ExitCode::usage);
@@ -65,7 +75,8 @@ int main(int argumentCount, char** arguments) {
     const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
     settings.size = {side, side};
     const Scene scene = loadScene(arguments[1]).scene;
-    const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))), argument(4, ""));
+    const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))),
+                                     argument(4, ""));
     fmt::print("{}\n", toText(report));
     printRatios(report);
   } catch (const std::exception& error) {

@@ -54,10 +54,10 @@ void EmbreeTracer::addTriangles(const Scene& scene) {
   }
   const std::size_t count = indices_[kTriangles].size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                   sizeof(glm::vec3), 3 * count));
-  auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                      3 * sizeof(std::uint32_t), count));
+  auto* vertices = static_cast<glm::vec3*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * count));
+  auto* corners = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
   for (std::size_t i = 0; i < 3 * count; ++i) {
     vertices[i] = scene.triangles[scene.primitives[indices_[kTriangles][i / 3]].index].p[i % 3];
     corners[i] = static_cast<std::uint32_t>(i);
@@ -73,8 +73,8 @@ void EmbreeTracer::addSpheres(const Scene& scene) {
   }
   const std::size_t count = indices_[kSpheres].size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* rows = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                                               sizeof(glm::vec4), count));
+  auto* rows = static_cast<glm::vec4*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), count));
   for (std::size_t i = 0; i < count; ++i) {
     const Sphere& sphere = scene.spheres[scene.primitives[indices_[kSpheres][i]].index];
     rows[i] = glm::vec4(sphere.centre, std::abs(sphere.radius));
@@ -116,7 +116,8 @@ gpu::CastHit EmbreeTracer::closest(const gpu::CastRay& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene_, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {{std::bit_cast<std::uint32_t>(kDeviceNoHit), gpu::kNoPrimitive, 0, 0}};
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    return {{std::bit_cast<std::uint32_t>(kDeviceNoHit), gpu::kNoPrimitive, 0, 0}};
   return {{std::bit_cast<std::uint32_t>(query.ray.tfar), indices_[query.hit.geomID][query.hit.primID], 0, 0}};
 }
 

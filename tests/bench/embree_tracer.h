@@ -10,8 +10,8 @@
 
 namespace candela::bench {
 
-/// rtcIntersect1 and rtcOccluded1 on all cores, over a scene's triangles and spheres. A closest hit has the distance and
-/// the primitive's index in the scene.
+/// rtcIntersect1 and rtcOccluded1 on all cores, over a scene's triangles and spheres. A closest hit has the distance
+/// and the primitive's index in the scene.
 class EmbreeTracer : public RayTracer {
  public:
   /// Throws FileError if the scene has other primitives, or no Embree device can be had.

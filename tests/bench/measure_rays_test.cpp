@@ -59,7 +59,8 @@ TEST_CASE("each tracer warms up, then all run once before any runs twice, kind b
   FakeTracer a("a", log), b("b", log);
   RayTracer* const tracers[]{&a, &b};
   const auto measurements = measureRays(tracers, setsOf(4, 2), 2, nullptr);
-  CHECK(log == std::vector<std::string>{"a", "b", "a", "b", "a", "b", "a any", "b any", "a any", "b any", "a any", "b any"});
+  CHECK(log ==
+        std::vector<std::string>{"a", "b", "a", "b", "a", "b", "a any", "b any", "a any", "b any", "a any", "b any"});
   REQUIRE(measurements.size() == 4);
   CHECK(measurements[0].seconds == std::vector<double>{2, 3});
   CHECK(measurements[0].rayCount == 4);
@@ -98,7 +99,8 @@ TEST_CASE("a tracer that finds another hit has no figures, unless it is a peer t
   const auto json = toJson(report);
   CHECK(json["schema"] == "candela-bench/1");
   CHECK(json["rows"][0]["sameHits"] == true);
-  for (const char* key : {"scene", "sceneHash", "rays", "layout", "sceneLoads", "medianMs", "spread", "mraysPerSecond"}) {
+  for (const char* key :
+       {"scene", "sceneHash", "rays", "layout", "sceneLoads", "medianMs", "spread", "mraysPerSecond"}) {
     CHECK(json["rows"][0].contains(key));
   }
   CHECK(json["rows"][2]["sameHits"] == false);

@@ -39,7 +39,8 @@ TEST_CASE("every variant runs once before any runs twice") {
 }
 
 TEST_CASE("a measurement's rates are those of its median run") {
-  const auto measurements = measure({{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0}, {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}}, 3);
+  const auto measurements = measure(
+      {{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0}, {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}}, 3);
   REQUIRE(measurements.size() == 3);
   CHECK(measurements[0].traceSeconds == std::vector{1.0, 2.0, 9.0});
   CHECK(measurements[0].buildSeconds == std::vector{0.25, 0.5, 2.25});
@@ -70,7 +71,8 @@ TEST_CASE("films are compared among variants of the same image alone") {
   std::vector<Variant> variants = threeVariants();
   variants[2].image = "another";
   FakeRenderer renderer({{1}, {1}, {2}});
-  for (const Measurement& measurement : measureInterleaved(renderer, Scene{}, variants, 1, {})) CHECK(measurement.agrees);
+  for (const Measurement& measurement : measureInterleaved(renderer, Scene{}, variants, 1, {}))
+    CHECK(measurement.agrees);
 }
 
 TEST_CASE("noise is half of the relMSE between two other seeds, measured once for each image") {

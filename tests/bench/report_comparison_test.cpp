@@ -13,7 +13,8 @@ using Catch::Contains;
 using nlohmann::json;
 
 json row(const char* variant, double score) {
-  return {{"scene", "a.p3f"}, {"sceneHash", "1"}, {"variant", variant}, {"segmentsPerDispatch", 8}, {"mraysPerSecond", score}, {"spread", 0.1}};
+  return {{"scene", "a.p3f"},         {"sceneHash", "1"},        {"variant", variant},
+          {"segmentsPerDispatch", 8}, {"mraysPerSecond", score}, {"spread", 0.1}};
 }
 
 json reportOf(std::vector<json> rows) {
@@ -68,9 +69,9 @@ TEST_CASE("another scene under the same name is no regression, but is said") {
 
 TEST_CASE("a file that is no report is refused by its name") {
   const json good = reportOf({});
-  for (const json& bad : {json::object(), json::array(), json(3), json{{"schema", "other/1"}},
-                          json{{"schema", "candela-bench/1"}}, reportOf({json::object()}), reportOf({json(1)}),
-                          json{{"schema", "candela-bench/1"}, {"rows", 3}}}) {
+  for (const json& bad :
+       {json::object(), json::array(), json(3), json{{"schema", "other/1"}}, json{{"schema", "candela-bench/1"}},
+        reportOf({json::object()}), reportOf({json(1)}), json{{"schema", "candela-bench/1"}, {"rows", 3}}}) {
     INFO(bad.dump());
     CHECK_THROWS_AS(compare(good, bad), FileError);
     CHECK_THROWS_WITH(compare(bad, good), Contains("old.json: not a report of candela bench"));

@@ -26,9 +26,10 @@ Measurement measurementOf(const std::string& name, double seconds) {
 }
 
 SweepReport report() {
-  SweepReport report{.repeats = 3, .rows = {{"a.p3f", 1, measurementOf("workgroup=8x8", 2)},
-                                            {"a.p3f", 1, measurementOf("workgroup=<16>", 1)},
-                                            {"b.p3f", 2, measurementOf("workgroup=8x8", 4)}}};
+  SweepReport report{.repeats = 3,
+                     .rows = {{"a.p3f", 1, measurementOf("workgroup=8x8", 2)},
+                              {"a.p3f", 1, measurementOf("workgroup=<16>", 1)},
+                              {"b.p3f", 2, measurementOf("workgroup=8x8", 4)}}};
   report.rows[2].measurement.agrees = false;
   return report;
 }
@@ -63,14 +64,16 @@ TEST_CASE("a variant whose film differs has no figures, and the report does not 
 TEST_CASE("of each scene that has a score the fastest variant makes a line to paste") {
   const std::string text = toText(report());
   const std::string lines = text.substr(text.rfind("\n\n") + 2);
-  CHECK_THAT(lines, Contains("some driver 1.2 | a.p3f 10x10 x 16 spp | workgroup=<16> | 1.000 Msamples/s, 4.00 Mrays/s | median of 3, spread 150 %"));
+  CHECK_THAT(lines, Contains("some driver 1.2 | a.p3f 10x10 x 16 spp | workgroup=<16> | 1.000 Msamples/s, 4.00 Mrays/s "
+                             "| median of 3, spread 150 %"));
   CHECK_THAT(lines, !Contains("b.p3f"));
 }
 
 TEST_CASE("the drawing has a bar for each variant, as long as its rate, and its labels are text") {
   const std::string svg = toSvg(report());
   CHECK_THAT(svg, Contains("workgroup=&lt;16&gt;") && !Contains("<16>"));
-  CHECK_THAT(svg, Contains("width=\"200.0\"") && Contains("width=\"100.0\"") && Contains("width=\"0.0\""));  // 400 are 2 Msamples/s
+  CHECK_THAT(svg, Contains("width=\"200.0\"") && Contains("width=\"100.0\"") &&
+                      Contains("width=\"0.0\""));  // 400 are 2 Msamples/s
   CHECK_THAT(svg, Contains("(differs)"));
 }
 

@@ -12,21 +12,23 @@ using nlohmann::json;
 
 // Runs `bench SCENE` with more words.
 ProgramResult benchScene(const TemporaryFolder& folder, const std::vector<std::string>& words) {
-  std::vector<std::string> all{"bench", folder.write("a.p3f", smallScene()), "--device", "cpu", "--repeat", "1", "--spp", "1"};
+  std::vector<std::string> all{
+      "bench", folder.write("a.p3f", smallScene()), "--device", "cpu", "--repeat", "1", "--spp", "1"};
   all.insert(all.end(), words.begin(), words.end());
   return runCandela(all);
 }
 
 TEST_CASE("bench SCENE renders every combination of the options that are swept") {
   const TemporaryFolder folder;
-  const ProgramResult result =
-      benchScene(folder, {"--sweep", "accel=none,grid", "--sweep", "threads=1,2", "--json", "-", "--svg", folder.path("a.svg")});
+  const ProgramResult result = benchScene(
+      folder, {"--sweep", "accel=none,grid", "--sweep", "threads=1,2", "--json", "-", "--svg", folder.path("a.svg")});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   const json report = json::parse(result.out);
   std::vector<std::string> names;
   for (const json& row : report["rows"]) names.push_back(row["variant"]);
-  CHECK(names == std::vector<std::string>{"accel=none threads=1", "accel=none threads=2", "accel=grid threads=1", "accel=grid threads=2"});
+  CHECK(names == std::vector<std::string>{"accel=none threads=1", "accel=none threads=2", "accel=grid threads=1",
+                                          "accel=grid threads=2"});
   CHECK(report["rows"][0]["structure"] == "none");
   CHECK(report["rows"][2]["structure"] == "grid");
   CHECK(report["rows"][0]["filmHash"] == report["rows"][3]["filmHash"]);
@@ -36,7 +38,8 @@ TEST_CASE("bench SCENE renders every combination of the options that are swept")
 
 TEST_CASE("options that decide the image may be swept, and each image is compared with its like alone") {
   const TemporaryFolder folder;
-  const ProgramResult result = benchScene(folder, {"--sweep", "nee=on,off", "--sweep", "accel=none,bvh", "--json", "-"});
+  const ProgramResult result = benchScene(folder,
+                                          {"--sweep", "nee=on,off", "--sweep", "accel=none,bvh", "--json", "-"});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   const json rows = json::parse(result.out)["rows"];

@@ -60,7 +60,9 @@ TEST_CASE("a flat box has no edges across") {
 
 TEST_CASE("the boxes are those of the tree that the renderer builds") {
   const std::vector<Aabb> bounds = boundPrimitives(parseScene(row(), "a", ".").scene).bounds;
-  const auto nodesBy = [&](BvhSplit split) { return buildHierarchy(bounds, split, BuildQuality::standard).nodes.size(); };
+  const auto nodesBy = [&](BvhSplit split) {
+    return buildHierarchy(bounds, split, BuildQuality::standard).nodes.size();
+  };
   CHECK(nodesBy(BvhSplit::sah) != nodesBy(BvhSplit::midpoint));
   CHECK(boxesOf(row()).cones.size() == 12 * nodesBy(BvhSplit::sah));
   CHECK(boxesOf(row(), {"--bvh-split", "midpoint"}).cones.size() == 12 * nodesBy(BvhSplit::midpoint));
@@ -83,8 +85,8 @@ TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
   REQUIRE(runCandela({"boxes", folder.write("a.nff", scene), "-o", boxes}).exitCode == 0);
   for (const char* integrator : {"path", "whitted"}) {
     const std::string image = folder.path("a.pfm");
-    const std::vector<std::string> words{boxes,      "--device", "cpu", "--integrator",
-                                         integrator, "--size",   "128x96", "-o", image};
+    const std::vector<std::string> words{boxes,    "--device", "cpu", "--integrator", integrator,
+                                         "--size", "128x96",   "-o",  image};
     REQUIRE(runCandela(words).exitCode == 0);
     const Image seen = readImage(image);
     float brightest = 0;

@@ -92,7 +92,8 @@ class Repository {
   }
 
   ProgramResult run(const std::string& script) const {
-    return runProgram("/bin/sh", {"-c", "cd \"$0\" && PATH=\"$0/bin:$PATH\" && exec sh -eu -c \"$1\"", folder_.path(""), script});
+    return runProgram("/bin/sh",
+                      {"-c", "cd \"$0\" && PATH=\"$0/bin:$PATH\" && exec sh -eu -c \"$1\"", folder_.path(""), script});
   }
   void write(const std::string& name, const std::string& content) const { folder_.write(name, content); }
   bool has(const std::string& name) const { return fs::exists(folder_.path(name)); }
@@ -108,7 +109,8 @@ TEST_CASE("every block of the page on continuous integration is one that is chec
   REQUIRE_FALSE(page.blocks.empty());
   for (const MarkedBlock& block : page.blocks) {
     INFO("docs/ci.md:" << block.line << ": mark \"" << block.mark << "\"");
-    const bool known = block.mark == "workflow" || block.mark == "packages" || fileOf(block.mark) || expectationOf(block.mark);
+    const bool known = block.mark == "workflow" || block.mark == "packages" || fileOf(block.mark) ||
+                       expectationOf(block.mark);
     CHECK(known);
   }
   CHECK(captured(page.prose, "(    .*)").empty());  // indented code would be a block without a mark
@@ -118,7 +120,8 @@ TEST_CASE("the page on continuous integration installs the packages that Candela
   const MarkedPage page = readPage();
   CHECK(installedBy(theBlock(page, "packages").text) == packagesToRun());
   std::set<std::string> extra;
-  for (const std::string& line : captured(theBlock(page, "workflow").text, " *- run: (apt-get .*)")) extra.merge(installedBy(line));
+  for (const std::string& line : captured(theBlock(page, "workflow").text, " *- run: (apt-get .*)"))
+    extra.merge(installedBy(line));
   CHECK(extra == std::set<std::string>{"ca-certificates", "git"});  // of the step that fetches the repository
 }
 
@@ -165,11 +168,13 @@ TEST_CASE("every command of the page on continuous integration ends as the page 
 TEST_CASE("the page on continuous integration has the program's exit codes, and no option that there is not") {
   const MarkedPage page = readPage();
   const std::string help = cli::helpText(std::nullopt);
-  CHECK(captured(page.prose, "\\| ([0-9]+) \\|.*") == captured(help.substr(help.find("Exit codes:")), " +([0-9]+)  .*"));
+  CHECK(captured(page.prose, "\\| ([0-9]+) \\|.*") ==
+        captured(help.substr(help.find("Exit codes:")), " +([0-9]+)  .*"));
 
   const std::regex option("`[^`]*(--[a-z][a-z-]*)");
   const auto& table = cli::optionTable();
-  for (auto it = std::sregex_iterator(page.prose.begin(), page.prose.end(), option); it != std::sregex_iterator(); ++it) {
+  for (auto it = std::sregex_iterator(page.prose.begin(), page.prose.end(), option); it != std::sregex_iterator();
+       ++it) {
     const std::string name = (*it)[1];
     INFO(name);
     CHECK(std::ranges::any_of(table, [&](const cli::Option& o) { return o.name() == name; }));

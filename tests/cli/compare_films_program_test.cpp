@@ -69,7 +69,8 @@ TEST_CASE("the option --alpha asks for variance and for two samples in every pix
   const std::string single = renderFilm(folder, "c.exr", "2", "4 4 4", {"--spp", "1"});
   CHECK(runCandela({"compare", a, bare}).exitCode == 0);
   CHECK_THAT(runCandela({"compare", a, bare, "--alpha", "0.01"}).err, Contains("B has no variance"));
-  CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err, Contains("B has pixels of fewer than two samples"));
+  CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err,
+             Contains("B has pixels of fewer than two samples"));
 }
 
 TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met") {
@@ -90,7 +91,8 @@ TEST_CASE("a report of two films is one page, the same each time, and there as a
   const std::string page = folder.path("report.html");
   CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
   const std::string first = readFile(page);
-  CHECK_THAT(first, Contains("A and B show the same light") && Contains("map-t8") && Contains("candela render scene.p3f --spp 16"));
+  CHECK_THAT(first, Contains("A and B show the same light") && Contains("map-t8") &&
+                        Contains("candela render scene.p3f --spp 16"));
   CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
   CHECK(readFile(page) == first);
 

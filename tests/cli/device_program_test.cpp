@@ -84,7 +84,8 @@ TEST_CASE("what was asked for is in use, and changes no bit of the film", "[swif
   CHECK(waves["kernel"] == "wavefront");
   CHECK(waves["rays"] == plain["rays"]);
   CHECK(waves["traversalSteps"] == plain["traversalSteps"]);
-  for (const json& other : {grouped, brute, grid, midpoint, high, chopped, waves}) CHECK(other["filmHash"] == plain["filmHash"]);
+  for (const json& other : {grouped, brute, grid, midpoint, high, chopped, waves})
+    CHECK(other["filmHash"] == plain["filmHash"]);
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 
@@ -118,7 +119,8 @@ TEST_CASE("compare SCENE finds both Whitted tracers in agreement") {
 TEST_CASE("compare SCENE finds wavefront and reference in agreement, path by path") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
-  const ProgramResult result = runOnDevice({"compare", scene, "--size", "64x48", "--kernel", "wavefront", "--spp", "1"});
+  const ProgramResult result = runOnDevice(
+      {"compare", scene, "--size", "64x48", "--kernel", "wavefront", "--spp", "1"});
   INFO(result.out << result.err);
   CHECK(result.exitCode == 0);
   CHECK(contains(result.out, "they agree"));
@@ -190,12 +192,13 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
 
 TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same", "[swiftshader-slow]") {
   const TemporaryFolder folder;
-  const std::string scene = folder.write(
-      "bright.p3f",
-      "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\nf 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
+  const std::string scene = folder.write("bright.p3f",
+                                         "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\nf 0 0 "
+                                         "0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
   const std::string junit = folder.path("verdict.xml");
   const ProgramResult compared = runOnDevice({"compare", scene, "--spp", "4", "--json", "-", "--strict"});
-  const ProgramResult verified = runOnDevice({"verify", scene, "--bias", "5%", "--json", "-", "--junit", junit, "--strict"});
+  const ProgramResult verified = runOnDevice(
+      {"verify", scene, "--bias", "5%", "--json", "-", "--junit", junit, "--strict"});
   for (const ProgramResult& result : {compared, verified}) {
     INFO(result.out << result.err);
     REQUIRE(result.exitCode == 3);

@@ -22,8 +22,8 @@ TEST_CASE("explain prints two equal paths, and the same as JSON") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string file = folder.path("a.json");
-  const ProgramResult result =
-      runOnDevice({"explain", scene, "--pixel", "8,6", "--sample", "3", "--seed", "2", "--json", file});
+  const ProgramResult result = runOnDevice(
+      {"explain", scene, "--pixel", "8,6", "--sample", "3", "--seed", "2", "--json", file});
   INFO(result.out << result.err);
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("a.p3f, pixel 8,6, sample 3, seed 2: ") && Contains("The two paths agree: ") &&

@@ -1,4 +1,5 @@
-// A Markdown page whose fenced blocks say in a comment above them, which readers do not see, what a test does with them.
+// A Markdown page whose fenced blocks say in a comment above them, which readers do not see, what a test does with
+// them.
 #pragma once
 #include <string>
 #include <vector>

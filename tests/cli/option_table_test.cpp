@@ -21,8 +21,8 @@ namespace {
 // The first row of the name, or the one for a command.
 const Option& find(const std::string& name, std::optional<Command> command = std::nullopt) {
   const auto& table = optionTable();
-  const auto found =
-      std::ranges::find_if(table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
+  const auto found = std::ranges::find_if(
+      table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
   REQUIRE(found != table.end());
   return *found;
 }

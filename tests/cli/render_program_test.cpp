@@ -62,32 +62,13 @@ TEST_CASE("the report has every promised figure") {
   REQUIRE(result.exitCode == 0);
   CHECK(result.err.empty());
   const json report = json::parse(result.out);
-  for (const char* key : {"msamplesPerSecond",
-                          "mraysPerSecond",
-                          "verticesPerSample",
-                          "traversalSteps",
-                          "workgroup",
-                          "auto",
-                          "structure",
-                          "bvhSplit",
-                          "bvhQuality",
-                          "kernel",
-                          "device",
-                          "driver",
-                          "truncated",
-                          "badSamples",
-                          "seconds",
-                          "rays",
-                          "dispatch",
-                          "structureQuality",
-                          "sceneHash",
-                          "filmHash",
-                          "settings",
-                          "samples",
-                          "tile",
-                          "segmentsPerDispatch",
-                          "threads",
-                          "version"}) {
+  for (
+      const char* key :
+      {"msamplesPerSecond", "mraysPerSecond", "verticesPerSample", "traversalSteps", "workgroup", "auto",
+       "structure",         "bvhSplit",       "bvhQuality",        "kernel",         "device",    "driver",
+       "truncated",         "badSamples",     "seconds",           "rays",           "dispatch",  "structureQuality",
+       "sceneHash",         "filmHash",       "settings",          "samples",        "tile",      "segmentsPerDispatch",
+       "threads",           "version"}) {
     INFO(key);
     CHECK(report.contains(key));
   }
@@ -114,7 +95,8 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
     const ProgramResult result = runCandela(words);
     INFO(result.err);
     REQUIRE(result.exitCode == 0);
-    return result.err.find("--bvh-quality changes nothing here: it is for --accel bvh with --bvh-split sah") != std::string::npos;
+    return result.err.find("--bvh-quality changes nothing here: it is for --accel bvh with --bvh-split sah") !=
+           std::string::npos;
   };
   CHECK(saysSo({"--bvh-split", "midpoint"}));
   CHECK(saysSo({"--accel", "grid"}));
@@ -124,7 +106,8 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
 TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
-  const ProgramResult result = runCandela({scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
+  const ProgramResult result = runCandela(
+      {scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   CHECK(result.err.find("--nee changes nothing here: it is for --integrator path") != std::string::npos);
@@ -233,8 +216,8 @@ TEST_CASE("Ctrl-C writes what was done and exits with 7") {
   const std::string exr = folder.path("a.exr");
   Surroundings surroundings;
   surroundings.interruptAfter = std::chrono::milliseconds(400);
-  const ProgramResult result =
-      runCandela({scene, "-o", exr, "--device", "cpu", "--size", "512x384", "--spp", "5000"}, surroundings);
+  const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--size", "512x384", "--spp", "5000"},
+                                          surroundings);
   INFO(result.err);
   CHECK(result.exitCode == 7);
   CHECK(contains(result.err, "interrupted"));
@@ -262,8 +245,8 @@ TEST_CASE("the wavefront is refused where no paths are traced") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const char* integrator : {"whitted", "ao"}) {
-    const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu", "--integrator", integrator,
-                                             "--kernel", "wavefront"});
+    const ProgramResult result = runCandela(
+        {scene, "-o", folder.path("a.png"), "--device", "cpu", "--integrator", integrator, "--kernel", "wavefront"});
     CHECK(result.exitCode == 1);
     CHECK(contains(result.err, "--kernel wavefront: is for --integrator path alone"));
   }

@@ -25,8 +25,8 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
   const std::string report = folder.path("a.json");
-  const ProgramResult result =
-      runCandela({scene, "-o", exr, "--json", report, "--device", "cpu", "--spp", "4", "--seed", "3", "-q"});
+  const ProgramResult result = runCandela(
+      {scene, "-o", exr, "--json", report, "--device", "cpu", "--spp", "4", "--seed", "3", "-q"});
   CHECK(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("samples in") && Contains("the first is sample 0; replay: candela explain ") &&
                              Contains("--seed 3") && Contains("--sample 0"));
@@ -37,11 +37,13 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
   CHECK(image.badSampleCounts[0] == 0);
   CHECK(statistics["badSamples"] == badSampleCount(image));
   const auto badPixels = image.badSampleCounts.size() -
-                         static_cast<std::size_t>(std::count(image.badSampleCounts.begin(), image.badSampleCounts.end(), 0u));
+                         static_cast<std::size_t>(
+                             std::count(image.badSampleCounts.begin(), image.badSampleCounts.end(), 0u));
   CHECK(statistics["badPixels"] == badPixels);
   REQUIRE(statistics["firstBadPixels"].size() == std::min<std::size_t>(badPixels, 5));
   const json& first = statistics["firstBadPixels"][0];
-  CHECK(first["badSamples"] == image.badSampleCounts[first["y"].get<std::size_t>() * 8 + first["x"].get<std::size_t>()]);
+  CHECK(first["badSamples"] ==
+        image.badSampleCounts[first["y"].get<std::size_t>() * 8 + first["x"].get<std::size_t>()]);
   CHECK_THAT(result.err, Contains(first["replay"].get<std::string>()));
 }
 

@@ -107,8 +107,8 @@ TEST_CASE("what was tuned is in use wherever an option is auto, says so, and cha
   const Home home;
   const json plain = home.render();
   CHECK(plain["auto"] == "built-in");
-  const std::string file =
-      home.keep(tune::candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}}));
+  const std::string file = home.keep(
+      tune::candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}}));
   const json tuned = home.render();
   CHECK(tuned["layout"] == "bvh2");
   CHECK(tuned["sceneLoads"] == "storage");
@@ -136,8 +136,8 @@ TEST_CASE("devices say whether they are tuned, and benchmarks use it", "[swiftsh
   CHECK(std::ranges::any_of(json::parse(runCandela({"devices", "--json", "-"}, surroundings).out)["devices"], isTuned));
   CHECK_THAT(runCandela({"devices"}, surroundings).out,
              Contains("tuned 2026-01-31T12:00:00Z: layout=bvh2 loads=texel workgroup=16x8"));
-  const ProgramResult bench =
-      home.run({"bench", home.scene(), "--size", "8x8", "--spp", "1", "--repeat", "1", "--json", "-"});
+  const ProgramResult bench = home.run(
+      {"bench", home.scene(), "--size", "8x8", "--spp", "1", "--repeat", "1", "--json", "-"});
   REQUIRE(bench.exitCode == 0);
   CHECK(json::parse(bench.out)["rows"][0]["workgroup"] == "16x8");
   const ProgramResult rays = home.run({"bench", "rays", home.scene(), "--size", "8x8", "--repeat", "1", "--json", "-"});

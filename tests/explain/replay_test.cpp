@@ -125,8 +125,8 @@ TEST_CASE("the two tracers' replays agree where their pixels do, and part by the
   std::uint32_t agreeing = 0;
   forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
     const std::size_t pixel = std::size_t{y} * settings.size.width + x;
-    const explain::Explanation explanation =
-        explain::explainSample(scene, settings, {x, y, 0}, deviceTracer(), referenceTracer());
+    const explain::Explanation explanation = explain::explainSample(scene, settings, {x, y, 0}, deviceTracer(),
+                                                                    referenceTracer());
     agreeing += explanation.firstDifference ? 0 : 1;
     CAPTURE(x, y, explanation.verdict());
     if (explain::colour("pixel", a.film.mean(x, y), b.film.mean(x, y)).differs) CHECK(explanation.firstDifference);

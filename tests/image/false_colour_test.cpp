@@ -1,9 +1,10 @@
 // Depths and costs as 8-bit pixels.
+#include "host/image/false_colour.h"
+
 #include <catch2/catch.hpp>
 #include <limits>
 
 #include "host/image/colour_map.h"
-#include "host/image/false_colour.h"
 
 using namespace candela;
 

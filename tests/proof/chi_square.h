@@ -19,8 +19,8 @@ struct ChiSquareTest {
 /// quadrature left. With fewer than two pools there is nothing to test, and the p-value is 1.
 ChiSquareTest chiSquare(std::span<const double> observed, std::span<const double> expected);
 
-/// Fails the running test case unless the counts agree with what is expected, at a level that lets the suite of all such
-/// checks, on one side, give a false alarm in one of a thousand choices of its seeds (after Sidak).
+/// Fails the running test case unless the counts agree with what is expected, at a level that lets the suite of all
+/// such checks, on one side, give a false alarm in one of a thousand choices of its seeds (after Sidak).
 void checkCounts(std::span<const double> observed, std::span<const double> expected);
 
 }  // namespace candela::proof

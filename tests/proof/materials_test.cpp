@@ -28,11 +28,13 @@ struct SmoothMaterial {
   double dielectricShare;  // and of the dielectric
 };
 
-const std::vector<SmoothMaterial> kSmooth{
-    {diffuseMaterial({0.8f, 0.5f, 0.2f}), 0, 0},          {mixtureMaterial(0, 0.9f, 0), 1, 0},
-    {mixtureMaterial(0, 0.9f, 5), 1, 0},                  {mixtureMaterial(0, 0.9f, 50), 1, 0},
-    {mixtureMaterial(0, 0.9f, 100), 1, 0},                {mixtureMaterial(0.5f, 0.3f, 20), 0.375, 0},
-    {mixtureMaterial(0.3f, 0.4f, 5, 0.3f, 1.5f), 0.4, 0.3}};
+const std::vector<SmoothMaterial> kSmooth{{diffuseMaterial({0.8f, 0.5f, 0.2f}), 0, 0},
+                                          {mixtureMaterial(0, 0.9f, 0), 1, 0},
+                                          {mixtureMaterial(0, 0.9f, 5), 1, 0},
+                                          {mixtureMaterial(0, 0.9f, 50), 1, 0},
+                                          {mixtureMaterial(0, 0.9f, 100), 1, 0},
+                                          {mixtureMaterial(0.5f, 0.3f, 20), 0.375, 0},
+                                          {mixtureMaterial(0.3f, 0.4f, 5, 0.3f, 1.5f), 0.4, 0.3}};
 
 // Steep, middling and grazing, on no axis.
 const std::vector<dvec3> kViews{directionAt(0.98, 0.05), directionAt(0.6, 0.32), directionAt(0.15, 0.81)};
@@ -103,8 +105,10 @@ TEST_CASE("directions of every lobe and mixture are found with the density that 
     }
     expected.addOutside(std::max(0.0, kSamples * (1 - above)));
     for (const Scattered& sample : sampled(leaves, material, wo, numbers)) {
-      if (isSmooth(sample.lobe)) observed.add({sample.wi.z, turns(sample.wi.x, sample.wi.y)});
-      else observed.addOutside();
+      if (isSmooth(sample.lobe))
+        observed.add({sample.wi.z, turns(sample.wi.x, sample.wi.y)});
+      else
+        observed.addOutside();
     }
     checkCounts(observed.counts(), expected.counts());
   });
@@ -219,7 +223,7 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
 }
 
 TEST_CASE("lobes are chosen with their shares of the weights") {
-  const Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);  // ior 1 reflects nothing at steep angles
+  const Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);    // ior 1 reflects nothing at steep angles
   const Material tooMuch = mixtureMaterial(0.8f, 0.8f, 8, 0.4f, 1.0f);  // scaled to 0.4, 0.4 and 0.2
   const MaterialLeaves leaves({three, tooMuch});
   const std::vector<std::vector<double>> shares{{2.0 / 6, 3.0 / 6, 1.0 / 6}, {0.4, 0.4, 0.2}};

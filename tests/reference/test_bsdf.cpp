@@ -143,9 +143,10 @@ TEST_CASE("directions are sampled with the density that is stated") {
     for (int row = 0; row < kRows * kPoints; ++row) {
       for (int column = 0; column < kColumns * kPoints; ++column) {
         const double cosTheta = (row + 0.5) / (kRows * kPoints), phi = 2 * kPi * (column + 0.5) / (kColumns * kPoints);
-        expected[static_cast<std::size_t>(row / kPoints * kColumns + column / kPoints)] +=
-            kSamples * bsdf.evaluate(wo, direction(cosTheta, phi)).pdf * 2 * kPi /
-            (kRows * kPoints * kColumns * kPoints);
+        expected[static_cast<std::size_t>(row / kPoints * kColumns +
+                                          column / kPoints)] += kSamples *
+                                                                bsdf.evaluate(wo, direction(cosTheta, phi)).pdf * 2 *
+                                                                kPi / (kRows * kPoints * kColumns * kPoints);
       }
     }
     for (int i = 0; i < kSamples; ++i) {

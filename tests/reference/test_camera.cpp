@@ -63,7 +63,9 @@ TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre
 TEST_CASE("without jitter rays go through pixels' centres, or through the corners of a grid of one pixel less") {
   RenderSettings settings = test::settingsOf(5, 3, 1);
   settings.integrator = Integrator::whitted;
-  const auto at = [&](std::uint32_t x, std::uint32_t y) { return crossing(generate(lookingAtOrigin(), settings, x, y), 0); };
+  const auto at = [&](std::uint32_t x, std::uint32_t y) {
+    return crossing(generate(lookingAtOrigin(), settings, x, y), 0);
+  };
   const auto isNear = [](const dvec2& a, const dvec2& b) { return length(a - b) < 1e-12; };
   // The view is 8 high; centres are 8 / 3 apart, corners 8 / 2.
   CHECK(isNear(at(2, 1), {0, 0}));

@@ -98,9 +98,11 @@ TEST_CASE("with several samples pixels are jittered, with one they are not") {
   settings.size = {16, 16};
   settings.recordPaths = false;
   std::uint64_t seeds[2];
-  for (settings.seed = 0; settings.seed < 2; ++settings.seed) seeds[settings.seed] = render(b.scene, settings).film.hash();
+  for (settings.seed = 0; settings.seed < 2; ++settings.seed)
+    seeds[settings.seed] = render(b.scene, settings).film.hash();
   CHECK(seeds[0] == seeds[1]);
   settings.sampleCount = 2;
-  for (settings.seed = 0; settings.seed < 2; ++settings.seed) seeds[settings.seed] = render(b.scene, settings).film.hash();
+  for (settings.seed = 0; settings.seed < 2; ++settings.seed)
+    seeds[settings.seed] = render(b.scene, settings).film.hash();
   CHECK(seeds[0] != seeds[1]);
 }

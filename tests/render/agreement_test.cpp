@@ -1,7 +1,7 @@
 // The comparison names the decision in which two paths part.
-#include <catch2/catch.hpp>
-
 #include "host/render/agreement.h"
+
+#include <catch2/catch.hpp>
 
 using namespace candela;
 

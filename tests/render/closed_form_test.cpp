@@ -9,8 +9,8 @@ namespace {
 
 // A closed sphere, seen from inside, whose surface has albedo `albedo` and emission 1.
 Scene furnace(const std::string& albedo) {
-  return sceneFromText("v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 60\nhither 0\nresolution 16 16\nf " + albedo + " " + albedo +
-                       " " + albedo + " 1 0 0 0 0 1 0 1 1 1 1\ns 0 0 0 3\n");
+  return sceneFromText("v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 60\nhither 0\nresolution 16 16\nf " + albedo + " " +
+                       albedo + " " + albedo + " 1 0 0 0 0 1 0 1 1 1 1\ns 0 0 0 3\n");
 }
 
 // Without roulette every path has the exact value, up to what lies beyond the depth limit: 0.8^100 = 2e-10.

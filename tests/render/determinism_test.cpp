@@ -38,7 +38,7 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
     RenderSettings settings = baseSettings();
     settings.segmentsPerDispatch = segments;
     settings.bvhLayout = BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
-    settings.tile = settings.size;  // so that the number of dispatches depends on nothing else
+    settings.tile = settings.size;          // so that the number of dispatches depends on nothing else
     const RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.maxSegmentsPerDispatch == segments);

@@ -71,11 +71,8 @@ TEST_CASE("samplers, filters and lenses agree with the reference", "[swiftshader
   using enum FilterKind;
   using enum LensKind;
   // Every filter with every lens, every sampler at least once.
-  const auto [sampler, filter, lens] =
-      GENERATE(table<SamplerKind, FilterKind, LensKind>({{independent, box, square},
-                                                         {stratified, tent, disc},
-                                                         {sobol, box, disc},
-                                                         {sobol, tent, square}}));
+  const auto [sampler, filter, lens] = GENERATE(table<SamplerKind, FilterKind, LensKind>(
+      {{independent, box, square}, {stratified, tent, disc}, {sobol, box, disc}, {sobol, tent, square}}));
   const Scene scene = loadTestScene("depth_of_field.p3f");
   RenderSettings settings = squareSettings(64, 1);
   settings.sampler = sampler;
@@ -93,8 +90,8 @@ TEST_CASE("depth limit and roulette agree with the reference") {
 }
 
 // A row of objects on a floor: a sphere that is seen from inside only, with the camera outside; a flat box of glass; a
-// box so thin that it is flat at its distance; a lamp that lets light through; a capped mixture in white light; and, above
-// them, the back of a triangle with normals of its own.
+// box so thin that it is flat at its distance; a lamp that lets light through; a capped mixture in white light; and,
+// above them, the back of a triangle with normals of its own.
 const char* const kSeldomMet = R"(
 b 0.3 0.4 0.5
 v

@@ -15,8 +15,8 @@ Scene tooBright() {
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 1\n");
 }
 
-// Balls under a point light that nearly is the brightest a number can say: in single precision pi times it is infinite, and
-// a red ball's green is 0 times that.
+// Balls under a point light that nearly is the brightest a number can say: in single precision pi times it is infinite,
+// and a red ball's green is 0 times that.
 Scene overflowing() {
   return sceneFromText(
       "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"

@@ -1,6 +1,8 @@
 // Exact Fresnel on the device and in the reference, against closed forms that neither computes. (The programs that such
 // pictures come from divide integers where the reflectance at normal incidence is due, so that their glass never
 // reflects; these cases would tell.)
+#include "host/reference/fresnel.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -8,7 +10,6 @@
 #include <numbers>
 #include <vector>
 
-#include "host/reference/fresnel.h"
 #include "spirv/fresnel_leaf.h"
 #include "tests/render/run_leaf.h"
 
@@ -27,7 +28,8 @@ struct Incidence {
 std::vector<double> onDevice(const std::vector<Incidence>& rays) {
   std::vector<glm::vec2> inputs;
   for (const Incidence& ray : rays) inputs.push_back({std::cos(ray.angle), ray.index});
-  const auto outputs = runLeaf<glm::vec2>(spirv::fresnel_leaf, inputs, rays.size(), {static_cast<std::uint32_t>(rays.size()), 0});
+  const auto outputs = runLeaf<glm::vec2>(spirv::fresnel_leaf, inputs, rays.size(),
+                                          {static_cast<std::uint32_t>(rays.size()), 0});
   std::vector<double> values;
   for (const glm::vec2& output : outputs) values.push_back(output.x);
   return values;
@@ -35,7 +37,8 @@ std::vector<double> onDevice(const std::vector<Incidence>& rays) {
 
 std::vector<double> onReference(const std::vector<Incidence>& rays) {
   std::vector<double> values;
-  for (const Incidence& ray : rays) values.push_back(reference::fresnel(std::cos(ray.angle), 1 / ray.index).reflectance);
+  for (const Incidence& ray : rays)
+    values.push_back(reference::fresnel(std::cos(ray.angle), 1 / ray.index).reflectance);
   return values;
 }
 
@@ -78,10 +81,8 @@ TEST_CASE("at Brewster's angle only the perpendicular half is left") {
 TEST_CASE("everything is reflected at grazing incidence and beyond the critical angle, not before it") {
   onBothSides([](const Evaluate& evaluate) {
     const double critical = std::asin(1 / 1.5);
-    const auto values = evaluate({{89.999 * kDegree, 1.5},
-                                  {critical + 1e-3, 1 / 1.5},
-                                  {60 * kDegree, 1 / 1.5},
-                                  {critical - 1e-3, 1 / 1.5}});
+    const auto values = evaluate(
+        {{89.999 * kDegree, 1.5}, {critical + 1e-3, 1 / 1.5}, {60 * kDegree, 1 / 1.5}, {critical - 1e-3, 1 / 1.5}});
     CHECK(values[0] == Approx(1).margin(1e-3));
     CHECK(values[1] == 1);
     CHECK(values[2] == 1);

@@ -64,32 +64,33 @@ class Module {
   std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> offsets_;
 };
 
-#define MEMBER(type, member) {#member, static_cast<std::uint32_t>(offsetof(gpu::type, member))}
+#define MEMBER(type, member) \
+  { #member, static_cast < std::uint32_t>(offsetof(gpu::type, member)) }
 
 }  // namespace
 
 TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   const Module module(spirv::path);
-  CHECK(module.offsetsOf("RenderConstants") ==
-        Offsets{MEMBER(RenderConstants, cameraOrigin), MEMBER(RenderConstants, cameraForward),
-                MEMBER(RenderConstants, cameraRight), MEMBER(RenderConstants, cameraUp),
-                MEMBER(RenderConstants, lensRight), MEMBER(RenderConstants, lensUp), MEMBER(RenderConstants, background),
-                MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
-                MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, gridLow),
-                MEMBER(RenderConstants, gridHigh), MEMBER(RenderConstants, gridScale), MEMBER(RenderConstants, gridWidth),
-                MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides)});
+  CHECK(
+      module.offsetsOf("RenderConstants") ==
+      Offsets{MEMBER(RenderConstants, cameraOrigin), MEMBER(RenderConstants, cameraForward),
+              MEMBER(RenderConstants, cameraRight), MEMBER(RenderConstants, cameraUp),
+              MEMBER(RenderConstants, lensRight), MEMBER(RenderConstants, lensUp), MEMBER(RenderConstants, background),
+              MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
+              MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, gridLow),
+              MEMBER(RenderConstants, gridHigh), MEMBER(RenderConstants, gridScale), MEMBER(RenderConstants, gridWidth),
+              MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
         Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
-  CHECK(module.offsetsOf("PathState") ==
-        Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving), MEMBER(PathState, throughputDepth),
-                MEMBER(PathState, radianceSample), MEMBER(PathState, counts)});
+  CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving),
+                                                 MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
+                                                 MEMBER(PathState, counts)});
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
                                                 MEMBER(FilmRows, luminanceSquared)});
-  CHECK(module.offsetsOf("Counters") ==
-        Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated), MEMBER(Counters, finishedSamples),
-                MEMBER(Counters, unused)});
+  CHECK(module.offsetsOf("Counters") == Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated),
+                                                MEMBER(Counters, finishedSamples), MEMBER(Counters, unused)});
 }
 
 TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin as the megakernel's") {
@@ -100,7 +101,8 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
   CHECK(waves.at("path") == 0);
   CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
                                                  MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
-  for (const char* name : {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
+  for (const char* name :
+       {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
     CAPTURE(name);
     CHECK(module.offsetsOf(name) == Module(spirv::path).offsetsOf(name));
   }
@@ -108,19 +110,19 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
 
 TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C++, and are in no other kernel") {
   const Module module(spirv::replay);
-  const Offsets vertex{
-      MEMBER(TracedVertex, originDistance),   MEMBER(TracedVertex, directionPdf),
-      MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
-      MEMBER(TracedVertex, normalMaterial),   MEMBER(TracedVertex, shadingNormalLobe),
-      MEMBER(TracedVertex, emissionWeight),   MEMBER(TracedVertex, lightDirectionDistance),
-      MEMBER(TracedVertex, lightPlace),       MEMBER(TracedVertex, lightDensities),
-      MEMBER(TracedVertex, lightRadiance),    MEMBER(TracedVertex, nextDirectionPdf),
-      MEMBER(TracedVertex, weightSurvival),   MEMBER(TracedVertex, radiance),
-      MEMBER(TracedVertex, lightNumbers),     MEMBER(TracedVertex, bsdfNumbers)};
+  const Offsets vertex{MEMBER(TracedVertex, originDistance),   MEMBER(TracedVertex, directionPdf),
+                       MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
+                       MEMBER(TracedVertex, normalMaterial),   MEMBER(TracedVertex, shadingNormalLobe),
+                       MEMBER(TracedVertex, emissionWeight),   MEMBER(TracedVertex, lightDirectionDistance),
+                       MEMBER(TracedVertex, lightPlace),       MEMBER(TracedVertex, lightDensities),
+                       MEMBER(TracedVertex, lightRadiance),    MEMBER(TracedVertex, nextDirectionPdf),
+                       MEMBER(TracedVertex, weightSurvival),   MEMBER(TracedVertex, radiance),
+                       MEMBER(TracedVertex, lightNumbers),     MEMBER(TracedVertex, bsdfNumbers)};
   CHECK(vertex.size() * sizeof(gpu::uvec4) == sizeof(gpu::TracedVertex));
   CHECK(module.offsetsOf("TracedVertex") == vertex);
   CHECK(module.offsetsOf("TracedSample") == Offsets{MEMBER(TracedSample, cameraNumbers),
-                                                    MEMBER(TracedSample, radianceCount), MEMBER(TracedSample, vertices)});
+                                                    MEMBER(TracedSample, radianceCount),
+                                                    MEMBER(TracedSample, vertices)});
   CHECK(module.offsetsOf("PathState") == Module(spirv::path).offsetsOf("PathState"));
   CHECK_FALSE(module.mentions("FilmRows"));
   CHECK_FALSE(Module(spirv::path).mentions("TracedVertex"));

@@ -35,9 +35,10 @@ bool isNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) { return
 }  // namespace
 
 TEST_CASE("the samplers agree with the reference bit for bit") {
-  const auto [kind, id] = GENERATE(table<SamplerKind, std::uint32_t>({{SamplerKind::independent, gpu::kSamplerIndependent},
-                                                                      {SamplerKind::stratified, gpu::kSamplerStratified},
-                                                                      {SamplerKind::sobol, gpu::kSamplerSobol}}));
+  const auto [kind,
+              id] = GENERATE(table<SamplerKind, std::uint32_t>({{SamplerKind::independent, gpu::kSamplerIndependent},
+                                                                {SamplerKind::stratified, gpu::kSamplerStratified},
+                                                                {SamplerKind::sobol, gpu::kSamplerSobol}}));
   const std::uint32_t samples = GENERATE(1u, 16u, 225u, 1000u);
   constexpr std::uint32_t kSeed = 12345;
   std::mt19937 engine(5);
@@ -83,12 +84,18 @@ TEST_CASE("the device's film adds up to the host's") {
   for (std::uint32_t i = 0; i < kLanes * kPerLane; ++i) {
     const auto value = [&] {
       switch (random() % 40) {
-        case 0: return std::numeric_limits<float>::quiet_NaN();
-        case 1: return std::numeric_limits<float>::infinity();
-        case 2: return -1.0f;
-        case 3: return 3e6f;
-        case 4: return 1e-45f;  // denormal: adds 0
-        default: return std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 63);
+        case 0:
+          return std::numeric_limits<float>::quiet_NaN();
+        case 1:
+          return std::numeric_limits<float>::infinity();
+        case 2:
+          return -1.0f;
+        case 3:
+          return 3e6f;
+        case 4:
+          return 1e-45f;  // denormal: adds 0
+        default:
+          return std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 63);
       }
     };
     samples.push_back({value(), value(), value(), 0});

@@ -1,7 +1,7 @@
 // Light probabilities against values worked out by hand.
-#include <catch2/catch.hpp>
-
 #include "host/render/light_table.h"
+
+#include <catch2/catch.hpp>
 
 using namespace candela;
 
@@ -14,7 +14,8 @@ Scene lamps() {
   lamp.emission = {2, 2, 2};
   scene.materials = {Material{}, lamp};
   scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
-  scene.primitives = {{PrimitiveKind::triangle, 0, 0}, {PrimitiveKind::triangle, 0, 1}, {PrimitiveKind::triangle, 1, 1}};
+  scene.primitives = {
+      {PrimitiveKind::triangle, 0, 0}, {PrimitiveKind::triangle, 0, 1}, {PrimitiveKind::triangle, 1, 1}};
   return scene;
 }
 

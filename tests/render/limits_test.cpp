@@ -109,8 +109,8 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
 }
 
 TEST_CASE("dispatches leave no memory behind") {
-  // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or has
-  // a loop with such bounds, as the second scene's over its infinite plane.
+  // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or
+  // has a loop with such bounds, as the second scene's over its infinite plane.
   const Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
   RenderSettings settings = squareSettings(16, 1);
   settings.oneSided = true;

@@ -1,7 +1,7 @@
 // The rules that turn an `f` line into lobes, and into what Whitted's tracer reads.
-#include <catch2/catch.hpp>
-
 #include "host/render/lobes.h"
+
+#include <catch2/catch.hpp>
 
 using namespace candela;
 

@@ -96,7 +96,8 @@ TEST_CASE("a terrain scaled into a unit cube has the same hits") {
       const bool meets = expected[i].found.y != gpu::kNoPrimitive;
       const float distance = std::bit_cast<float>(expected[i].found.x);
       met += meets;
-      differing += found[i].found.y != expected[i].found.y || (meets && std::bit_cast<float>(found[i].found.x) != factor * distance);
+      differing += found[i].found.y != expected[i].found.y ||
+                   (meets && std::bit_cast<float>(found[i].found.x) != factor * distance);
     }
     CHECK(met > 100);
     CHECK(differing == 0);

@@ -14,7 +14,8 @@ namespace candela {
 /// Runs push[0] lanes, 64 a workgroup, on `inputs`; both push constants are given. Returns what they wrote.
 template <typename Output, typename Input>
 std::vector<Output> runLeaf(std::span<const std::uint32_t> spirv, const std::vector<Input>& inputs, std::size_t outputs,
-                            std::array<std::uint32_t, 2> push, std::vector<vulkan::Specialisation> specialisations = {}) {
+                            std::array<std::uint32_t, 2> push,
+                            std::vector<vulkan::Specialisation> specialisations = {}) {
   vulkan::Device device = openTestDevice();
   const vulkan::ComputePipeline pipeline(device, spirv,
                                          {.bindings = {2, vulkan::BindingKind::storageBuffer},

@@ -22,7 +22,8 @@ class SceneLeaf {
         scene_(device_, flat_, SceneLoads::storage),
         pipeline_(device_, spirv, optionsFor(flat_, settings)) {}
 
-  /// Runs `lanes` lanes on `inputs`; the push constants are `lanes` and `task`. Returns `outputs` values that they wrote.
+  /// Runs `lanes` lanes on `inputs`; the push constants are `lanes` and `task`. Returns `outputs` values that they
+  /// wrote.
   template <typename Output, typename Input>
   std::vector<Output> run(const std::vector<Input>& inputs, std::size_t outputs, std::size_t lanes,
                           std::uint32_t task = 0) {

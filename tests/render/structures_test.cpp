@@ -102,8 +102,8 @@ Scene crowdedCell() {
   return scene;
 }
 
-// Around one point, at 36 distances that double, three clusters of spheres each: a deep tree, of whose nodes several children
-// are nodes.
+// Around one point, at 36 distances that double, three clusters of spheres each: a deep tree, of whose nodes several
+// children are nodes.
 Scene clustersOfAllSizes() {
   std::mt19937 random(7);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
@@ -113,7 +113,8 @@ Scene clustersOfAllSizes() {
     for (int cluster = 0; cluster < 3; ++cluster) {
       const double x = std::cos(2.1 * cluster) * size, z = std::sin(2.1 * cluster) * size;
       for (int k = 0; k < 6; ++k) {
-        text += fmt::format("s {} {} {} {}\n", x + 0.4 * size * uniform(), 0.4 * size * uniform(), z + 0.4 * size * uniform(), 0.06 * size);
+        text += fmt::format("s {} {} {} {}\n", x + 0.4 * size * uniform(), 0.4 * size * uniform(),
+                            z + 0.4 * size * uniform(), 0.06 * size);
       }
     }
   }
@@ -225,7 +226,8 @@ TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
   requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
-TEST_CASE("a structure that is asked for by name is used even where a few tests in a row would be faster", "[swiftshader-slow]") {
+TEST_CASE("a structure that is asked for by name is used even where a few tests in a row would be faster",
+          "[swiftshader-slow]") {
   const Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
   const RenderSettings settings = shortPaths(16, 1);
@@ -258,9 +260,8 @@ TEST_CASE("a flat scene looks the same through a grid", "[swiftshader-slow]") {
   requireSameFilms({flatScene()}, shortPaths(24, 2), {kWays[0], kWays[3], kWays[5]});
 }
 
-TEST_CASE(
-    "overlapping shells look the same through a grid, and through the coarser one of a device that limits loops",
-    "[swiftshader-slow]") {
+TEST_CASE("overlapping shells look the same through a grid, and through the coarser one of a device that limits loops",
+          "[swiftshader-slow]") {
   const Scene scene = loadSpdScene("shells_1.nff");
   const RenderSettings settings = squareSettings(40, 2);
   requireSameFilms({scene}, settings, {kWays[0], kWays[4], kWays[5]});

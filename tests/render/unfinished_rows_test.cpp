@@ -1,7 +1,7 @@
 // Where work is left is known well enough to size the next dispatch.
-#include <catch2/catch.hpp>
-
 #include "host/render/unfinished_rows.h"
+
+#include <catch2/catch.hpp>
 
 using namespace candela;
 

@@ -53,8 +53,8 @@ TEST_CASE("a plane shows diffuse light, its highlight, its ambient share, its em
 }
 
 TEST_CASE("a light behind the surface, in its plane or behind an obstacle adds nothing") {
-  const auto [light, shadowRays] = GENERATE(table<std::string, std::uint64_t>(
-      {{"l 1 2 -3\n", 0}, {"l 7 0 0\n", 0}, {"l 1 1 2\n", 16}, {"l 1 1 0.5\n", 16}}));
+  const auto [light, shadowRays] = GENERATE(
+      table<std::string, std::uint64_t>({{"l 1 2 -3\n", 0}, {"l 7 0 0\n", 0}, {"l 1 1 2\n", 16}, {"l 1 1 0.5\n", 16}}));
   const bool visible = light == "l 1 1 0.5\n";  // in front of the obstacle at half the distance of the third
   const Scene scene = sceneFromText(view("0 -3 4") + light + "f 1 1 1 1 0 0 0 0 1 0 1\npl 0 0 0 1 0 0 0 1 0\n" +
                                     "f 1 1 1 0 1 1 1 0 1 1 1.5\ns 0.5 0.5 1 0.2\n");
@@ -83,7 +83,8 @@ TEST_CASE("a slab of glass loses what its last rays would bring, by exact Fresne
   const double rs = angle == 0 ? 0.2 : std::sin(angle - refracted) / std::sin(angle + refracted);
   const double rp = angle == 0 ? 0.2 : std::tan(angle - refracted) / std::tan(angle + refracted);
   const double r = (rs * rs + rp * rp) / 2;
-  Scene scene = sceneFromText("b 0.1 0.2 0.4\n" + view("0 0 1") + "f 1 1 1 0 1 1 1 0 1 1 1.5\nbox -1000 -1000 -1 1000 1000 0\n");
+  Scene scene = sceneFromText("b 0.1 0.2 0.4\n" + view("0 0 1") +
+                              "f 1 1 1 0 1 1 1 0 1 1 1.5\nbox -1000 -1000 -1 1000 1000 0\n");
   scene.camera->from = glm::vec3(5 * std::sin(angle), 0, 5 * std::cos(angle));
   onBothTracers([&](const RenderFunction& render) {
     const RenderResult result = render(scene, whittedSettings(4, 5));
@@ -96,8 +97,9 @@ TEST_CASE("a slab of glass loses what its last rays would bring, by exact Fresne
 }
 
 TEST_CASE("inside glass a ray beyond the critical angle is reflected whole, and never gets out") {
-  const Scene scene = sceneFromText("b 1 1 1\nv\nfrom 0.1 0.2 0\nat 1.1 1.2 0\nup 0 0 1\nangle 0.001\nhither 0\nresolution 4 4\n"
-                                    "f 1 1 1 0 1 1 1 0 1 1 1.5\nbox -2 -2 -2 2 2 2\n");
+  const Scene scene = sceneFromText(
+      "b 1 1 1\nv\nfrom 0.1 0.2 0\nat 1.1 1.2 0\nup 0 0 1\nangle 0.001\nhither 0\nresolution 4 4\n"
+      "f 1 1 1 0 1 1 1 0 1 1 1.5\nbox -2 -2 -2 2 2 2\n");
   onBothTracers([&](const RenderFunction& render) {
     const RenderResult result = render(scene, whittedSettings(4, 5));
     CHECK(result.statistics.treeRays->reflected == 4 * 16);
@@ -107,7 +109,8 @@ TEST_CASE("inside glass a ray beyond the critical angle is reflected whole, and 
 }
 
 TEST_CASE("T without an index of refraction shows the local colour alone") {
-  const Scene scene = sceneFromText("b 1 1 1\n" + view("0 0 5") + "l 0 0 9\nf 0.5 0.5 0.5 0.5 1 1 1 0.5 1 1 0\npl 0 0 0 1 0 0 0 1 0\n");
+  const Scene scene = sceneFromText("b 1 1 1\n" + view("0 0 5") +
+                                    "l 0 0 9\nf 0.5 0.5 0.5 0.5 1 1 1 0.5 1 1 0\npl 0 0 0 1 0 0 0 1 0\n");
   onBothTracers([&](const RenderFunction& render) {
     const RenderResult result = render(scene, whittedSettings(4, 4));
     CHECK(result.statistics.bounceRays == 0);

@@ -14,7 +14,9 @@ std::string encoded(const std::string& text) { return base64(std::as_bytes(std::
 TEST_CASE("escaped text can neither open a tag nor leave an attribute") {
   CHECK(escapeHtml("<script>\"'&amp;") == "&lt;script&gt;&quot;&#39;&amp;amp;");
   CHECK(escapeHtml("a\nb\tc \xc3\xa9") == "a\nb\tc \xc3\xa9");
-  CHECK(escapeHtml(std::string("a\0b\x1b[0m\x7f", 8)) == "a\xef\xbf\xbd" "b\xef\xbf\xbd[0m\xef\xbf\xbd");
+  CHECK(escapeHtml(std::string("a\0b\x1b[0m\x7f", 8)) ==
+        "a\xef\xbf\xbd"
+        "b\xef\xbf\xbd[0m\xef\xbf\xbd");
 }
 
 TEST_CASE("a template takes each value as it is, and looks at none of them again") {

@@ -26,8 +26,8 @@ TEST_CASE("a view's entries may come in any order, on any lines") {
 }
 
 TEST_CASE("the 2016 dialect of the view is read, its view distance with a warning") {
-  const LoadedScene loaded =
-      load("v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nfocal 1.5\nview 2\napperture 3\nangle 45\nhither 1\nresolution 8 8\n");
+  const LoadedScene loaded = load(
+      "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nfocal 1.5\nview 2\napperture 3\nangle 45\nhither 1\nresolution 8 8\n");
   CHECK(loaded.scene.camera->aperture == 3);
   CHECK(loaded.scene.camera->focal == 1.5f);
   CHECK(warningWith(loaded, "view plane").line == 6);

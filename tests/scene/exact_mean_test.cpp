@@ -18,7 +18,8 @@ TEST_CASE("a scene may state its mean, of the whole image or of a part") {
 }
 
 TEST_CASE("an answer that cannot be read is an error with its place, not a comment") {
-  for (const char* numbers : {"", " 1 1", " 1 1 1 0", " 1 1 x", " -1 0 0", " 1 1 1 .5 0 .6 1", " 1 1 1 0 0 0 1", " 1 1 nan"}) {
+  for (const char* numbers :
+       {"", " 1 1", " 1 1 1 0", " 1 1 x", " -1 0 0", " 1 1 1 .5 0 .6 1", " 1 1 1 0 0 0 1", " 1 1 nan"}) {
     INFO(numbers);
     const auto errors = errorsOf("b 0 0 0\n# exact-mean:" + std::string(numbers) + "\ns 0 0 0 1\n");
     REQUIRE(errors.size() == 1);

@@ -66,8 +66,8 @@ TEST_CASE("numbers written with nine digits come back bit for bit") {
     expected.push_back(value);
   }
   for (std::size_t i = 0; i < expected.size(); i += 4) {
-    text +=
-        fmt::format("s {:.9g} {:.9g} {:.9g} {:.9g}\n", expected[i], expected[i + 1], expected[i + 2], expected[i + 3]);
+    text += fmt::format("s {:.9g} {:.9g} {:.9g} {:.9g}\n", expected[i], expected[i + 1], expected[i + 2],
+                        expected[i + 3]);
   }
   const Scene scene = sceneOf(text);
   REQUIRE(scene.spheres.size() == expected.size() / 4);

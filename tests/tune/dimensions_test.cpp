@@ -19,7 +19,8 @@ TEST_CASE("the first value of every dimension is what is built in") {
 }
 
 TEST_CASE("a candidate is named by its values, and chooses them") {
-  const Candidate candidate = candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}, {"kernel", "wavefront"}});
+  const Candidate candidate = candidateWith(
+      {{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}, {"kernel", "wavefront"}});
   CHECK(nameOf(candidate) == "layout=bvh2 loads=storage workgroup=16x4 kernel=wavefront");
   const AutomaticChoices choices = choicesOf(candidate);
   CHECK(choices.bvhLayout == BvhLayout::bvh2);

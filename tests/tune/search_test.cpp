@@ -131,8 +131,9 @@ TEST_CASE("a choice whose image differs later is given up") {
 }
 
 TEST_CASE("where the built-in image differs nothing is chosen and nothing else is tried") {
-  const SearchResult result =
-      MadeDevice(Times{{kBuiltIn, {{1, 0, false}, {1}}}, {named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}}).search();
+  const SearchResult result = MadeDevice(Times{{kBuiltIn, {{1, 0, false}, {1}}},
+                                               {named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}})
+                                  .search();
   CHECK_FALSE(result.builtInAgrees);
   CHECK_FALSE(result.agree());
   CHECK(result.rounds.size() == 1);

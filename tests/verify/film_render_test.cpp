@@ -1,5 +1,5 @@
-// The test of two films on real renders: independent samples have the false alarms that were asked for, samples that are
-// spread evenly have fewer.
+// The test of two films on real renders: independent samples have the false alarms that were asked for, samples that
+// are spread evenly have fewer.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -13,12 +13,14 @@ namespace {
 // A mirror ball and a floor under a lamp of this strength; rare paths by the mirror find the lamp: fireflies.
 Scene ballUnderLamp(double strength) {
   const std::string lamp = std::to_string(strength);
-  return parseScene("v\nfrom 0 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 16\n"
-                    "b 0.1 0.2 0.3\n"
-                    "f 0.9 0.9 0.9 0 1 1 1 1 1 0 1\ns 0 0 0 0.5\n"
-                    "f 0.8 0.6 0.4 1 0 0 0 0 1 0 1\np 4\n-3 -3 -0.5\n3 -3 -0.5\n3 3 -0.5\n-3 3 -0.5\n"
-                    "f 1 1 1 1 0 0 0 0 1 0 1 " + lamp + " " + lamp + " " + lamp + "\ns 1 -1 2 0.4\n",
-                    "ball", ".")
+  return parseScene(
+             "v\nfrom 0 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 16\n"
+             "b 0.1 0.2 0.3\n"
+             "f 0.9 0.9 0.9 0 1 1 1 1 1 0 1\ns 0 0 0 0.5\n"
+             "f 0.8 0.6 0.4 1 0 0 0 0 1 0 1\np 4\n-3 -3 -0.5\n3 -3 -0.5\n3 3 -0.5\n-3 3 -0.5\n"
+             "f 1 1 1 1 0 0 0 0 1 0 1 " +
+                 lamp + " " + lamp + " " + lamp + "\ns 1 -1 2 0.4\n",
+             "ball", ".")
       .scene;
 }
 

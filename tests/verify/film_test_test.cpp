@@ -49,7 +49,13 @@ int alarmsOf(int runs, const FilmOptions& a, const FilmOptions& b, double alpha)
 // Two grey pixels.
 Image twoPixels(float left, float right, float leftVariance, float rightVariance, std::uint32_t samples,
                 const std::string& seed) {
-  return {2, 1, {glm::vec3(left), glm::vec3(right)}, {leftVariance, rightVariance}, {samples, samples}, {}, {{kSeedMetadata, seed}}};
+  return {2,
+          1,
+          {glm::vec3(left), glm::vec3(right)},
+          {leftVariance, rightVariance},
+          {samples, samples},
+          {},
+          {{kSeedMetadata, seed}}};
 }
 
 TEST_CASE("the error of a region's mean is the root of the sum of its pixels' variances") {

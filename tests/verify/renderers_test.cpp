@@ -8,7 +8,8 @@ namespace candela::verify {
 namespace {
 
 constexpr int kRuns = 200;
-constexpr double kBias = 0.05;  // as large as keeps 600 runs short; the number of samples is in proportion to 1 / bias^2
+constexpr double
+    kBias = 0.05;  // as large as keeps 600 runs short; the number of samples is in proportion to 1 / bias^2
 
 // A plane under a sphere lamp, partly in the shadow of a ball, by direct light alone: the image is in proportion to the
 // plane's and the ball's albedo, which are one material's.
@@ -50,7 +51,8 @@ int alarmsOf(float deviceAlbedo, double alpha) {
   return alarms;
 }
 
-TEST_CASE("device and reference raise no false alarm in 200 runs, and at alpha 0.05 about as many as asked for", "[slow]") {
+TEST_CASE("device and reference raise no false alarm in 200 runs, and at alpha 0.05 about as many as asked for",
+          "[slow]") {
   CHECK(alarmsOf(0.5f, 1e-4) == 0);
   const int alarms = alarmsOf(0.5f, 0.05);
   CHECK(alarms >= 2);

@@ -38,7 +38,8 @@ TEST_CASE("agreement says how large a difference would have been seen") {
 TEST_CASE("a difference is named with its place, its size and its sign") {
   const VerifyReport report = reportOf(0.98);
   CHECK_FALSE(report.agree());
-  CHECK_THAT(report.verdict(), Contains("do NOT compute the same light") && Contains("image mean") && Contains("darker"));
+  CHECK_THAT(report.verdict(),
+             Contains("do NOT compute the same light") && Contains("image mean") && Contains("darker"));
   CHECK(toJson(report)["sameLight"]["differs"] == true);
 }
 
@@ -52,7 +53,8 @@ TEST_CASE("two sides that agree on a wrong answer fail") {
 TEST_CASE("JUnit has a case for each question, failures among them, and is well-formed whatever a scene is called") {
   CHECK_THAT(toJunit(reportOf(1), false), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
   const std::string failed = toJunit(reportOf(0.98, ExactMean{}), false);
-  CHECK_THAT(failed, Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
+  CHECK_THAT(failed,
+             Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
 }
 
 TEST_CASE("JUnit counts bad samples as a failure where they are forbidden, and else not") {
@@ -61,7 +63,8 @@ TEST_CASE("JUnit counts bad samples as a failure where they are forbidden, and e
   Film film(16, 16);
   film.addSample(3, 4, glm::dvec3(-1), 0);
   report.deviceBadSamples.add(film, {});
-  CHECK_THAT(toJunit(report, true), Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
+  CHECK_THAT(toJunit(report, true),
+             Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
   CHECK_THAT(toJunit(report, false), Contains("tests=\"2\" failures=\"0\""));
   CHECK(report.agree());
 }
