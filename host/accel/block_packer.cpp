@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 constexpr std::uint32_t kBlockSlots = 8;
@@ -30,4 +30,4 @@ void BlockPacker::moveWindow(std::uint32_t slots) {
   taken_ >>= slots;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

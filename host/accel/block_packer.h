@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace candela {
+namespace candela::accel {
 
 /// First fit in a window of the last 64 slots. Slot 0 is taken from the beginning.
 class BlockPacker {
@@ -23,4 +23,4 @@ class BlockPacker {
   std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i
 };
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -4,7 +4,7 @@
 
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 constexpr float kMaxMagnitude = 0x1p100f;
@@ -25,4 +25,4 @@ void requireProper(const Aabb& box, std::size_t index, const char* structure) {
                                   box.min.z, box.max.x, box.max.y, box.max.z));
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-namespace candela {
+namespace candela::accel {
 
 /// The box of all points p with min <= p <= max on each axis. Starts out empty: min above max.
 struct Aabb {
@@ -41,4 +41,4 @@ struct Aabb {
 /// `structure`.
 void requireProper(const Aabb& box, std::size_t index, const char* structure);
 
-}  // namespace candela
+}  // namespace candela::accel

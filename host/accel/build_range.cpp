@@ -3,7 +3,7 @@
 
 #include "host/accel/split_rules.h"
 
-namespace candela {
+namespace candela::accel {
 
 BuildItem::BuildItem(const Aabb& bounds, std::uint32_t index)
     : box{{bounds.min.x, bounds.min.y, bounds.min.z, std::bit_cast<float>(index)},
@@ -28,4 +28,4 @@ std::optional<RangeSplit> splitRange(std::span<BuildItem> items, const RangeSumm
   return splitBySah(items, summary, levels, options);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -9,7 +9,7 @@
 
 #include "host/accel/bvh.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// Four floats in one vector register (an extension that GCC and Clang share); comparisons work lane by lane.
 typedef float Float4 __attribute__((vector_size(16)));
@@ -78,4 +78,4 @@ std::uint32_t levelsNeeded(std::size_t itemCount, std::uint32_t maxLeafSize);
 std::optional<RangeSplit> splitRange(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                      const BvhOptions& options);
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -12,7 +12,7 @@
 #include "host/accel/task_pool.h"
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 constexpr std::size_t kMaxPrimitives = std::size_t{1} << 31;
@@ -158,4 +158,4 @@ Bvh buildBvh(std::span<const Aabb> bounds, const BvhOptions& options) {
   return reinsert(Builder(bounds, options).build(), options);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -8,7 +8,7 @@
 
 #include "host/accel/bounds.h"
 
-namespace candela {
+namespace candela::accel {
 
 enum class SplitRule {
   binnedSah,  ///< where the surface area heuristic (Wald 2007) finds it cheapest
@@ -74,4 +74,4 @@ BvhQuality quality(const Bvh& bvh, const BvhOptions& options = {});
 /// children and primitives inside their parents, depth and leaf sizes within `options`. Safe on any input.
 std::optional<std::string> validate(const Bvh& bvh, std::span<const Aabb> bounds, const BvhOptions& options = {});
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -3,7 +3,7 @@
 
 #include "host/accel/bvh.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 struct Visit {
@@ -128,4 +128,4 @@ BvhQuality quality(const Bvh& bvh, const BvhOptions& options) {
   return result;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -1,7 +1,7 @@
 // Passes depths down a tree.
 #include "host/accel/bvh_levels.h"
 
-namespace candela {
+namespace candela::accel {
 
 std::vector<LevelBox> levelBoxes(const Bvh& bvh, std::optional<std::uint32_t> level) {
   std::vector<std::uint32_t> depths(bvh.nodes.size(), 0);
@@ -15,4 +15,4 @@ std::vector<LevelBox> levelBoxes(const Bvh& bvh, std::optional<std::uint32_t> le
   return boxes;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

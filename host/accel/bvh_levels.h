@@ -6,7 +6,7 @@
 
 #include "host/accel/bvh.h"
 
-namespace candela {
+namespace candela::accel {
 
 struct LevelBox {
   Aabb bounds;
@@ -17,4 +17,4 @@ struct LevelBox {
 /// together hold every primitive once. In the tree's order: a box comes before those in it.
 std::vector<LevelBox> levelBoxes(const Bvh& bvh, std::optional<std::uint32_t> level);
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -9,7 +9,7 @@
 #include "host/accel/task_pool.h"
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 constexpr std::size_t kMaxPrimitives = std::size_t{1} << 27;
@@ -234,4 +234,4 @@ Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {
   return Builder(bounds, options).build();
 }
 
-}  // namespace candela
+}  // namespace candela::accel

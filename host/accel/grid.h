@@ -28,7 +28,7 @@
 
 #include "host/accel/grid_shape.h"
 
-namespace candela {
+namespace candela::accel {
 
 struct GridOptions {
   double density = 2;                         ///< m of the rule, > 0
@@ -68,4 +68,4 @@ GridQuality quality(const Grid& grid);
 /// no other, once. Safe on any input.
 std::optional<std::string> validate(const Grid& grid, std::span<const Aabb> bounds);
 
-}  // namespace candela
+}  // namespace candela::accel

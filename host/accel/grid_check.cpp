@@ -5,7 +5,7 @@
 
 #include "host/accel/grid.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 class Validator {
@@ -139,4 +139,4 @@ GridQuality quality(const Grid& grid) {
   return result;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

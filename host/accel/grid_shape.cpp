@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 double reachOf(const Aabb& bounds) {
@@ -70,4 +70,4 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
 
 float gridReach(const GridShape& shape) { return static_cast<float>(reachOf(shape.bounds)); }
 
-}  // namespace candela
+}  // namespace candela::accel

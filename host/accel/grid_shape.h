@@ -15,7 +15,7 @@
 
 #include "host/accel/bounds.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// Thinnest cell as a share of the grid's largest coordinate: eight times what boxes are padded by (kBoundsPad).
 inline constexpr double kThinnestCell = 0x1p-16;
@@ -62,4 +62,4 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
 /// The largest coordinate of the grid in magnitude.
 float gridReach(const GridShape& shape);
 
-}  // namespace candela
+}  // namespace candela::accel

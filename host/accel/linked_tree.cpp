@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 std::vector<std::uint32_t> heightsOf(const Bvh& bvh) {
@@ -152,4 +152,4 @@ void LinkedTree::layOut(const Bvh& source, std::uint32_t node, std::uint32_t slo
   layOut(source, from.first + 1, children + 1, out);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

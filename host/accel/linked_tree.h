@@ -6,7 +6,7 @@
 
 #include "host/accel/bvh.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// A subtree to be taken out and put back beside another node, which may lie anywhere but within it.
 struct SubtreeMove {
@@ -51,4 +51,4 @@ class LinkedTree {
   std::vector<std::uint32_t> heights_;  ///< steps to the deepest leaf of the source
 };
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -7,7 +7,7 @@
 
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 struct ExactBounds {
@@ -15,22 +15,22 @@ struct ExactBounds {
   glm::dvec3 max;
 };
 
-ExactBounds boundsOf(const Sphere& sphere) {
+ExactBounds boundsOf(const scene::Sphere& sphere) {
   const glm::dvec3 centre(sphere.centre);
   const glm::dvec3 radius(std::abs(double{sphere.radius}));
   return {centre - radius, centre + radius};
 }
 
-ExactBounds boundsOf(const Triangle& triangle) {
+ExactBounds boundsOf(const scene::Triangle& triangle) {
   const glm::dvec3 p0(triangle.p[0]), p1(triangle.p[1]), p2(triangle.p[2]);
   return {glm::min(p0, glm::min(p1, p2)), glm::max(p0, glm::max(p1, p2))};
 }
 
-ExactBounds boundsOf(const Box& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
+ExactBounds boundsOf(const scene::Box& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
 
 // The convex hull of a truncated cone is that of its two circles. A circle of radius r about the unit axis w reaches
 // r sqrt(1 - w_i^2) along axis i; 1 - w_i^2 is taken as the sum of the other two squares, which does not cancel.
-ExactBounds boundsOf(const Cone& cone) {
+ExactBounds boundsOf(const scene::Cone& cone) {
   const glm::dvec3 base(cone.base), apex(cone.apex);
   const glm::dvec3 w = glm::normalize(apex - base);
   const glm::dvec3 reach = glm::sqrt(glm::dvec3(w.y * w.y + w.z * w.z, w.z * w.z + w.x * w.x, w.x * w.x + w.y * w.y));
@@ -52,17 +52,17 @@ Aabb padOutward(const ExactBounds& exact) {
           {-roundDown(-max.x), -roundDown(-max.y), -roundDown(-max.z)}};
 }
 
-std::optional<ExactBounds> exactBounds(const Scene& scene, const Primitive& primitive) {
+std::optional<ExactBounds> exactBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
   switch (primitive.kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return boundsOf(scene.spheres[primitive.index]);
-    case PrimitiveKind::triangle:
+    case scene::PrimitiveKind::triangle:
       return boundsOf(scene.triangles[primitive.index]);
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return boundsOf(scene.boxes[primitive.index]);
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return boundsOf(scene.cones[primitive.index]);
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       return std::nullopt;
   }
   throw InternalError(fmt::format("unknown primitive kind {}", static_cast<int>(primitive.kind)));
@@ -70,7 +70,7 @@ std::optional<ExactBounds> exactBounds(const Scene& scene, const Primitive& prim
 
 }  // namespace
 
-std::optional<Aabb> primitiveBounds(const Scene& scene, const Primitive& primitive) {
+std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
   const std::optional<ExactBounds> exact = exactBounds(scene, primitive);
   if (!exact) return std::nullopt;
   const Aabb bounds = padOutward(*exact);
@@ -82,7 +82,7 @@ std::optional<Aabb> primitiveBounds(const Scene& scene, const Primitive& primiti
   return bounds;
 }
 
-SceneBounds boundPrimitives(const Scene& scene) {
+SceneBounds boundPrimitives(const scene::Scene& scene) {
   SceneBounds result;
   result.bounds.reserve(scene.primitives.size());
   result.finite.reserve(scene.primitives.size());
@@ -98,4 +98,4 @@ SceneBounds boundPrimitives(const Scene& scene) {
   return result;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -35,7 +35,7 @@
 #include "host/accel/bounds.h"
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// Share of the largest coordinate, of box or ray origin, by which boxes are widened.
 inline constexpr float kBoundsPad = 0x1p-19f;
@@ -44,7 +44,7 @@ inline constexpr float kMaxCoordinate = 0x1p40f;
 
 /// The padded box of one primitive, computed in double and rounded outward; none for a plane, which has no end.
 /// Throws FileError if it reaches beyond kMaxCoordinate.
-std::optional<Aabb> primitiveBounds(const Scene& scene, const Primitive& primitive);
+std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive);
 
 /// All primitives of a scene: `finite` and `infinite` hold primitive indices in ascending order, bounds[i] is the box
 /// of finite[i]. Infinite primitives are tested by every ray.
@@ -54,6 +54,6 @@ struct SceneBounds {
   std::vector<std::uint32_t> infinite;
 };
 /// Throws FileError as primitiveBounds does.
-SceneBounds boundPrimitives(const Scene& scene);
+SceneBounds boundPrimitives(const scene::Scene& scene);
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 constexpr int kLastPlane = 255;
@@ -51,4 +51,4 @@ QuantisedBoxes quantise(std::span<const Aabb> boxes) {
   return result;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -24,7 +24,7 @@
 
 #include "host/accel/bounds.h"
 
-namespace candela {
+namespace candela::accel {
 
 inline constexpr std::uint32_t kWideChildren = 8;
 /// Share of a node's largest coordinate along an axis by which its planes lie outside of the boxes.
@@ -44,4 +44,4 @@ struct QuantisedBoxes {
 /// are not given become boxes whose lower planes are above the upper ones; a ray may meet even these.
 QuantisedBoxes quantise(std::span<const Aabb> boxes);
 
-}  // namespace candela
+}  // namespace candela::accel

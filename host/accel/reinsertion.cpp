@@ -8,7 +8,7 @@
 #include "host/accel/linked_tree.h"
 #include "host/accel/task_pool.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 // Nearly all that reinsertion gains it gains among the largest nodes, where it costs next to nothing.
@@ -146,4 +146,4 @@ Bvh reinsert(Bvh bvh, const BvhOptions& options) {
   return reinsertAmong(std::move(bvh), std::numeric_limits<std::size_t>::max(), 0, options);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -4,7 +4,7 @@
 
 #include "host/accel/bvh.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// Takes subtrees out of a valid tree and puts each back where the sum of the inner nodes' surfaces becomes least
 /// (Bittner, Hapala and Havran, "Fast Insertion-Based Optimization of Bounding Volume Hierarchies", 2013), in passes:
@@ -14,4 +14,4 @@ namespace candela {
 /// reinsertion of `options`; a function of the tree and of the other two alone.
 Bvh reinsert(Bvh bvh, const BvhOptions& options);
 
-}  // namespace candela
+}  // namespace candela::accel

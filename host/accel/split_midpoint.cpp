@@ -4,7 +4,7 @@
 
 #include "host/accel/split_rules.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 double meanCentre2(std::span<const BuildItem> items, int axis) {
@@ -61,4 +61,4 @@ bool fitsBelow(std::size_t leftCount, std::size_t itemCount, std::uint32_t level
   return levelsNeeded(std::max(leftCount, itemCount - leftCount), options.maxLeafSize) < levels;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -5,7 +5,7 @@
 
 #include "host/accel/build_range.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// 0 to 2; of equal ones the first.
 int longestAxis(const Box4& box);
@@ -42,4 +42,4 @@ RangeSplit partition(std::span<BuildItem> items, IsRight&& isRight) {
   return split;
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -5,7 +5,7 @@
 
 #include "host/accel/split_rules.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 // Small ranges take fewer bins: three of four ranges have less than 8 items, and 4 to 6 bins cost 0.1 % of SAH cost.
@@ -149,4 +149,4 @@ std::optional<RangeSplit> splitBySah(std::span<BuildItem> items, const RangeSumm
   return partition(items, [&](const BuildItem& item) { return binning.binOf(item, plane.axis) >= plane.bin; });
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-namespace candela {
+namespace candela::accel {
 
 std::uint32_t threadsFor(std::uint32_t asked) {
   return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
@@ -78,4 +78,4 @@ void TaskPool::runOne(std::unique_lock<std::mutex>& lock) {
   if (--unfinishedCount_ == 0) changed_.notify_all();
 }
 
-}  // namespace candela
+}  // namespace candela::accel

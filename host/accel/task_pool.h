@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace candela {
+namespace candela::accel {
 
 /// `asked`, or one per core for 0.
 std::uint32_t threadsFor(std::uint32_t asked);
@@ -42,4 +42,4 @@ class TaskPool {
   std::vector<std::jthread> threads_;  ///< last member: joined before the rest goes
 };
 
-}  // namespace candela
+}  // namespace candela::accel

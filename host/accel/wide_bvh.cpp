@@ -13,7 +13,7 @@
 #include "host/accel/wide_families.h"
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 // A binary node's number by place in a wide node.
@@ -192,4 +192,4 @@ WideBvh collapse(const Bvh& bvh) {
   return join(top.take(), roots, subtrees);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

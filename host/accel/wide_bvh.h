@@ -15,7 +15,7 @@
 #include "host/accel/bvh.h"
 #include "host/accel/quantised_boxes.h"
 
-namespace candela {
+namespace candela::accel {
 
 inline constexpr std::uint32_t kMaxWideLeaf = 3;          ///< primitives
 inline constexpr std::uint32_t kMaxWideNodes = 1u << 24;  ///< with gaps
@@ -49,4 +49,4 @@ WideBvh collapse(const Bvh& bvh);
 /// `maxDepth`. Safe on any input.
 std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth);
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -7,7 +7,7 @@
 
 #include "host/accel/wide_bvh.h"
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 // Of the margin, what rounding in double may not take. The argument in quantised_boxes.h needs 11 / 16.
@@ -146,4 +146,4 @@ std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> b
   return Validator(wide, bounds, maxDepth).run();
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace candela {
+namespace candela::accel {
 namespace {
 
 // Of a line that meets a node, at least: where nodes have no area, the fewest are best.
@@ -65,4 +65,4 @@ void WideFamilies::choose(std::uint32_t node, std::uint32_t children, Family& fa
   choose(pair + 1, children - left, family);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -7,7 +7,7 @@
 #include "host/accel/bvh.h"
 #include "host/accel/quantised_boxes.h"
 
-namespace candela {
+namespace candela::accel {
 
 /// Up to eight descendants of a node that together hold what it holds.
 struct Family {
@@ -41,4 +41,4 @@ class WideFamilies {
   std::vector<Costs> costs_;  ///< by node; of a leaf 0
 };
 
-}  // namespace candela
+}  // namespace candela::accel

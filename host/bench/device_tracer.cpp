@@ -12,27 +12,29 @@ std::vector<Choice> choices(Choice asked, Choice first, Choice second) {
 
 }  // namespace
 
-DeviceTracer::DeviceTracer(vulkan::Device& device, FlatScene flat, const RenderSettings& settings)
+DeviceTracer::DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings)
     : caster_(device, std::move(flat), settings) {}
 
 const char* DeviceTracer::layout() const {
-  const char* const name = layoutName(caster_.scene().structure);
+  const char* const name = flatten::layoutName(caster_.scene().structure);
   return *name != '\0' ? name : "none";
 }
 
-std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const Scene& scene,
-                                                         const RenderSettings& asked) {
+std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const scene::Scene& scene,
+                                                         const render::RenderSettings& asked) {
   std::vector<std::unique_ptr<DeviceTracer>> tracers;
-  RenderSettings settings = asked;
-  settings.accel = AccelKind::bvh;
-  for (const BvhLayout layout : choices(asked.bvhLayout, BvhLayout::bvh2, BvhLayout::cwbvh)) {
+  render::RenderSettings settings = asked;
+  settings.accel = render::AccelKind::bvh;
+  for (const render::BvhLayout layout : choices(asked.bvhLayout, render::BvhLayout::bvh2, render::BvhLayout::cwbvh)) {
     settings.bvhLayout = layout;
-    const FlatScene flat = flatten(scene, settings);
-    const bool any = canBind(device.info(), flat, SceneLoads::automatic);
-    for (const SceneLoads loads : choices(asked.sceneLoads, SceneLoads::texel, SceneLoads::storage)) {
+    const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
+    const bool any = device::canBind(device.info(), flat, render::SceneLoads::automatic);
+    for (const render::SceneLoads loads :
+         choices(asked.sceneLoads, render::SceneLoads::texel, render::SceneLoads::storage)) {
       settings.sceneLoads = loads;
       // Of a scene that fits in no way, the constructor says what is too large.
-      if (asked.sceneLoads == SceneLoads::automatic && any && !canBind(device.info(), flat, loads)) continue;
+      if (asked.sceneLoads == render::SceneLoads::automatic && any && !device::canBind(device.info(), flat, loads))
+        continue;
       tracers.push_back(std::make_unique<DeviceTracer>(device, flat, settings));
     }
   }

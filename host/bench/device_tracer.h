@@ -10,9 +10,9 @@ namespace candela::bench {
 class DeviceTracer : public RayTracer {
  public:
   /// As RayCaster's constructor.
-  DeviceTracer(vulkan::Device& device, FlatScene flat, const RenderSettings& settings);
+  DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings);
 
-  RaySets makeRays() { return caster_.makeRays(); }
+  device::RaySets makeRays() { return caster_.makeRays(); }
   void load(std::span<const gpu::CastRay> rays, bool anyHit) override { caster_.load(rays, anyHit); }
   double trace() override { return caster_.trace(); }
   std::vector<gpu::CastHit> hits() override { return caster_.hits(); }
@@ -22,12 +22,12 @@ class DeviceTracer : public RayTracer {
   std::uint64_t sceneBytes() const { return caster_.scene().rows.size() * sizeof(gpu::uvec4); }
 
  private:
-  RayCaster caster_;
+  device::RayCaster caster_;
 };
 
 /// A tracer for each layout of a BVH and each way to read it that the device can bind; of both, one only if `settings`
 /// say so. Throws FileError if the device can bind none.
-std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const Scene& scene,
-                                                         const RenderSettings& settings);
+std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const scene::Scene& scene,
+                                                         const render::RenderSettings& settings);
 
 }  // namespace candela::bench

@@ -16,7 +16,7 @@ void insertAscending(std::vector<double>& values, double value) {
   values.insert(std::upper_bound(values.begin(), values.end(), value), value);
 }
 
-void addRun(RenderStatistics statistics, std::uint64_t hash, Measurement& measurement) {
+void addRun(render::RenderStatistics statistics, std::uint64_t hash, Measurement& measurement) {
   const bool first = measurement.traceSeconds.empty();
   measurement.agrees &= first || hash == measurement.filmHash;
   if (first) measurement.pipelineSeconds = statistics.seconds["pipeline"];
@@ -41,9 +41,9 @@ std::uint64_t commonHash(const RunsByHash& runsByHash) {
 }
 
 // What the caller sees of one run: its share of all of them, behind those that are over.
-RenderControl shareOf(const RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
-                      std::uint64_t samplesOver) {
-  RenderControl part = whole;
+render::RenderControl shareOf(const render::RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
+                              std::uint64_t samplesOver) {
+  render::RenderControl part = whole;
   if (!whole.progress) return part;
   part.progress = [&whole, runsOver, runs, samplesOver](double fraction, std::uint64_t samples) {
     whole.progress((runsOver + fraction) / runs, samplesOver + samples);
@@ -83,8 +83,9 @@ double Measurement::stepsPerRay() const {
   return ratio(static_cast<double>(statistics.traversalSteps), static_cast<double>(statistics.rays()));
 }
 
-std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& scene, std::span<const Variant> variants,
-                                            std::uint32_t repeats, const RenderControl& control) {
+std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
+                                            std::span<const Variant> variants, std::uint32_t repeats,
+                                            const render::RenderControl& control) {
   const std::uint32_t runs = repeats * static_cast<std::uint32_t>(variants.size());
   std::vector<Measurement> measurements;
   for (const Variant& variant : variants) measurements.push_back({.variant = variant});
@@ -92,7 +93,8 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
   std::uint64_t samples = 0;
   for (std::uint32_t run = 0; run < runs; ++run) {
     Measurement& measurement = measurements[run % variants.size()];
-    RenderResult result = renderer.render(scene, measurement.variant.settings, shareOf(control, run, runs, samples));
+    render::RenderResult result = renderer.render(scene, measurement.variant.settings,
+                                                  shareOf(control, run, runs, samples));
     if (result.interrupted) return {};
     samples += result.statistics.samples;
     const std::uint64_t hash = result.film.hash();
@@ -105,19 +107,19 @@ std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& sce
   return measurements;
 }
 
-bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements,
-                  const RenderControl& control) {
-  RenderControl silent = control;  // what is left of the progress is over
+bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
+                  const render::RenderControl& control) {
+  render::RenderControl silent = control;  // what is left of the progress is over
   silent.progress = nullptr;
   std::map<std::string, double> noiseOf;
   for (Measurement& measurement : measurements) {
     const Variant& variant = measurement.variant;
     if (!noiseOf.contains(variant.image)) {
-      std::array<Image, 2> images;
+      std::array<image::Image, 2> images;
       for (std::uint32_t i = 0; i < images.size(); ++i) {
-        RenderSettings settings = variant.settings;
+        render::RenderSettings settings = variant.settings;
         settings.seed += 1 + i;
-        const RenderResult result = renderer.render(scene, settings, silent);
+        const render::RenderResult result = renderer.render(scene, settings, silent);
         if (result.interrupted) return false;
         images[i] = toImage(result.film);
       }

@@ -13,14 +13,14 @@ namespace candela::bench {
 /// One way to render a scene.
 struct Variant {
   std::string name;
-  RenderSettings settings;
+  render::RenderSettings settings;
   std::string image{};  ///< of variants for which this is the same the films must be the same, bit for bit
 };
 
 /// What the renders of one variant took.
 struct Measurement {
   Variant variant;
-  RenderStatistics statistics{};  ///< of the last run; rays and steps are the same in every run
+  render::RenderStatistics statistics{};  ///< of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
   std::vector<double> buildSeconds{};  ///< of the search structure, one per run, ascending
@@ -46,12 +46,13 @@ double spread(std::span<const double> ascending);
 /// Runs every variant `repeats` times, all once before any twice. One measurement per variant, in their order; none at
 /// all if `control` stops a run, since what is left of it is no measurement.
 /// Throws what Renderer::render throws.
-std::vector<Measurement> measureInterleaved(Renderer& renderer, const Scene& scene, std::span<const Variant> variants,
-                                            std::uint32_t repeats, const RenderControl& control);
+std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
+                                            std::span<const Variant> variants, std::uint32_t repeats,
+                                            const render::RenderControl& control);
 
 /// Renders each image twice more, with two other seeds, and takes half of the relMSE between the two for what either
 /// has: that holds for evenly spread samples, too. False if `control` stops a run.
-bool measureNoise(Renderer& renderer, const Scene& scene, std::span<Measurement> measurements,
-                  const RenderControl& control);
+bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
+                  const render::RenderControl& control);
 
 }  // namespace candela::bench

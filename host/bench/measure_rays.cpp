@@ -66,8 +66,8 @@ double RayMeasurement::mraysPerSecond() const { return rate(rayCount, median(sec
 
 double RayMeasurement::mraysPerProcessorSecond() const { return rate(rayCount, median(processorSeconds)); }
 
-std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const RaySets& sets, std::uint32_t repeats,
-                                        const std::atomic<bool>* stop) {
+std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const device::RaySets& sets,
+                                        std::uint32_t repeats, const std::atomic<bool>* stop) {
   std::vector<RayMeasurement> all;
   for (std::uint32_t kind = 0; kind < sets.size(); ++kind) {
     if (sets[kind].empty()) continue;

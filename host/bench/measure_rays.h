@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/render/ray_caster.h"
+#include "host/device/ray_caster.h"
 
 namespace candela::bench {
 
@@ -42,7 +42,7 @@ struct RayMeasurement {
 
 /// Every kind of rays there is, through every tracer: first once to warm up and to compare hits, then `repeats` times,
 /// all tracers once before any twice. By kind, then in the order of tracers; nothing if `stop` became true.
-std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const RaySets& sets, std::uint32_t repeats,
-                                        const std::atomic<bool>* stop);
+std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const device::RaySets& sets,
+                                        std::uint32_t repeats, const std::atomic<bool>* stop);
 
 }  // namespace candela::bench

@@ -21,8 +21,8 @@ struct RayRow {
 struct RayReport {
   std::string device;
   std::string driver;
-  Extent workgroup{};
-  Extent size{};
+  render::Extent workgroup{};
+  render::Extent size{};
   std::uint32_t repeats = 1;
   std::vector<RayRow> rows;
 

@@ -17,7 +17,7 @@ double perSecond(std::uint64_t count, double seconds) {
   return seconds > 0 ? 1e-6 * static_cast<double>(count) / seconds : 0;
 }
 
-ordered_json raysJson(const RenderStatistics& statistics, double seconds) {
+ordered_json raysJson(const render::RenderStatistics& statistics, double seconds) {
   return {{"camera", perSecond(statistics.cameraRays, seconds)},
           {"bounce", perSecond(statistics.bounceRays, seconds)},
           {"shadow", perSecond(statistics.shadowRays, seconds)}};
@@ -84,7 +84,7 @@ ordered_json reportJson(const std::string& device, const std::string& driver, st
   return json;
 }
 
-std::string headline(const RenderStatistics& statistics, std::uint32_t repeats) {
+std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats) {
   const std::string driver = statistics.driver.empty() ? "" : ", " + statistics.driver;
   return fmt::format("candela {} on {}{}; median of {}, runs interleaved", versionText(), statistics.device, driver,
                      repeats);

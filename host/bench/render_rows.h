@@ -14,6 +14,6 @@ nlohmann::ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash
 nlohmann::ordered_json reportJson(const std::string& device, const std::string& driver, std::uint32_t repeats);
 
 /// E.g. "candela 0.1.0 on llvmpipe, Mesa 22.3.6; median of 3, runs interleaved".
-std::string headline(const RenderStatistics& statistics, std::uint32_t repeats);
+std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats);
 
 }  // namespace candela::bench

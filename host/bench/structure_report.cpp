@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Variant variantOf(const char* name, RenderSettings settings, AccelKind accel, BvhSplit split) {
+Variant variantOf(const char* name, render::RenderSettings settings, render::AccelKind accel, render::BvhSplit split) {
   settings.accel = accel;
   settings.bvhSplit = split;
   return {name, settings};
@@ -62,7 +62,9 @@ TextTable tableOf(const StructureReport& report) {
   return table;
 }
 
-const RenderStatistics& first(const StructureReport& report) { return report.rows.front().measurement.statistics; }
+const render::RenderStatistics& first(const StructureReport& report) {
+  return report.rows.front().measurement.statistics;
+}
 
 std::string headline(const StructureReport& report) { return bench::headline(first(report), report.repeats); }
 
@@ -72,10 +74,10 @@ bool StructureReport::agree() const {
   return std::all_of(rows.begin(), rows.end(), [](const StructureRow& row) { return row.measurement.agrees; });
 }
 
-std::vector<Variant> structureVariants(const RenderSettings& settings) {
-  return {variantOf("uniform grid", settings, AccelKind::grid, BvhSplit::sah),
-          variantOf("BVH, midpoint", settings, AccelKind::bvh, BvhSplit::midpoint),
-          variantOf("BVH, SAH", settings, AccelKind::bvh, BvhSplit::sah)};
+std::vector<Variant> structureVariants(const render::RenderSettings& settings) {
+  return {variantOf("uniform grid", settings, render::AccelKind::grid, render::BvhSplit::sah),
+          variantOf("BVH, midpoint", settings, render::AccelKind::bvh, render::BvhSplit::midpoint),
+          variantOf("BVH, SAH", settings, render::AccelKind::bvh, render::BvhSplit::sah)};
 }
 
 std::string toText(const StructureReport& report) { return headline(report) + "\n\n" + toText(tableOf(report)); }

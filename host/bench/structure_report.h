@@ -26,7 +26,7 @@ struct StructureReport {
 };
 
 /// The report's own structures: a uniform grid, a BVH split at the middle, and beside them one split by surface area.
-std::vector<Variant> structureVariants(const RenderSettings& settings);
+std::vector<Variant> structureVariants(const render::RenderSettings& settings);
 
 /// A row whose image differs from the others' has no figures but the word "differs".
 std::string toText(const StructureReport& report);

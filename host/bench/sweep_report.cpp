@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
+const render::RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
 
 double raysPerSample(const Measurement& m) {
   return m.statistics.samples > 0 ? static_cast<double>(m.statistics.rays()) / static_cast<double>(m.statistics.samples)
@@ -62,7 +62,7 @@ const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
 
 std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
   const Measurement& m = row.measurement;
-  const RenderStatistics& s = m.statistics;
+  const render::RenderStatistics& s = m.statistics;
   return fmt::format(
       "candela {} | {} | {} {} x {} spp | {} | {:.3f} Msamples/s, {:.2f} Mrays/s | median of {}, spread {:.0f} %\n",
       versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.size),

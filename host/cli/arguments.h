@@ -39,10 +39,10 @@ struct Arguments {
 
   /// Absent: what the scene file asks for. `settings` has the rest; resolveSettings() joins both.
   std::optional<std::uint32_t> sampleCount;
-  std::optional<Extent> size;
-  std::optional<AccelKind> accel;
+  std::optional<render::Extent> size;
+  std::optional<render::AccelKind> accel;
   std::optional<std::uint32_t> maxDepth;  ///< absent: the integrator's default
-  RenderSettings settings;
+  render::RenderSettings settings;
 
   bool lenient = false;
   std::vector<std::filesystem::path> allowedPaths;
@@ -50,7 +50,7 @@ struct Arguments {
   bool untuned = false;  ///< `auto` means what is built in
   std::string device;    ///< "cpu", or a selector as selectDevice() takes it
   std::vector<std::filesystem::path> outputs;
-  DisplayTransform display;
+  image::DisplayTransform display;
 
   std::optional<double> tolerance;  ///< largest relMSE that passes
   std::filesystem::path differenceFile;

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // Without one that states it, the number of samples could be the file's, of which the sample need not be one.
-std::string sceneAndOptions(const BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
+std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
   arguments.sampleCount.reset();
   arguments.settings.seed = pixel.seed;
   std::string words = shellQuoted(arguments.files.front());
@@ -26,18 +26,18 @@ std::string sceneAndOptions(const BadPixel& pixel, std::uint32_t sampleCount, Ar
 
 // A sample depends on those before it in nothing but the film, so the picture ends with it. Strata depend on the number
 // of samples: there all are drawn. A single sample may be one that is not jittered.
-std::uint32_t samplesToRepeat(const BadPixel& pixel, const RenderSettings& settings) {
-  if (settings.sampler == SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
+std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::RenderSettings& settings) {
+  if (settings.sampler == render::SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
   return std::max(pixel.firstSample + 1, 2u);
 }
 
-std::string renderAgain(const BadPixel& pixel, const RenderJob& job) {
+std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
   const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings);
   return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
 }
 
 // `explain` holds a device against the reference; it has no use for being told of the latter.
-std::string explainPath(const BadPixel& pixel, const RenderJob& job) {
+std::string explainPath(const render::BadPixel& pixel, const RenderJob& job) {
   Arguments arguments = job.arguments;
   if (arguments.device == "cpu") arguments.device.clear();
   return fmt::format("candela explain {} --pixel {},{} --sample {}",
@@ -45,33 +45,33 @@ std::string explainPath(const BadPixel& pixel, const RenderJob& job) {
                      pixel.firstSample);
 }
 
-std::string pixelLine(const BadPixel& pixel, const RenderJob& job) {
+std::string pixelLine(const render::BadPixel& pixel, const RenderJob& job) {
   return fmt::format("pixel ({}, {}): {} bad, the first is sample {}; replay: {}", pixel.x, pixel.y, pixel.badCount,
                      pixel.firstSample, replayCommand(pixel, job));
 }
 
-ordered_json sideJson(const BadSampleTally& tally, const RenderJob& job) {
+ordered_json sideJson(const render::BadSampleTally& tally, const RenderJob& job) {
   return {{"samples", tally.samples()}, {"pixels", tally.pixels()}, {"firstPixels", firstPixelsJson(tally, job)}};
 }
 
 }  // namespace
 
-std::string replayCommand(const BadPixel& pixel, const RenderJob& job) {
-  return job.settings.integrator == Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
+std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
+  return job.settings.integrator == render::Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
 }
 
-std::vector<std::string> badSampleLines(const BadSampleTally& tally, const RenderJob& job) {
+std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {
   if (tally.samples() == 0) return {};
   std::vector<std::string> lines{fmt::format(
       "{} samples in {} pixels were not finite or negative (they count as 0) or too bright (they are clamped)",
       tally.samples(), tally.pixels())};
-  for (const BadPixel& pixel : tally.firstPixels()) lines.push_back(pixelLine(pixel, job));
+  for (const render::BadPixel& pixel : tally.firstPixels()) lines.push_back(pixelLine(pixel, job));
   return lines;
 }
 
-ordered_json firstPixelsJson(const BadSampleTally& tally, const RenderJob& job) {
+ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job) {
   ordered_json pixels = ordered_json::array();
-  for (const BadPixel& pixel : tally.firstPixels()) {
+  for (const render::BadPixel& pixel : tally.firstPixels()) {
     pixels.push_back({{"x", pixel.x},
                       {"y", pixel.y},
                       {"badSamples", pixel.badCount},
@@ -81,12 +81,13 @@ ordered_json firstPixelsJson(const BadSampleTally& tally, const RenderJob& job) 
   return pixels;
 }
 
-ordered_json badSamplesJson(const BadSampleTally& device, const BadSampleTally& reference, const RenderJob& job) {
+ordered_json badSamplesJson(const render::BadSampleTally& device, const render::BadSampleTally& reference,
+                            const RenderJob& job) {
   return {{"device", sideJson(device, job)}, {"reference", sideJson(reference, job)}};
 }
 
-void reportBadSamples(const BadSampleTally& device, const BadSampleTally& reference, const RenderJob& job,
-                      const Log& log) {
+void reportBadSamples(const render::BadSampleTally& device, const render::BadSampleTally& reference,
+                      const RenderJob& job, const Log& log) {
   for (const std::string& line : badSampleLines(device, job)) log.problem("device: " + line);
   for (const std::string& line : badSampleLines(reference, job)) log.problem("reference: " + line);
 }

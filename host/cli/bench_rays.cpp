@@ -20,7 +20,7 @@ using bench::RayTracer;
 // False if it was interrupted.
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
   const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
-  const RaySets sets = tracers.front()->makeRays();
+  const device::RaySets sets = tracers.front()->makeRays();
   log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, {} runs each", job.scene.name,
                        sets[gpu::kPrimaryRay].size(), sets[gpu::kDiffuseRay].size(), sets[gpu::kShadowRay].size(),
                        tracers.size(), report.repeats));
@@ -41,7 +41,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu")
     throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
   vulkan::Device device = vulkan::Device::open(arguments.device);
-  const AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
+  const render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
   RayReport report;
   report.device = device.info().name;
   report.driver = device.info().driver;

@@ -38,12 +38,12 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
 }
 
 // False if it was interrupted.
-bool measureScene(const Arguments& arguments, Renderer& renderer, const Log& log, SweepReport& report) {
+bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
   log.note(fmt::format("{}: {} variants, {} runs each", job.scene.name, variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
-  const RenderControl control = makeControl(progress);
+  const render::RenderControl control = makeControl(progress);
   std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats,
                                                                     control);
   if (measurements.empty() || !bench::measureNoise(renderer, job.scene, measurements, control)) return false;
@@ -57,7 +57,7 @@ bool measureScene(const Arguments& arguments, Renderer& renderer, const Log& log
 
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
   sweepOver(arguments);  // says what is wrong with it before anything is loaded
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;
   report.repeats = arguments.repeats;
   for (const std::string& file : arguments.files) {

@@ -34,8 +34,8 @@ const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0,
 constexpr std::uint32_t kTable1Samples = 15 * 15;
 
 // The rows of one scene; none if the run was interrupted.
-std::vector<StructureRow> measureScene(const Scene& scene, const RenderSettings& settings, const Arguments& arguments,
-                                       Renderer& renderer, const Log& log) {
+std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
+                                       const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
   log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.size.width,
                        settings.size.height, settings.sampleCount, variants.size(), arguments.repeats));
@@ -49,8 +49,8 @@ std::vector<StructureRow> measureScene(const Scene& scene, const RenderSettings&
 }
 
 // The report's seconds are for this work alone.
-bool isPublishedWork(const RenderSettings& settings) {
-  return settings.integrator == Integrator::path && settings.sampleCount == kTable1Samples &&
+bool isPublishedWork(const render::RenderSettings& settings) {
+  return settings.integrator == render::Integrator::path && settings.sampleCount == kTable1Samples &&
          settings.size.width == 512 && settings.size.height == 512;
 }
 
@@ -60,21 +60,21 @@ bool append(std::vector<StructureRow> rows, StructureReport& report) {
 }
 
 bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   for (const PublishedScene& published : kTable1) {
-    const Scene scene = parseScene(std::string(published.text), published.name, ".").scene;
+    const scene::Scene scene = scene::parseScene(std::string(published.text), published.name, ".").scene;
     Arguments resolved = arguments;
     if (!resolved.sampleCount) resolved.sampleCount = kTable1Samples;
-    if (!resolved.given.contains("--sampler")) resolved.settings.sampler = SamplerKind::stratified;
+    if (!resolved.given.contains("--sampler")) resolved.settings.sampler = render::SamplerKind::stratified;
     resolved.settings.oneSided |= published.oneSided;
     resolveRequests(resolved, scene, log);
     requirePossible(resolved, scene, log);
     std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
     for (StructureRow& row : rows) {
-      const RenderSettings& settings = row.measurement.variant.settings;
+      const render::RenderSettings& settings = row.measurement.variant.settings;
       if (!isPublishedWork(settings)) break;
-      if (settings.accel == AccelKind::grid) row.publishedSeconds = published.gridSeconds;
-      if (settings.accel == AccelKind::bvh && settings.bvhSplit == BvhSplit::midpoint) {
+      if (settings.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
+      if (settings.accel == render::AccelKind::bvh && settings.bvhSplit == render::BvhSplit::midpoint) {
         row.publishedSeconds = published.bvhSeconds;
       }
     }
@@ -84,7 +84,7 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
 }
 
 bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& report) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   for (std::size_t i = 1; i < arguments.files.size(); ++i) {
     Arguments one = arguments;
     one.files = {arguments.files[i]};

@@ -15,12 +15,12 @@ using generate::NffWriter;
 constexpr double kEdgeWidth = 1.0 / 250;  // share of the picture's height
 constexpr double kDeepestColour = 0.45;   // of the colour map; below it is too dark on black
 
-void writeView(NffWriter& out, const Camera& camera) {
+void writeView(NffWriter& out, const scene::Camera& camera) {
   out.view({camera.from, camera.at, camera.up, camera.angle, camera.hither, camera.width, camera.height});
 }
 
 /// Of an edge, by the size of the picture rather than of the scene, whose floor may reach far beyond what is seen.
-double edgeRadius(const Camera& camera) {
+double edgeRadius(const scene::Camera& camera) {
   const double distance = glm::length(glm::dvec3(camera.at) - glm::dvec3(camera.from));
   const double pictureHeight = 2 * distance * std::tan(glm::radians(double{camera.angle}) / 2);
   return pictureHeight * kEdgeWidth / 2;
@@ -28,12 +28,12 @@ double edgeRadius(const Camera& camera) {
 
 void writeColour(NffWriter& out, std::uint32_t depth, std::uint32_t deepest) {
   const double share = static_cast<double>(depth) / std::max(deepest, 1u);
-  const glm::dvec3 signal = magma(1 - share * (1 - kDeepestColour));
-  out.surface({{srgbDecode(signal.x), srgbDecode(signal.y), srgbDecode(signal.z)}, 1, 0, 0, 0, 1});
+  const glm::dvec3 signal = image::magma(1 - share * (1 - kDeepestColour));
+  out.surface({{image::srgbDecode(signal.x), image::srgbDecode(signal.y), image::srgbDecode(signal.z)}, 1, 0, 0, 0, 1});
 }
 
 /// The four edges along `axis`, unless they have no length.
-void writeEdges(NffWriter& out, const Aabb& box, int axis, double radius) {
+void writeEdges(NffWriter& out, const accel::Aabb& box, int axis, double radius) {
   if (box.min[axis] == box.max[axis]) return;
   const int across = (axis + 1) % 3;
   const int along = (axis + 2) % 3;
@@ -52,12 +52,13 @@ void writeEdges(NffWriter& out, const Aabb& box, int axis, double radius) {
 
 }  // namespace
 
-void writeBoxScene(NffWriter& out, const Camera& camera, std::span<const LevelBox> boxes, std::uint32_t deepest) {
+void writeBoxScene(NffWriter& out, const scene::Camera& camera, std::span<const accel::LevelBox> boxes,
+                   std::uint32_t deepest) {
   out.background({0, 0, 0});
   writeView(out, camera);
   out.light(camera.from);
   const double radius = edgeRadius(camera);
-  for (const LevelBox& box : boxes) {
+  for (const accel::LevelBox& box : boxes) {
     writeColour(out, box.depth, deepest);
     for (int axis = 0; axis < 3; ++axis) writeEdges(out, box.bounds, axis, radius);
   }

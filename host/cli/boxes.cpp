@@ -7,8 +7,8 @@
 #include "host/cli/box_scene.h"
 #include "host/cli/commands.h"
 #include "host/cli/scene_output.h"
+#include "host/flatten/flatten_hierarchy.h"
 #include "host/generate/kinds.h"
-#include "host/render/flatten_hierarchy.h"
 #include "host/scene/load.h"
 
 namespace candela::cli {
@@ -24,12 +24,13 @@ void requireReadableSize(std::size_t boxCount) {
 }  // namespace
 
 ExitCode runBoxes(const Arguments& arguments, const Log& log) {
-  const LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
-  for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  const scene::LoadedScene loaded = scene::loadScene(arguments.files.front(),
+                                                     {arguments.lenient, arguments.allowedPaths});
+  for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
-  const Bvh bvh = buildHierarchy(boundPrimitives(loaded.scene).bounds, arguments.settings.bvhSplit,
-                                 arguments.settings.bvhQuality);
-  const std::vector<LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
+  const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
+                                                 arguments.settings.bvhSplit, arguments.settings.bvhQuality);
+  const std::vector<accel::LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
   requireReadableSize(boxes.size());
   const std::uint32_t deepest = quality(bvh).depth;
   writeSceneText(arguments.generatedFile, [&](const auto& sink) {

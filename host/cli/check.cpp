@@ -12,16 +12,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json toJson(const Diagnostic& diagnostic) {
+ordered_json toJson(const scene::Diagnostic& diagnostic) {
   return {{"line", diagnostic.line}, {"column", diagnostic.column}, {"message", diagnostic.message}};
 }
 
 ordered_json errorsOf(const FileError& error) {
   ordered_json errors = ordered_json::array();
-  if (const auto* sceneError = dynamic_cast<const SceneError*>(&error)) {
-    for (const Diagnostic& diagnostic : sceneError->diagnostics) errors.push_back(toJson(diagnostic));
+  if (const auto* sceneError = dynamic_cast<const scene::SceneError*>(&error)) {
+    for (const scene::Diagnostic& diagnostic : sceneError->diagnostics) errors.push_back(toJson(diagnostic));
   } else {
-    errors.push_back(toJson(Diagnostic{"", 0, 0, error.what()}));
+    errors.push_back(toJson(scene::Diagnostic{"", 0, 0, error.what()}));
   }
   return errors;
 }
@@ -30,9 +30,10 @@ ordered_json errorsOf(const FileError& error) {
 ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
   ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
   try {
-    const SceneReport report = makeReport(loadScene(file, {arguments.lenient, arguments.allowedPaths}));
-    if (arguments.wantsText()) std::cout << candela::toText(report) << std::flush;
-    entry["report"] = candela::toJson(report);
+    const scene::SceneReport report = scene::makeReport(
+        scene::loadScene(file, {arguments.lenient, arguments.allowedPaths}));
+    if (arguments.wantsText()) std::cout << scene::toText(report) << std::flush;
+    entry["report"] = scene::toJson(report);
   } catch (const FileError& error) {
     log.problem(error.what());
     entry["valid"] = false;

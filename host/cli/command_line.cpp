@@ -131,10 +131,10 @@ void requireOutput(const Arguments& arguments) {
 }
 
 void requireTreeDepth(const Arguments& arguments) {
-  const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > kMaxTreeDepth;
-  if (arguments.settings.integrator != Integrator::whitted || !tooDeep) return;
+  const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > render::kMaxTreeDepth;
+  if (arguments.settings.integrator != render::Integrator::whitted || !tooDeep) return;
   fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
-                                      *arguments.maxDepth, kMaxTreeDepth));
+                                      *arguments.maxDepth, render::kMaxTreeDepth));
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {

@@ -16,8 +16,9 @@
 namespace candela::cli {
 namespace {
 
-void writePictures(const Arguments& arguments, const Image& a, const Image& reference, const FlipResult& flip) {
-  constexpr DisplayTransform kAsTheyAre{};  // the pictures are meant for display already
+void writePictures(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+                   const image::FlipResult& flip) {
+  constexpr image::DisplayTransform kAsTheyAre{};  // the pictures are meant for display already
   if (!arguments.differenceFile.empty()) {
     writeImage(arguments.differenceFile, differencePicture(a, reference), kAsTheyAre);
   }
@@ -32,10 +33,10 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   }
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   requireWritableReport(arguments.json);
-  const Image a = readImage(arguments.files[0]);
-  const Image reference = readImage(arguments.files[1]);
-  const ImageComparison comparison = compareImages(a, reference);
-  const FlipResult flip = computeFlip(displayed(a, arguments.display), displayed(reference, arguments.display));
+  const image::Image a = image::readImage(arguments.files[0]);
+  const image::Image reference = image::readImage(arguments.files[1]);
+  const image::ImageComparison comparison = compareImages(a, reference);
+  const image::FlipResult flip = computeFlip(displayed(a, arguments.display), displayed(reference, arguments.display));
   const ImageVerdict verdict = judgeImages(arguments, a, reference, comparison);
 
   writePictures(arguments, a, reference, flip);

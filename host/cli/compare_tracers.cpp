@@ -7,14 +7,14 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/cli/report_page.h"
-#include "host/render/agreement.h"
-#include "host/render/make_renderer.h"
+#include "host/reference/reference_renderer.h"
+#include "host/verify/agreement.h"
 
 namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
-  if (arguments.settings.integrator == Integrator::cost) {
+  if (arguments.settings.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: each tracer has its own search structure and so its own counts, of which "
         "neither can be wrong; `candela render` shows those of one");
@@ -22,11 +22,11 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<Renderer> device = makeRenderer(arguments, log);
-  const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
-  const AgreementReport report = [&] {
+  const std::unique_ptr<render::Renderer> device = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
+  const verify::AgreementReport report = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return compareTracers(job.scene, job.settings, *device, *reference, makeControl(progress));
+    return verify::compareTracers(job.scene, job.settings, *device, *reference, makeControl(progress));
   }();
   requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;

@@ -22,7 +22,7 @@ nlohmann::ordered_json toJson(const Kept& kept) {
   return {{"date", kept->tuning.date}, {"choice", tune::nameOf(kept->tuning.candidate)}, {"file", kept->file.string()}};
 }
 
-nlohmann::ordered_json toJson(const DeviceInfo& device, const Kept& kept) {
+nlohmann::ordered_json toJson(const vulkan::DeviceInfo& device, const Kept& kept) {
   return {{"index", device.index},
           {"name", device.name},
           {"type", device.type},
@@ -39,7 +39,7 @@ nlohmann::ordered_json toJson(const DeviceInfo& device, const Kept& kept) {
           {"tuned", toJson(kept)}};
 }
 
-std::string toText(const DeviceInfo& device, const Kept& kept) {
+std::string toText(const vulkan::DeviceInfo& device, const Kept& kept) {
   std::string out = fmt::format("{:>3}  {} ({})\n", device.index, device.name, device.type);
   out += fmt::format("     driver {}, Vulkan {}\n", device.driver, device.apiVersion);
   out += fmt::format("     memory {:.0f} MiB, storage buffers to {:.0f} MiB, texel buffers to {} texels\n",
@@ -57,12 +57,12 @@ std::string toText(const DeviceInfo& device, const Kept& kept) {
 
 ExitCode runDevices(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
-  const std::vector<DeviceInfo> devices = listDevices();
-  if (devices.empty()) selectDevice("");  // throws, and says what to install
+  const std::vector<vulkan::DeviceInfo> devices = vulkan::listDevices();
+  if (devices.empty()) vulkan::selectDevice("");  // throws, and says what to install
   nlohmann::ordered_json json;
   json["devices"] = nlohmann::ordered_json::array();
   std::string text;
-  for (const DeviceInfo& device : devices) {
+  for (const vulkan::DeviceInfo& device : devices) {
     const Kept kept = keptTuning(device, log);
     text += toText(device, kept);
     json["devices"].push_back(toJson(device, kept));

@@ -8,7 +8,7 @@
 namespace candela::cli {
 
 std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
-  std::vector<Spelling> spellings;
+  std::vector<scene::Spelling> spellings;
   for (const std::string& candidate : candidates) spellings.push_back({candidate, candidate});
   const auto meant = suggest(word, spellings);
   return meant ? fmt::format("; did you mean {}?", *meant) : "";

@@ -9,8 +9,8 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/explain/explanation.h"
-#include "host/render/agreement.h"
-#include "host/render/make_renderer.h"
+#include "host/reference/reference_renderer.h"
+#include "host/verify/agreement.h"
 
 namespace candela::cli {
 namespace {
@@ -30,7 +30,7 @@ void requireSense(const Arguments& arguments) {
   explain::requirePaths(arguments.settings.integrator);
 }
 
-PixelSample sampleAskedFor(const RenderJob& job) {
+render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
   const auto [width, height] = job.settings.size;
   if (x >= width || y >= height) {
@@ -52,11 +52,11 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
 }
 
 // Draws both pictures at one sample per pixel to find the place.
-ExitCode explainWorstPixel(const RenderJob& job, const Log& log, ReplayingRenderer& device,
-                           ReplayingRenderer& reference) {
-  const std::optional<PixelAgreement> pixels = [&] {
+ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::ReplayingRenderer& device,
+                           render::ReplayingRenderer& reference) {
+  const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
+    return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
   }();
   if (!pixels) {
     log.note("interrupted; nothing is explained");
@@ -78,9 +78,9 @@ ExitCode runExplain(const Arguments& arguments, const Log& log) {
   requireSense(arguments);
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
-  const std::optional<PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
-  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments, log);
-  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+  const std::optional<render::PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
+  const std::unique_ptr<render::ReplayingRenderer> device = makeRenderer(arguments, log);
+  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
   if (!sample) return explainWorstPixel(job, log, *device, *reference);
   publish(explain::explainSample(job.scene, job.settings, *sample, *device, *reference), job.arguments);
   return ExitCode::done;

@@ -16,7 +16,7 @@ std::string toleranceText(const ImageVerdict& verdict) {
 }
 
 // Adds the test, or why there is none.
-void test(ImageVerdict& verdict, const Arguments& arguments, const Image& a, const Image& reference) {
+void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image& a, const image::Image& reference) {
   const bool asked = arguments.given.contains("--alpha");
   if (!asked && (verdict.tolerance || !verify::carriesVariance(a) || !verify::carriesVariance(reference))) return;
   const std::optional<std::string> obstacle = verify::whyNotTestable(a, reference);
@@ -30,8 +30,8 @@ void test(ImageVerdict& verdict, const Arguments& arguments, const Image& a, con
 
 }  // namespace
 
-ImageVerdict judgeImages(const Arguments& arguments, const Image& a, const Image& reference,
-                         const ImageComparison& comparison) {
+ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+                         const image::ImageComparison& comparison) {
   ImageVerdict verdict;
   verdict.tolerance = arguments.tolerance;
   if (verdict.tolerance) {

@@ -26,8 +26,8 @@ struct ImageVerdict {
 };
 
 /// Throws UsageError if --alpha is given and the images cannot be tested.
-ImageVerdict judgeImages(const Arguments& arguments, const Image& a, const Image& reference,
-                         const ImageComparison& comparison);
+ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+                         const image::ImageComparison& comparison);
 
 /// Lines for people, each ending in a newline; none without a verdict and a reason to say why.
 std::string toText(const ImageVerdict& verdict);

@@ -34,16 +34,16 @@ Notation<double> share(std::string metavar, double lowest, double highest) {
           parse, [](const double& value) { return fmt::to_string(value); }};
 }
 
-Notation<Extent> extent(std::string metavar, std::uint32_t highest) {
-  const auto parse = [=](const std::string& word) -> std::optional<Extent> {
+Notation<render::Extent> extent(std::string metavar, std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<render::Extent> {
     const std::size_t cross = word.find('x');
     if (cross == std::string::npos) return std::nullopt;
     const auto width = parseWhole(std::string_view(word).substr(0, cross), 1, highest);
     const auto height = parseWhole(std::string_view(word).substr(cross + 1), 1, highest);
     if (!width || !height) return std::nullopt;
-    return Extent{*width, *height};
+    return render::Extent{*width, *height};
   };
-  return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, extentText};
+  return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, render::extentText};
 }
 
 Notation<PixelPlace> pixelPlace(std::uint32_t highest) {

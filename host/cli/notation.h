@@ -31,7 +31,7 @@ Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
 /// A share of one, as a number ("0.005") or in percent ("0.5%"), from `lowest` to `highest`.
 Notation<double> share(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
-Notation<Extent> extent(std::string metavar, std::uint32_t highest);
+Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
 /// "X,Y", both from 0 to `highest`.
 Notation<PixelPlace> pixelPlace(std::uint32_t highest);
 /// Any text; an empty value, which can only be the default, prints as `empty`.

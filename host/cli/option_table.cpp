@@ -36,27 +36,31 @@ constexpr float kShortestReach = 1e-30f;
 constexpr float kLongestReach = 1e30f;
 
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
-const std::vector<std::pair<std::string, SamplerKind>> kSamplers{
-    {"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}, {"sobol", SamplerKind::sobol}};
-const std::vector<std::pair<std::string, Integrator>> kIntegrators{
-    {"path", Integrator::path},     {"whitted", Integrator::whitted}, {"ao", Integrator::ao},
-    {"normal", Integrator::normal}, {"albedo", Integrator::albedo},   {"depth", Integrator::depth},
-    {"id", Integrator::id},         {"cost", Integrator::cost}};
-const std::vector<std::pair<std::string, ToneMap>> kToneMaps{{"none", ToneMap::none},
-                                                             {"srgb", ToneMap::srgb},
-                                                             {"aces", ToneMap::aces},
-                                                             {"agx", ToneMap::agx},
-                                                             {"neutral", ToneMap::neutral}};
+const std::vector<std::pair<std::string, render::SamplerKind>> kSamplers{
+    {"independent", render::SamplerKind::independent},
+    {"stratified", render::SamplerKind::stratified},
+    {"sobol", render::SamplerKind::sobol}};
+const std::vector<std::pair<std::string, render::Integrator>> kIntegrators{
+    {"path", render::Integrator::path},     {"whitted", render::Integrator::whitted},
+    {"ao", render::Integrator::ao},         {"normal", render::Integrator::normal},
+    {"albedo", render::Integrator::albedo}, {"depth", render::Integrator::depth},
+    {"id", render::Integrator::id},         {"cost", render::Integrator::cost}};
+const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{{"none", image::ToneMap::none},
+                                                                    {"srgb", image::ToneMap::srgb},
+                                                                    {"aces", image::ToneMap::aces},
+                                                                    {"agx", image::ToneMap::agx},
+                                                                    {"neutral", image::ToneMap::neutral}};
 
 std::string defaultDepths() {
-  return fmt::format("{}; whitted {}", defaultMaxDepth(Integrator::path), defaultMaxDepth(Integrator::whitted));
+  return fmt::format("{}; whitted {}", defaultMaxDepth(render::Integrator::path),
+                     defaultMaxDepth(render::Integrator::whitted));
 }
 
 // NOLINTBEGIN: one row each, however long.
 // clang-format off
 std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
-  const std::string defaultSamples = std::to_string(RenderSettings{}.sampleCount);
+  const std::string defaultSamples = std::to_string(render::RenderSettings{}.sampleCount);
   return {
     valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
@@ -77,11 +81,11 @@ std::vector<Option> imageOptions() {
     valued({"--sampler", kTracing, kGroup, "random numbers"},
            choice(kSamplers), [](auto& a) -> auto& { return a.settings.sampler; }),
     valued({"--filter", kTracing, kGroup, "pixel filter"},
-           choice<FilterKind>({{"box", FilterKind::box}, {"tent", FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
+           choice<render::FilterKind>({{"box", render::FilterKind::box}, {"tent", render::FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
     valued({"--lens", kTracing, kGroup, "shape of the lens, where the file has an aperture"},
-           choice<LensKind>({{"disc", LensKind::disc}, {"square", LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
+           choice<render::LensKind>({{"disc", render::LensKind::disc}, {"square", render::LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
     valued({"--pixel-origin", kTracing, kGroup, "where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less each way"},
-           choice<PixelOrigin>({{"centre", PixelOrigin::centre}, {"corner", PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.pixelOrigin; }),
+           choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.pixelOrigin; }),
     valued({"--light-size", kTracing, kGroup, "of `whitted`: point lights become squares of this side, with soft shadows"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.lightSize; }),
     flag({"--one-sided", kTracing, kGroup, "rays pass through the back of opaque polygons and planes, as in NFF"},
@@ -105,19 +109,19 @@ std::vector<Option> executionOptions() {
     valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
-           orAbsent(choice<AccelKind>({{"none", AccelKind::none}, {"grid", AccelKind::grid}, {"bvh", AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
+           orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
     valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
-           choice<BvhSplit>({{"sah", BvhSplit::sah}, {"midpoint", BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
+           choice<render::BvhSplit>({{"sah", render::BvhSplit::sah}, {"midpoint", render::BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
     valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "of a device's BVH, by the surface area heuristic: build sooner, or trace sooner"},
-           choice<BuildQuality>({{"fast", BuildQuality::fast}, {"default", BuildQuality::standard}, {"high", BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.bvhQuality; }),
+           choice<render::BuildQuality>({{"fast", render::BuildQuality::fast}, {"default", render::BuildQuality::standard}, {"high", render::BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.bvhQuality; }),
     valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: as tuned, else eight, but with midpoint splits two"},
-           choice<BvhLayout>({{"auto", BvhLayout::automatic}, {"bvh2", BvhLayout::bvh2}, {"cwbvh", BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
+           choice<render::BvhLayout>({{"auto", render::BvhLayout::automatic}, {"bvh2", render::BvhLayout::bvh2}, {"cwbvh", render::BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
     valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as tuned, else as texels, if they fit"},
-           choice<SceneLoads>({{"auto", SceneLoads::automatic}, {"texel", SceneLoads::texel}, {"storage", SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
+           choice<render::SceneLoads>({{"auto", render::SceneLoads::automatic}, {"texel", render::SceneLoads::texel}, {"storage", render::SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
     valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
     valued({"--kernel", kTracing, kGroup, "how a device traces paths: each to its end by one lane, or all stage by stage; `auto`: as tuned, else megakernel"},
-           choice<KernelKind>({{"auto", KernelKind::automatic}, {"megakernel", KernelKind::megakernel}, {"wavefront", KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.kernel; }),
+           choice<render::KernelKind>({{"auto", render::KernelKind::automatic}, {"megakernel", render::KernelKind::megakernel}, {"wavefront", render::KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.kernel; }),
     valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup; `auto`: as tuned, else 8x8"},
            orAbsent(extent("XxY", kLargestWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),
     valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},

@@ -24,7 +24,7 @@ void requireWritableFile(const std::filesystem::path& file) {
 }
 
 void requireWritableImage(const std::filesystem::path& file) {
-  checkImageFormat(file);
+  image::checkImageFormat(file);
   requireWritableFile(file);
 }
 

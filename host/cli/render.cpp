@@ -23,8 +23,8 @@ namespace candela::cli {
 namespace {
 
 // What a file that outlives the command line should say about itself.
-std::map<std::string, std::string> imageMetadata(const RenderJob& job, const RenderResult& result) {
-  const RenderStatistics& statistics = result.statistics;
+std::map<std::string, std::string> imageMetadata(const RenderJob& job, const render::RenderResult& result) {
+  const render::RenderStatistics& statistics = result.statistics;
   std::string settings = commandLineOf(job.arguments, OptionGroup::image, false);
   const std::string reading = commandLineOf(job.arguments, OptionGroup::sceneFile, true);
   if (!reading.empty()) settings += " " + reading;
@@ -40,14 +40,14 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const Ren
           {"candela.interrupted", result.interrupted ? "yes" : "no"}};
 }
 
-void writeImages(const RenderJob& job, const RenderResult& result, const Log& log) {
+void writeImages(const RenderJob& job, const render::RenderResult& result, const Log& log) {
   if (job.arguments.outputs.empty()) return;
-  Image image = toImage(result.film);
+  image::Image image = toImage(result.film);
   image.metadata.merge(imageMetadata(job, result));
-  const DisplayTransform display = chooseDisplay(job.arguments, image);
+  const image::DisplayTransform display = chooseDisplay(job.arguments, image);
   if (isFalseColour(display.toneMap)) {
     image.metadata["candela.falseColour"] = falseColourText(display);
-    if (std::any_of(job.arguments.outputs.begin(), job.arguments.outputs.end(), isEightBit)) {
+    if (std::any_of(job.arguments.outputs.begin(), job.arguments.outputs.end(), image::isEightBit)) {
       log.note(falseColourKey(display));
     }
   }
@@ -55,7 +55,7 @@ void writeImages(const RenderJob& job, const RenderResult& result, const Log& lo
 }
 
 void summarise(const RenderReport& report, const Log& log) {
-  const RenderSettings& settings = report.job.settings;
+  const render::RenderSettings& settings = report.job.settings;
   const std::string done = report.result.interrupted
                                ? fmt::format("interrupted after {} samples; what was done is written",
                                              report.result.statistics.samples)
@@ -64,8 +64,8 @@ void summarise(const RenderReport& report, const Log& log) {
                        report.totalSeconds, report.result.statistics.device));
 }
 
-RenderResult trace(const RenderJob& job, const Log& log) {
-  const std::unique_ptr<Renderer> renderer = makeRenderer(job.arguments, log);
+render::RenderResult trace(const RenderJob& job, const Log& log) {
+  const std::unique_ptr<render::Renderer> renderer = makeRenderer(job.arguments, log);
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   return renderer->render(job.scene, job.settings, makeControl(progress));
 }
@@ -77,7 +77,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
-  const RenderResult result = trace(job, log);
+  const render::RenderResult result = trace(job, log);
   requireComplete(result.statistics);
 
   const double writeStart = monotonicSeconds();

@@ -9,23 +9,24 @@
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
-#include "host/render/kernel.h"
-#include "host/render/make_renderer.h"
+#include "host/device/gpu_renderer.h"
+#include "host/device/kernel.h"
+#include "host/reference/reference_renderer.h"
 #include "host/scene/load.h"
 #include "host/vulkan/device.h"
 
 namespace candela::cli {
 namespace {
 
-void requirePixelLimit(const Extent& size) {
-  if (std::uint64_t{size.width} * size.height <= kMaximumImagePixels) return;
+void requirePixelLimit(const render::Extent& size) {
+  if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
   throw FileError(fmt::format("an image of {}x{} pixels is beyond the limit of {} pixels", size.width, size.height,
-                              kMaximumImagePixels));
+                              image::kMaximumImagePixels));
 }
 
 // The film alone must fit: to ask for more would not fail, but drive the machine into swapping or worse.
-void requireMemoryForFilm(const Extent& size) {
-  const double needed = static_cast<double>(size.width) * size.height * sizeof(FilmPixel);
+void requireMemoryForFilm(const render::Extent& size) {
+  const double needed = static_cast<double>(size.width) * size.height * sizeof(image::FilmPixel);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= present) return;
   constexpr double kGiB = 1024.0 * 1024 * 1024;
@@ -33,36 +34,44 @@ void requireMemoryForFilm(const Extent& size) {
                                      size.width, size.height, needed / kGiB, present / kGiB));
 }
 
-AccelKind requestedAccel(const Scene& scene) {
+render::AccelKind requestedAccel(const scene::Scene& scene) {
   constexpr std::uint32_t kNone = 0;
   constexpr std::uint32_t kGrid = 1;
-  if (scene.requestedAccel == kNone) return AccelKind::none;
-  if (scene.requestedAccel == kGrid) return AccelKind::grid;
-  return AccelKind::bvh;
+  if (scene.requestedAccel == kNone) return render::AccelKind::none;
+  if (scene.requestedAccel == kGrid) return render::AccelKind::grid;
+  return render::AccelKind::bvh;
 }
 
 // Options that not every render reads.
 struct SpecialOption {
   const char* option;
-  bool (*isRead)(const RenderSettings& settings);
+  bool (*isRead)(const render::RenderSettings& settings);
   const char* reader;
 };
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee", [](const RenderSettings& s) { return s.integrator == Integrator::path; },
+    SpecialOption{"--nee", [](const render::RenderSettings& s) { return s.integrator == render::Integrator::path; },
                   "--integrator path"},
-    SpecialOption{"--rr-start", [](const RenderSettings& s) { return s.integrator == Integrator::path; },
+    SpecialOption{"--rr-start",
+                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::path; },
                   "--integrator path"},
-    SpecialOption{"--max-depth", [](const RenderSettings& s) { return !isView(s.integrator); },
+    SpecialOption{"--max-depth", [](const render::RenderSettings& s) { return !isView(s.integrator); },
                   "--integrator path or whitted"},
-    SpecialOption{"--light-size", [](const RenderSettings& s) { return s.integrator == Integrator::whitted; },
+    SpecialOption{"--light-size",
+                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::whitted; },
                   "--integrator whitted"},
-    SpecialOption{"--ao-distance", [](const RenderSettings& s) { return s.integrator == Integrator::ao; },
+    SpecialOption{"--ao-distance",
+                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::ao; },
                   "--integrator ao"},
-    SpecialOption{"--grid-density", [](const RenderSettings& s) { return s.accel == AccelKind::grid; }, "--accel grid"},
-    SpecialOption{"--layout", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"},
-    SpecialOption{"--bvh-split", [](const RenderSettings& s) { return s.accel == AccelKind::bvh; }, "--accel bvh"},
+    SpecialOption{"--grid-density", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::grid; },
+                  "--accel grid"},
+    SpecialOption{"--layout", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::bvh; },
+                  "--accel bvh"},
+    SpecialOption{"--bvh-split", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::bvh; },
+                  "--accel bvh"},
     SpecialOption{"--bvh-quality",
-                  [](const RenderSettings& s) { return s.accel == AccelKind::bvh && s.bvhSplit == BvhSplit::sah; },
+                  [](const render::RenderSettings& s) {
+                    return s.accel == render::AccelKind::bvh && s.bvhSplit == render::BvhSplit::sah;
+                  },
                   "--accel bvh with --bvh-split sah"}};
 
 // Said rather than refused, so that one command line serves all renders.
@@ -74,29 +83,30 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
   }
 }
 
-void warnOfDarkness(const RenderSettings& settings, const Scene& scene, const Log& log) {
-  if (settings.integrator != Integrator::whitted || !scene.pointLights.empty()) return;
+void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
+  if (settings.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
   log.warning("no point light: --integrator whitted knows no other, so that surfaces show their own emission at most");
 }
 
 }  // namespace
 
-void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log) {
+void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
   if (!arguments.sampleCount && scene.requestedSamples) {
     log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
   }
-  if (!arguments.sampleCount) arguments.sampleCount = scene.requestedSamples.value_or(RenderSettings{}.sampleCount);
+  if (!arguments.sampleCount)
+    arguments.sampleCount = scene.requestedSamples.value_or(render::RenderSettings{}.sampleCount);
   if (!arguments.accel) arguments.accel = requestedAccel(scene);
   if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.integrator);
-  if (!arguments.size) arguments.size = Extent{scene.camera->width, scene.camera->height};
+  if (!arguments.size) arguments.size = render::Extent{scene.camera->width, scene.camera->height};
   arguments.settings.sampleCount = *arguments.sampleCount;
   arguments.settings.maxDepth = *arguments.maxDepth;
   arguments.settings.accel = *arguments.accel;
   arguments.settings.size = *arguments.size;
 }
 
-void requirePossible(const Arguments& arguments, const Scene& scene, const Log& log) {
-  requireKernel(arguments.settings);
+void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
+  device::requireKernel(arguments.settings);
   requirePixelLimit(arguments.settings.size);
   requireMemoryForFilm(arguments.settings.size);
   noteIdleOptions(arguments, log);
@@ -105,8 +115,8 @@ void requirePossible(const Arguments& arguments, const Scene& scene, const Log& 
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
-  LoadedScene loaded = loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
-  for (const Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  scene::LoadedScene loaded = scene::loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
+  for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   RenderJob job{arguments, {}, std::move(loaded.scene), 0};
   resolveRequests(job.arguments, job.scene, log);
@@ -116,21 +126,21 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   return job;
 }
 
-std::unique_ptr<ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") return makeReferenceRenderer();
+std::unique_ptr<render::ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") return reference::makeReferenceRenderer();
   vulkan::Device device = vulkan::Device::open(arguments.device);
-  AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
-  return std::make_unique<TunedRenderer>(makeGpuRenderer(std::move(device)), std::move(choices));
+  render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
+  return std::make_unique<TunedRenderer>(device::makeGpuRenderer(std::move(device)), std::move(choices));
 }
 
-RenderControl makeControl(Progress& progress) {
-  RenderControl control;
+render::RenderControl makeControl(Progress& progress) {
+  render::RenderControl control;
   control.stop = &watchInterrupts();
   control.progress = [&progress](double fraction, std::uint64_t samples) { progress.update(fraction, samples); };
   return control;
 }
 
-void requireComplete(const RenderStatistics& statistics) {
+void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   if (statistics.structure == "grid") {
     throw FileError(

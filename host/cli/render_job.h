@@ -13,8 +13,8 @@ namespace candela::cli {
 
 struct RenderJob {
   Arguments arguments;  ///< with nothing left to the file
-  RenderSettings settings;
-  Scene scene;
+  render::RenderSettings settings;
+  scene::Scene scene;
   double parseSeconds = 0;
 };
 
@@ -24,20 +24,20 @@ RenderJob loadJob(const Arguments& arguments, const Log& log);
 
 /// What must hold before a render of resolved arguments begins: an image within the limits (else FileError) whose film
 /// fits into memory (else OutOfMemoryError). Says in the log which options change nothing, and what will be dark.
-void requirePossible(const Arguments& arguments, const Scene& scene, const Log& log);
+void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// The file's requests, and what the integrator defaults to, take the place of options that are absent.
-void resolveRequests(Arguments& arguments, const Scene& scene, const Log& log);
+void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// "cpu": the reference; everything else: a Vulkan device, on which `auto` means what `candela tune` found, unless the
 /// arguments have it otherwise. Throws NoDeviceError.
-std::unique_ptr<ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log);
+std::unique_ptr<render::ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log);
 
 /// Progress on stderr; SIGINT and SIGTERM stop.
-RenderControl makeControl(Progress& progress);
+render::RenderControl makeControl(Progress& progress);
 
 /// Throws, since the image would be wrong, if work was truncated: FileError where a scene's grid is too much for the
 /// device's loops, InternalError elsewhere.
-void requireComplete(const RenderStatistics& statistics);
+void requireComplete(const render::RenderStatistics& statistics);
 
 }  // namespace candela::cli

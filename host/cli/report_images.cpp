@@ -30,18 +30,18 @@ constexpr std::array kMetadataFacts{MetadataFact{"Scene", "candela.scene"},
                                     MetadataFact{"Interrupted", "candela.interrupted"},
                                     MetadataFact{"Written by candela", "candela.version"}};
 
-std::string metadataOf(const Image& image, const char* key) {
+std::string metadataOf(const image::Image& image, const char* key) {
   const auto entry = image.metadata.find(key);
   return entry == image.metadata.end() ? "" : entry->second;
 }
 
 // Of the colours, since not every format has room for a hash of the film.
-std::string pixelHash(const Image& image) {
+std::string pixelHash(const image::Image& image) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(image.rgb.data());
-  return hashText(fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
+  return hashText(scene::fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
 }
 
-std::vector<report::Fact> factsOf(const Arguments& arguments, const Image& a, const Image& b) {
+std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {
   std::vector<report::Fact> facts{{"File", arguments.files[0], arguments.files[1]},
                                   {"Hash of the colours", pixelHash(a), pixelHash(b)}};
   for (const auto& [name, key] : kMetadataFacts) {
@@ -58,7 +58,7 @@ bool isHarmless(const std::string& settings) {
 }
 
 // How the file was rendered; empty if it does not say.
-std::string renderCommand(const std::string& file, const Image& image) {
+std::string renderCommand(const std::string& file, const image::Image& image) {
   const std::string scene = metadataOf(image, "candela.scene");
   const std::string settings = metadataOf(image, "candela.settings");
   const std::string device = metadataOf(image, "candela.device");
@@ -67,7 +67,7 @@ std::string renderCommand(const std::string& file, const Image& image) {
                      shellQuoted(file));
 }
 
-std::vector<std::string> commandsOf(const Arguments& arguments, const Image& a, const Image& b) {
+std::vector<std::string> commandsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {
   std::string compare = fmt::format("candela compare {} {}", shellQuoted(arguments.files[0]),
                                     shellQuoted(arguments.files[1]));
   for (const OptionGroup group : {OptionGroup::output, OptionGroup::comparison}) {
@@ -89,8 +89,9 @@ Outcome outcomeOf(const ImageVerdict& verdict) {
 
 }  // namespace
 
-Report imageReport(const Arguments& arguments, const Image& a, const Image& reference,
-                   const ImageComparison& comparison, const FlipResult& flip, const ImageVerdict& verdict) {
+Report imageReport(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+                   const image::ImageComparison& comparison, const image::FlipResult& flip,
+                   const ImageVerdict& verdict) {
   Report page;
   page.title = fmt::format("{} and {}", arguments.files[0], arguments.files[1]);
   page.outcome = outcomeOf(verdict);

@@ -26,8 +26,8 @@ std::string commandOf(const Arguments& arguments, const char* command, std::init
 }
 
 // What both reports on a scene have in common: pictures, tracers, hashes.
-Report tracersReport(const RenderJob& job, const Film& device, const Film& reference,
-                     const RenderStatistics& statistics) {
+Report tracersReport(const RenderJob& job, const image::Film& device, const image::Film& reference,
+                     const render::RenderStatistics& statistics) {
   Report page;
   page.nameA = "Device: " + statistics.device;
   page.nameB = "Reference";
@@ -45,16 +45,17 @@ Report tracersReport(const RenderJob& job, const Film& device, const Film& refer
   return page;
 }
 
-std::string agreementSentence(const AgreementReport& agreement) {
+std::string agreementSentence(const verify::AgreementReport& agreement) {
   return fmt::format(
       "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and "
       "the means "
       "of {} samples are {:.2e} apart (at most {:.0e}).",
-      100 * agreement.pixels.share(), 100 * kRequiredShare, 100 * agreement.pixels.litShare(), 100 * kRequiredLitShare,
-      agreement.mean.samples, agreement.mean.relativeDifference(), kMeanTolerance);
+      100 * agreement.pixels.share(), 100 * verify::kRequiredShare, 100 * agreement.pixels.litShare(),
+      100 * verify::kRequiredLitShare, agreement.mean.samples, agreement.mean.relativeDifference(),
+      verify::kMeanTolerance);
 }
 
-void addPaths(const PixelAgreement& paths, Report& page) {
+void addPaths(const verify::PixelAgreement& paths, Report& page) {
   page.figures.push_back({"Equal pixels at one sample",
                           fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
   page.figures.push_back(
@@ -64,7 +65,7 @@ void addPaths(const PixelAgreement& paths, Report& page) {
 
 }  // namespace
 
-Report agreementReport(const Arguments& arguments, const RenderJob& job, const AgreementReport& agreement) {
+Report agreementReport(const Arguments& arguments, const RenderJob& job, const verify::AgreementReport& agreement) {
   Report page = tracersReport(job, agreement.deviceFilm, agreement.referenceFilm, agreement.deviceStatistics);
   page.title = job.scene.name + ": device and reference, equal random numbers";
   page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;

@@ -70,7 +70,7 @@ ordered_json dispatchJson(std::vector<double> seconds) {
           {"max", bench::percentile(seconds, 1)}};
 }
 
-ordered_json raysJson(const RenderStatistics& statistics) {
+ordered_json raysJson(const render::RenderStatistics& statistics) {
   ordered_json rays{{"camera", statistics.cameraRays}};
   if (statistics.treeRays) {
     rays["cameraHits"] = statistics.treeRays->cameraHits;
@@ -100,7 +100,7 @@ void appendRows(const ordered_json& object, const std::string& prefix, std::stri
 }  // namespace
 
 ordered_json toJson(const RenderReport& report) {
-  const RenderStatistics& statistics = report.result.statistics;
+  const render::RenderStatistics& statistics = report.result.statistics;
   const ordered_json seconds = secondsJson(report);
   const double traceSeconds = seconds["trace"];
   ordered_json json;

@@ -10,10 +10,10 @@ namespace candela::cli {
 
 struct RenderReport {
   const RenderJob& job;
-  const RenderResult& result;
+  const render::RenderResult& result;
   double writeSeconds = 0;
   double totalSeconds = 0;
-  BadSampleTally badSamples{};  ///< of the result's film
+  render::BadSampleTally badSamples{};  ///< of the result's film
 };
 
 /// All figures, keys in lowerCamel. Rates are per second of the phase `trace`.

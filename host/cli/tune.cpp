@@ -10,7 +10,7 @@
 #include "host/cli/render_job.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
-#include "host/render/make_renderer.h"
+#include "host/device/gpu_renderer.h"
 #include "host/tune/tune_report.h"
 #include "host/tune/tuning_file.h"
 #include "host/tune/work.h"
@@ -33,7 +33,7 @@ std::filesystem::path requireFile(const tune::TuningKey& key) {
   return file;
 }
 
-Work workOf(const Arguments& arguments, Scene scene, const Log& log) {
+Work workOf(const Arguments& arguments, scene::Scene scene, const Log& log) {
   Arguments resolved = arguments;
   resolveRequests(resolved, scene, log);
   requirePossible(resolved, scene, log);
@@ -49,14 +49,14 @@ std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
     works.push_back({std::move(job.scene), job.settings});
   }
   if (!works.empty()) return works;
-  for (Scene& scene : tune::builtInScenes()) works.push_back(workOf(arguments, std::move(scene), log));
+  for (scene::Scene& scene : tune::builtInScenes()) works.push_back(workOf(arguments, std::move(scene), log));
   return works;
 }
 
 tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, std::vector<Work>& works,
                            const Log& log) {
-  const std::unique_ptr<Renderer> renderer = makeGpuRenderer(device);
-  RenderControl control;
+  const std::unique_ptr<render::Renderer> renderer = device::makeGpuRenderer(device);
+  render::RenderControl control;
   control.stop = &watchInterrupts();
   for (Work& work : works) {
     fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);

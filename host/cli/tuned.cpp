@@ -4,7 +4,7 @@
 
 namespace candela::cli {
 
-std::optional<KeptTuning> keptTuning(const DeviceInfo& info, const Log& log) {
+std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& log) {
   const std::optional<std::filesystem::path> folder = tune::cacheFolder();
   if (!folder) return std::nullopt;
   const tune::TuningKey key = tune::keyOf(info);
@@ -17,11 +17,11 @@ std::optional<KeptTuning> keptTuning(const DeviceInfo& info, const Log& log) {
   return KeptTuning{*found.tuning, file};
 }
 
-AutomaticChoices automaticChoices(const Arguments& arguments, const DeviceInfo& info, const Log& log) {
+render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log) {
   if (arguments.untuned) return {};
   const std::optional<KeptTuning> kept = keptTuning(info, log);
   if (!kept) return {};
-  AutomaticChoices choices = tune::choicesOf(kept->tuning.candidate);
+  render::AutomaticChoices choices = tune::choicesOf(kept->tuning.candidate);
   choices.origin = fmt::format("tuned {}, {}", kept->tuning.date, kept->file.string());
   return choices;
 }

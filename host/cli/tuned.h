@@ -14,32 +14,34 @@ struct KeptTuning {
   tune::Tuning tuning;
   std::filesystem::path file;
 };
-std::optional<KeptTuning> keptTuning(const DeviceInfo& info, const Log& log);
+std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& log);
 
 /// What is kept, or without it, or if `--untuned` is given, what is built in.
-AutomaticChoices automaticChoices(const Arguments& arguments, const DeviceInfo& info, const Log& log);
+render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log);
 
 /// Renders as another renderer does, with these choices.
-class TunedRenderer final : public ReplayingRenderer {
+class TunedRenderer final : public render::ReplayingRenderer {
  public:
-  TunedRenderer(std::unique_ptr<ReplayingRenderer> renderer, AutomaticChoices choices)
+  TunedRenderer(std::unique_ptr<render::ReplayingRenderer> renderer, render::AutomaticChoices choices)
       : renderer_(std::move(renderer)), choices_(std::move(choices)) {}
 
-  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
+  render::RenderResult render(const scene::Scene& scene, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
     return renderer_->render(scene, tuned(settings), control);
   }
-  Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override {
+  render::Replay replay(const scene::Scene& scene, const render::RenderSettings& settings,
+                        const render::PixelSample& sample) override {
     return renderer_->replay(scene, tuned(settings), sample);
   }
 
  private:
-  RenderSettings tuned(RenderSettings settings) const {
+  render::RenderSettings tuned(render::RenderSettings settings) const {
     settings.automatic = choices_;
     return settings;
   }
 
-  std::unique_ptr<ReplayingRenderer> renderer_;
-  AutomaticChoices choices_;
+  std::unique_ptr<render::ReplayingRenderer> renderer_;
+  render::AutomaticChoices choices_;
 };
 
 }  // namespace candela::cli

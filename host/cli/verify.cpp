@@ -13,15 +13,15 @@
 #include "host/cli/text_output.h"
 #include "host/core/interrupt.h"
 #include "host/explain/explanation.h"
-#include "host/render/make_renderer.h"
+#include "host/reference/reference_renderer.h"
 
 namespace candela::cli {
 namespace {
 
 // Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the
 // verdict.
-void explainWorst(const verify::VerifyReport& report, const RenderJob& job, ReplayingRenderer& device,
-                  ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
+void explainWorst(const verify::VerifyReport& report, const RenderJob& job, render::ReplayingRenderer& device,
+                  render::ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
   const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,
                                                                           reference);
   if (worst) requireComplete(worst->statistics);
@@ -42,9 +42,9 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.junit);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<ReplayingRenderer> device = makeRenderer(arguments, log);
-  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
-  RenderControl control;
+  const std::unique_ptr<render::ReplayingRenderer> device = makeRenderer(arguments, log);
+  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
+  render::RenderControl control;
   control.stop = &watchInterrupts();
   verify::LightTestOptions options = arguments.verification;
   options.keepFilms = !arguments.report.empty();

@@ -65,15 +65,16 @@ std::string Explanation::verdict() const {
          fmt::format("\nThe sample's radiance is {}.", radiance.apart == 0 ? "equal" : apartText(radiance) + " apart");
 }
 
-void requirePaths(Integrator integrator) {
-  if (integrator == Integrator::path) return;
+void requirePaths(render::Integrator integrator) {
+  if (integrator == render::Integrator::path) return;
   throw UsageError(
       "only the samples of --integrator path can be explained; for others `candela compare SCENE "
       "--integrator ...` counts the pixels that differ, and the decisions that part them");
 }
 
-Explanation explainReplays(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
-                           const Replay& device, const Replay& reference) {
+Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
+                           const render::PixelSample& sample, const render::Replay& device,
+                           const render::Replay& reference) {
   Explanation result;
   result.scene = scene.name;
   result.sample = sample;
@@ -86,17 +87,18 @@ Explanation explainReplays(const Scene& scene, const RenderSettings& settings, c
   return result;
 }
 
-Explanation explainSample(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
-                          ReplayingRenderer& device, ReplayingRenderer& reference) {
+Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
+                          const render::PixelSample& sample, render::ReplayingRenderer& device,
+                          render::ReplayingRenderer& reference) {
   return explainReplays(scene, settings, sample, device.replay(scene, settings, sample),
                         reference.replay(scene, settings, sample));
 }
 
-std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings,
-                                        const PixelAgreement& pixels, ReplayingRenderer& device,
-                                        ReplayingRenderer& reference) {
+std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,
+                                        const verify::PixelAgreement& pixels, render::ReplayingRenderer& device,
+                                        render::ReplayingRenderer& reference) {
   if (pixels.equal == pixels.pixels) return std::nullopt;
-  RenderSettings single = settings;
+  render::RenderSettings single = settings;
   single.sampleCount = 1;
   return explainSample(scene, single, {pixels.worstX, pixels.worstY, 0}, device, reference);
 }

@@ -22,11 +22,11 @@ struct Place {
 
 struct Explanation {
   std::string scene;
-  PixelSample sample;
+  render::PixelSample sample;
   std::uint32_t seed = 0;
-  RenderStatistics statistics;  ///< of the device's replay
-  PathTrace device;
-  PathTrace reference;
+  render::RenderStatistics statistics;  ///< of the device's replay
+  render::PathTrace device;
+  render::PathTrace reference;
   std::vector<Stage> stages;
   /// Within a stage in the order of the estimator; none: no decision differs, and no number by more than kTolerance.
   std::optional<Place> firstDifference;
@@ -37,31 +37,33 @@ struct Explanation {
 
   const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }
   /// Whether a path has more vertices than are kept.
-  bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > PathTrace::kMostVertices; }
+  bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > render::PathTrace::kMostVertices; }
   /// What was found, in a sentence or three.
   std::string verdict() const;
 };
 
 /// Throws UsageError, which says what to do instead, if `integrator` has no paths to replay.
-void requirePaths(Integrator integrator);
+void requirePaths(render::Integrator integrator);
 
 /// Traces the sample on both sides. The pixel lies within the image.
-Explanation explainSample(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
-                          ReplayingRenderer& device, ReplayingRenderer& reference);
+Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
+                          const render::PixelSample& sample, render::ReplayingRenderer& device,
+                          render::ReplayingRenderer& reference);
 /// The same from replays that are there; `scene` gives names to indices.
-Explanation explainReplays(const Scene& scene, const RenderSettings& settings, const PixelSample& sample,
-                           const Replay& device, const Replay& reference);
+Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
+                           const render::PixelSample& sample, const render::Replay& device,
+                           const render::Replay& reference);
 
 /// The pixel that differs most, by the settings with which comparePaths() saw it; none if all pixels are equal.
-std::optional<Explanation> explainWorst(const Scene& scene, const RenderSettings& settings,
-                                        const PixelAgreement& pixels, ReplayingRenderer& device,
-                                        ReplayingRenderer& reference);
+std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,
+                                        const verify::PixelAgreement& pixels, render::ReplayingRenderer& device,
+                                        render::ReplayingRenderer& reference);
 
 std::string toText(const Explanation& explanation);
 nlohmann::ordered_json toJson(const Explanation& explanation);
 
 // What is said where explainWorst() gives none.
-std::string nothingToExplain(const PixelAgreement& pixels);
-nlohmann::ordered_json nothingJson(const Scene& scene, const PixelAgreement& pixels);
+std::string nothingToExplain(const verify::PixelAgreement& pixels);
+nlohmann::ordered_json nothingJson(const scene::Scene& scene, const verify::PixelAgreement& pixels);
 
 }  // namespace candela::explain

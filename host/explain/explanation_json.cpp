@@ -57,7 +57,7 @@ ordered_json headJson(const std::string& scene, bool equal) {
 }  // namespace
 
 ordered_json toJson(const Explanation& explanation) {
-  const PixelSample& sample = explanation.sample;
+  const render::PixelSample& sample = explanation.sample;
   ordered_json json = headJson(explanation.scene, !explanation.firstDifference);
   json["verdict"] = explanation.verdict();
   json["device"] = explanation.statistics.device;
@@ -69,12 +69,12 @@ ordered_json toJson(const Explanation& explanation) {
   json["firstDifference"] = placeJson(explanation, explanation.firstDifference);
   json["firstDecision"] = placeJson(explanation, explanation.firstDecision);
   json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};
-  json["mostVertices"] = PathTrace::kMostVertices;
+  json["mostVertices"] = render::PathTrace::kMostVertices;
   for (const Stage& stage : explanation.stages) json["stages"].push_back(stageJson(stage));
   return json;
 }
 
-ordered_json nothingJson(const Scene& scene, const PixelAgreement& pixels) {
+ordered_json nothingJson(const scene::Scene& scene, const verify::PixelAgreement& pixels) {
   ordered_json json = headJson(scene.name, true);
   json["verdict"] = nothingToExplain(pixels);
   json["pixels"] = pixels.pixels;

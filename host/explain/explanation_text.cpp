@@ -36,14 +36,14 @@ class TextLayout {
 
  private:
   void addHead() {
-    const PixelSample& sample = explanation_.sample;
+    const render::PixelSample& sample = explanation_.sample;
     text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} against the reference\n", explanation_.scene,
                          sample.x, sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
     text_ += explanation_.verdict() + "\n";
     if (explanation_.isCut()) {
       text_ += fmt::format("The paths have {} and {} vertices; the first {} are shown.\n",
                            explanation_.device.vertexCount, explanation_.reference.vertexCount,
-                           PathTrace::kMostVertices);
+                           render::PathTrace::kMostVertices);
     }
     text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference",
                          kSideWidth - 1);
@@ -97,7 +97,7 @@ class TextLayout {
 
 std::string toText(const Explanation& explanation) { return TextLayout(explanation).text(); }
 
-std::string nothingToExplain(const PixelAgreement& pixels) {
+std::string nothingToExplain(const verify::PixelAgreement& pixels) {
   return fmt::format("Nothing to explain: at one sample all {} pixels are equal.", pixels.pixels);
 }
 

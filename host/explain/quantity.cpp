@@ -20,7 +20,7 @@ double apartOf(double a, double b) {
   return share(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
 }
 
-double channelApart(double a, double b) { return std::abs(a - b) <= kAbsoluteTolerance ? 0 : apartOf(a, b); }
+double channelApart(double a, double b) { return std::abs(a - b) <= verify::kAbsoluteTolerance ? 0 : apartOf(a, b); }
 
 Value valueOf(std::optional<double> number) { return number ? Value{{}, {*number}} : Value{}; }
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 
 namespace candela::explain {
 
 /// Numbers are equal up to this share of the larger one, as pixels are: single precision leaves 1e-7, and a few bounces
 /// off flat surfaces make 1e-5 of it.
-inline constexpr double kTolerance = kRelativeTolerance;
+inline constexpr double kTolerance = verify::kRelativeTolerance;
 
 /// What one side has: words (of a decision) or one to three numbers; neither: it did not come so far.
 struct Value {

@@ -17,6 +17,7 @@ struct Stage {
 
 /// One stage for the camera, one for each vertex that either side has kept, one for the sample's radiance. `scene`
 /// gives names to indices.
-std::vector<Stage> stagesOf(const PathTrace& device, const PathTrace& reference, const Scene& scene);
+std::vector<Stage> stagesOf(const render::PathTrace& device, const render::PathTrace& reference,
+                            const scene::Scene& scene);
 
 }  // namespace candela::explain

@@ -2,29 +2,29 @@
 
 #include <fmt/format.h>
 
-#include "host/render/lobes.h"
+#include "host/flatten/lobes.h"
 
 namespace candela::explain {
 namespace {
 
-const char* kindWord(PrimitiveKind kind) {
+const char* kindWord(scene::PrimitiveKind kind) {
   switch (kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return "sphere";
-    case PrimitiveKind::triangle:
+    case scene::PrimitiveKind::triangle:
       return "triangle";
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return "box";
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return "cone";
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       break;
   }
   return "plane";
 }
 
-const char* materialWord(const Material& material) {
-  const Lobes lobes = lobesOf(material);
+const char* materialWord(const scene::Material& material) {
+  const flatten::Lobes lobes = flatten::lobesOf(material);
   if (lobes.mirror) return "mirror";
   const int count = (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0);
   if (count == 0) return "black";
@@ -34,45 +34,46 @@ const char* materialWord(const Material& material) {
 
 }  // namespace
 
-std::string primitiveWords(std::uint32_t primitive, const Scene& scene) {
+std::string primitiveWords(std::uint32_t primitive, const scene::Scene& scene) {
   if (primitive >= scene.primitives.size()) return fmt::to_string(primitive);
   return fmt::format("{} {}", primitive, kindWord(scene.primitives[primitive].kind));
 }
 
-std::string materialWords(std::uint32_t material, const Scene& scene) {
+std::string materialWords(std::uint32_t material, const scene::Scene& scene) {
   if (material >= scene.materials.size()) return fmt::to_string(material);
   return fmt::format("{} {}", material, materialWord(scene.materials[material]));
 }
 
-std::string lightWords(std::uint32_t primitive, const Scene& scene) {
-  return primitive == LightTrace::kPointLight ? "a point light" : "primitive " + primitiveWords(primitive, scene);
+std::string lightWords(std::uint32_t primitive, const scene::Scene& scene) {
+  return primitive == render::LightTrace::kPointLight ? "a point light"
+                                                      : "primitive " + primitiveWords(primitive, scene);
 }
 
-std::string lobeWords(Lobe lobe) {
+std::string lobeWords(render::Lobe lobe) {
   switch (lobe) {
-    case Lobe::none:
+    case render::Lobe::none:
       break;
-    case Lobe::diffuse:
+    case render::Lobe::diffuse:
       return "diffuse";
-    case Lobe::glossy:
+    case render::Lobe::glossy:
       return "glossy";
-    case Lobe::mirror:
+    case render::Lobe::mirror:
       return "mirror";
-    case Lobe::reflect:
+    case render::Lobe::reflect:
       return "reflect";
-    case Lobe::refract:
+    case render::Lobe::refract:
       return "refract";
   }
   return "none";
 }
 
-std::string shadowWords(ShadowOutcome outcome) {
+std::string shadowWords(render::ShadowOutcome outcome) {
   switch (outcome) {
-    case ShadowOutcome::notTraced:
+    case render::ShadowOutcome::notTraced:
       break;
-    case ShadowOutcome::visible:
+    case render::ShadowOutcome::visible:
       return "visible";
-    case ShadowOutcome::occluded:
+    case render::ShadowOutcome::occluded:
       return "occluded";
   }
   return "not traced";

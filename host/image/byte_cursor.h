@@ -6,7 +6,7 @@
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
 
-namespace candela {
+namespace candela::image {
 
 class ByteCursor {
  public:
@@ -41,4 +41,4 @@ class ByteCursor {
   ByteView rest_;
 };
 
-}  // namespace candela
+}  // namespace candela::image

@@ -7,7 +7,7 @@
 
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 
 using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
@@ -30,4 +30,4 @@ Bytes encodeHdr(const Image& image);
 Bytes encodePfm(const Image& image);
 Bytes encodeExr(const Image& image);
 
-}  // namespace candela
+}  // namespace candela::image

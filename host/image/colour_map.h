@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-namespace candela {
+namespace candela::image {
 
 /// The colour map "magma" of matplotlib (Nathaniel Smith and Stefan van der Walt, CC0) as sRGB signals in [0, 1], for t
 /// in [0, 1] (clamped; NaN is 0): a polynomial fit by Matt Zucker ("WlfXRN" on shadertoy.com, CC0).
@@ -27,4 +27,4 @@ inline glm::dvec3 signedColour(double strength) {
   return std::abs(strength) * (strength > 0 ? kPositive : kNegative);
 }
 
-}  // namespace candela
+}  // namespace candela::image

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-namespace candela {
+namespace candela::image {
 
 /// Linear value to sRGB signal, both in [0, 1].
 inline double srgbEncode(double linear) {
@@ -14,4 +14,4 @@ inline double srgbDecode(double signal) {
   return signal <= 0.04045 ? signal / 12.92 : std::pow((signal + 0.055) / 1.055, 2.4);
 }
 
-}  // namespace candela
+}  // namespace candela::image

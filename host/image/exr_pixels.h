@@ -7,7 +7,7 @@
 
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 
 inline constexpr int kNoExrThreads = 0;
 inline constexpr const char* kVarianceChannel = "variance.Y";
@@ -40,4 +40,4 @@ class ExrPixels {
   Imf::FrameBuffer frameBuffer_;
 };
 
-}  // namespace candela
+}  // namespace candela::image

@@ -14,7 +14,7 @@
 #include "host/image/byte_cursor.h"
 #include "host/image/exr_pixels.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 class MemoryInput : public Imf::IStream {
@@ -161,4 +161,4 @@ Image decodeExr(ByteView file) try { return decode(file); } catch (const Iex::Ba
   throw FileError(fmt::format("not a valid EXR file: {}", error.what()));
 }
 
-}  // namespace candela
+}  // namespace candela::image

@@ -14,7 +14,7 @@
 #include "host/image/codecs.h"
 #include "host/image/exr_pixels.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 class MemoryOutput : public Imf::OStream {
@@ -77,4 +77,4 @@ Bytes encodeExr(const Image& image) try { return encode(image); } catch (const I
   throw FileError(fmt::format("the EXR file cannot be made: {}", error.what()));
 }
 
-}  // namespace candela
+}  // namespace candela::image

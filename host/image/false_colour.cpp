@@ -6,7 +6,7 @@
 
 #include "host/image/colour_map.h"
 
-namespace candela {
+namespace candela::image {
 
 bool isFalseColour(ToneMap toneMap) { return toneMap == ToneMap::depth || toneMap == ToneMap::heat; }
 
@@ -27,4 +27,4 @@ float falseColourScale(const Image& image, ToneMap toneMap) {
   return *middle;
 }
 
-}  // namespace candela
+}  // namespace candela::image

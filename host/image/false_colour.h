@@ -2,7 +2,7 @@
 #pragma once
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 
 bool isFalseColour(ToneMap toneMap);
 
@@ -13,4 +13,4 @@ glm::dvec3 falseColour(double value, ToneMap toneMap);
 /// their number is even), since a plane that reaches the horizon has no largest. 1 if no value is positive and finite.
 float falseColourScale(const Image& image, ToneMap toneMap);
 
-}  // namespace candela
+}  // namespace candela::image

@@ -9,7 +9,7 @@
 
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 constexpr double kTwoTo64 = 18446744073709551616.0;
@@ -148,4 +148,4 @@ std::uint64_t Film::hash() const {
   return hash.value();
 }
 
-}  // namespace candela
+}  // namespace candela::image

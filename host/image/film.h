@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace candela {
+namespace candela::image {
 
 /// A 96-bit unsigned integer, least significant word first, in units of 2^-40. Sums wrap. A channel's cannot: samples
 /// are at most 2^20, so 2^36 fit, more than sampleCount counts. The second moment holds 2^56 / Y^2 samples of luminance
@@ -65,4 +65,4 @@ class Film {
 /// Rec. 709 luminance.
 inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
 
-}  // namespace candela
+}  // namespace candela::image

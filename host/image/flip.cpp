@@ -14,7 +14,7 @@
 #include "host/image/flip_colour.h"
 #include "host/image/separable_filter.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 using glm::dvec3;
@@ -184,4 +184,4 @@ Image errorPicture(const FlipResult& result) {
   return toImage(pixels);
 }
 
-}  // namespace candela
+}  // namespace candela::image

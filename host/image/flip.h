@@ -5,7 +5,7 @@
 
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 
 /// A display of 3840 pixels over 0.7 m, seen from 0.7 m: (3840 / 0.7 m) * 0.7 m * pi / 180.
 inline constexpr double kFlipPixelsPerDegree = 67.02064327658226;
@@ -30,4 +30,4 @@ Image displayed(const Image& image, const DisplayTransform& transform);
 /// The error map in the colours of "magma", black for 0; written as PNG with ToneMap::srgb it shows them as they are.
 Image errorPicture(const FlipResult& result);
 
-}  // namespace candela
+}  // namespace candela::image

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace candela::flip {
+namespace candela::image::flip {
 namespace {
 
 using glm::dmat3;
@@ -71,4 +71,4 @@ double colourError(const dvec3& a, const dvec3& b) {
   return distance < bend ? kPt / bend * distance : kPt + (distance - bend) / (largest - bend) * (1 - kPt);
 }
 
-}  // namespace candela::flip
+}  // namespace candela::image::flip

@@ -2,7 +2,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-namespace candela::flip {
+namespace candela::image::flip {
 
 /// Linear Rec. 709 in [0, 1] to and from YyCxCz, a linear opponent space: Y 0 to 100, red-green, blue-yellow.
 glm::dvec3 toOpponent(const glm::dvec3& linear);
@@ -17,4 +17,4 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b);
 /// Error in [0, 1] of two colours in Hunt-adjusted Lab.
 double colourError(const glm::dvec3& a, const glm::dvec3& b);
 
-}  // namespace candela::flip
+}  // namespace candela::image::flip

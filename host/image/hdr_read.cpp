@@ -6,7 +6,7 @@
 
 #include "host/image/byte_cursor.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
@@ -136,4 +136,4 @@ Image decodeHdr(ByteView file) {
   return image;
 }
 
-}  // namespace candela
+}  // namespace candela::image

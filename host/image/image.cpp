@@ -14,7 +14,7 @@
 #include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ Image readImage(const fs::path& file) { return decodeFile(file, decodeImage); }
 
 Pixels8 readPixels8(const fs::path& file) { return decodeFile(file, decodePixels8); }
 
-}  // namespace candela
+}  // namespace candela::image

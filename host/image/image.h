@@ -11,7 +11,7 @@
 
 #include "host/image/film.h"
 
-namespace candela {
+namespace candela::image {
 
 /// Linear RGB, row by row from the top. The other three (variance of the luminance of one sample, numbers of samples,
 /// and how many of them were bad) have one entry per pixel, or none where the file did not carry them.
@@ -87,4 +87,4 @@ Image readImage(const std::filesystem::path& file);
 /// Throws FileError.
 Pixels8 readPixels8(const std::filesystem::path& file);
 
-}  // namespace candela
+}  // namespace candela::image

@@ -9,7 +9,7 @@
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 /// A progressive file may repeat scans at will, each of which costs a pass over the whole image.
@@ -105,4 +105,4 @@ Pixels8 decodeJpeg(ByteView file) {
   return pixels;
 }
 
-}  // namespace candela
+}  // namespace candela::image

@@ -10,7 +10,7 @@
 #include "host/core/errors.h"
 #include "host/image/colour_map.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 using glm::dvec3;
@@ -167,4 +167,4 @@ Image differencePicture(const Image& a, const Image& reference, double range) {
   return toImage(picture);
 }
 
-}  // namespace candela
+}  // namespace candela::image

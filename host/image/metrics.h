@@ -6,7 +6,7 @@
 
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 
 /// Two values count as equal if they differ by at most `absolute` or by at most `relative` times the reference's.
 struct DifferenceTolerance {
@@ -64,4 +64,4 @@ double differenceScale(const Image& a, const Image& reference);
 /// colours as they are.
 Image differencePicture(const Image& a, const Image& reference, double range = 0.1);
 
-}  // namespace candela
+}  // namespace candela::image

@@ -8,7 +8,7 @@
 
 #include "host/image/byte_cursor.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 /// Words of the header end in exactly one white space character.
@@ -79,4 +79,4 @@ Bytes encodePfm(const Image& image) {
   return bytes;
 }
 
-}  // namespace candela
+}  // namespace candela::image

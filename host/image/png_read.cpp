@@ -5,7 +5,7 @@
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 class PngReader {
@@ -55,4 +55,4 @@ Pixels8 decodePng(ByteView file) {
   return pixels;
 }
 
-}  // namespace candela
+}  // namespace candela::image

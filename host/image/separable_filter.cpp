@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 void addScaled(double* target, const double* source, double weight, std::size_t count) {
@@ -46,4 +46,4 @@ Plane filtered(const Plane& in, const Kernel& horizontal, const Kernel& vertical
   return filteredColumns(filteredRows(in, horizontal), vertical);
 }
 
-}  // namespace candela
+}  // namespace candela::image

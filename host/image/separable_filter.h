@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace candela {
+namespace candela::image {
 
 /// One number a pixel, row by row from the top.
 struct Plane {
@@ -19,4 +19,4 @@ using Kernel = std::vector<double>;
 /// Beyond its edges the plane goes on with its outermost values.
 Plane filtered(const Plane& in, const Kernel& horizontal, const Kernel& vertical);
 
-}  // namespace candela
+}  // namespace candela::image

@@ -7,7 +7,7 @@
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 constexpr int kJpegQuality = 95;
@@ -55,4 +55,4 @@ Bytes encodeHdr(const Image& image) {
   return checked(succeeded, std::move(bytes));
 }
 
-}  // namespace candela
+}  // namespace candela::image

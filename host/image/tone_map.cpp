@@ -6,7 +6,7 @@
 #include "host/image/false_colour.h"
 #include "host/image/image.h"
 
-namespace candela {
+namespace candela::image {
 namespace {
 
 using glm::dmat3;
@@ -94,4 +94,4 @@ glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform
   return {quantized(signal.x), quantized(signal.y), quantized(signal.z)};
 }
 
-}  // namespace candela
+}  // namespace candela::image

@@ -13,13 +13,13 @@ enum Face { kRight, kLeft, kTop, kBottom, kFront, kBack };
 
 }  // namespace
 
-Background::Background(const Scene& scene) : scene_(scene) {
+Background::Background(const scene::Scene& scene) : scene_(scene) {
   for (std::size_t i = 0; i < linear_.size(); ++i) linear_[i] = decodeSrgb(static_cast<double>(i) / 255);
 }
 
 dvec3 Background::radiance(const dvec3& direction) const {
   if (!scene_.sky) return scene_.background;
-  const SkyFace(&faces)[6] = scene_.sky->faces;
+  const scene::SkyFace(&faces)[6] = scene_.sky->faces;
   const dvec3 size = glm::abs(direction);
   if (size.x >= size.y && size.x >= size.z) {
     const dvec3 d = direction / size.x;
@@ -33,7 +33,7 @@ dvec3 Background::radiance(const dvec3& direction) const {
   return d.z > 0 ? lookUp(faces[kFront], -d.x, d.y) : lookUp(faces[kBack], d.x, d.y);
 }
 
-dvec3 Background::lookUp(const SkyFace& face, double sc, double tc) const {
+dvec3 Background::lookUp(const scene::SkyFace& face, double sc, double tc) const {
   const double s = (sc + 1) / 2 * face.width - 0.5;
   const double t = (1 - tc) / 2 * face.height - 0.5;
   const int column = static_cast<int>(std::floor(s));
@@ -43,7 +43,7 @@ dvec3 Background::lookUp(const SkyFace& face, double sc, double tc) const {
   return glm::mix(above, below, t - row);
 }
 
-dvec3 Background::texel(const SkyFace& face, int column, int row) const {
+dvec3 Background::texel(const scene::SkyFace& face, int column, int row) const {
   const auto x = static_cast<std::size_t>(std::clamp(column, 0, static_cast<int>(face.width) - 1));
   const auto y = static_cast<std::size_t>(std::clamp(row, 0, static_cast<int>(face.height) - 1));
   const std::uint8_t* rgb = &face.rgb[3 * (y * face.width + x)];

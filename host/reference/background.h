@@ -10,14 +10,14 @@ namespace candela::reference {
 class Background {
  public:
   /// The scene must outlive the object.
-  explicit Background(const Scene& scene);
+  explicit Background(const scene::Scene& scene);
   dvec3 radiance(const dvec3& direction) const;
 
  private:
-  dvec3 texel(const SkyFace& face, int column, int row) const;
-  dvec3 lookUp(const SkyFace& face, double sc, double tc) const;
+  dvec3 texel(const scene::SkyFace& face, int column, int row) const;
+  dvec3 lookUp(const scene::SkyFace& face, double sc, double tc) const;
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::array<double, 256> linear_;  ///< of each sRGB value
 };
 

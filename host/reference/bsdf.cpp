@@ -16,7 +16,7 @@ double blinnDistribution(double cosH, double exponent) { return (exponent + 2) /
 
 }  // namespace
 
-Bsdf::Bsdf(const Material& material)
+Bsdf::Bsdf(const scene::Material& material)
     : diffuseColour_(material.diffuse),
       specularColour_(material.specular),
       exponent_(material.shine),
@@ -42,10 +42,10 @@ dvec3 Bsdf::albedo() const {
   return diffuse_ * diffuseColour_ + glossy_ * specularColour_ + dielectric_ * diffuseColour_;
 }
 
-Lobe Bsdf::chooseLobe(double u) const {
-  if (u < diffuse_ / weightSum()) return Lobe::diffuse;
-  if (u < (diffuse_ + glossy_) / weightSum()) return Lobe::glossy;
-  return Lobe::refract;
+render::Lobe Bsdf::chooseLobe(double u) const {
+  if (u < diffuse_ / weightSum()) return render::Lobe::diffuse;
+  if (u < (diffuse_ + glossy_) / weightSum()) return render::Lobe::glossy;
+  return render::Lobe::refract;
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
@@ -62,8 +62,8 @@ BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
   return value;
 }
 
-dvec3 Bsdf::sampleSmooth(Lobe lobe, const dvec3& wo, const dvec2& u) const {
-  if (lobe == Lobe::diffuse) return sampleCosineHemisphere(u);
+dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const {
+  if (lobe == render::Lobe::diffuse) return sampleCosineHemisphere(u);
 
   const dvec2 p = sampleDisc(u);
   const double q = std::min(dot(p, p), 1 - 0x1p-24);
@@ -73,11 +73,13 @@ dvec3 Bsdf::sampleSmooth(Lobe lobe, const dvec3& wo, const dvec2& u) const {
   return 2 * dot(wo, h) * h - wo;
 }
 
-DeltaSample Bsdf::sampleMirror(const dvec3& wo) const { return {reflectAboutZ(wo), diffuseColour_, Lobe::mirror}; }
+DeltaSample Bsdf::sampleMirror(const dvec3& wo) const {
+  return {reflectAboutZ(wo), diffuseColour_, render::Lobe::mirror};
+}
 
 DeltaSample Bsdf::sampleDielectric(const dvec3& wo, bool into, double u) const {
   const dvec3 weight = weightSum() * diffuseColour_;  // t / p_t = S
-  const DeltaSample reflected{reflectAboutZ(wo), weight, Lobe::reflect};
+  const DeltaSample reflected{reflectAboutZ(wo), weight, render::Lobe::reflect};
   const double eta = into ? 1 / ior_ : ior_;
   const double sin2Squared = eta * eta * (wo.x * wo.x + wo.y * wo.y);
   if (sin2Squared >= 1) return reflected;
@@ -86,7 +88,7 @@ DeltaSample Bsdf::sampleDielectric(const dvec3& wo, bool into, double u) const {
   const double r0 = std::pow((ior_ - 1) / (ior_ + 1), 2);
   const double reflectance = r0 + (1 - r0) * std::pow(1 - (into ? wo.z : cos2), 5);
   if (u < reflectance) return reflected;
-  return {{-eta * wo.x, -eta * wo.y, -cos2}, weight, Lobe::refract};
+  return {{-eta * wo.x, -eta * wo.y, -cos2}, weight, render::Lobe::refract};
 }
 
 }  // namespace candela::reference

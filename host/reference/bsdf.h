@@ -21,12 +21,12 @@ struct BsdfValue {
 struct DeltaSample {
   dvec3 wi;
   dvec3 weight;
-  Lobe lobe;
+  render::Lobe lobe;
 };
 
 class Bsdf {
  public:
-  explicit Bsdf(const Material& material);
+  explicit Bsdf(const scene::Material& material);
 
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !mirror_ && weightSum() == 0; }
@@ -36,12 +36,12 @@ class Bsdf {
   bool hasSmoothLobe() const { return diffuse_ > 0 || glossy_ > 0; }
 
   /// Diffuse, glossy, or, for the dielectric lobe, `refract`. Not for mirrors and black surfaces.
-  Lobe chooseLobe(double u) const;
+  render::Lobe chooseLobe(double u) const;
 
   /// Diffuse and glossy lobe together. 0 where wi or wo is not above the surface.
   BsdfValue evaluate(const dvec3& wo, const dvec3& wi) const;
   /// A direction from lobe `diffuse` or `glossy`; may be below the surface.
-  dvec3 sampleSmooth(Lobe lobe, const dvec3& wo, const dvec2& u) const;
+  dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
 
   DeltaSample sampleMirror(const dvec3& wo) const;
   /// `into`: the ray came from the side to which the surface is oriented. The weight includes the choice of the lobe.

@@ -8,7 +8,7 @@
 
 namespace candela::reference {
 
-CameraRays::CameraRays(const Camera& camera, const RenderSettings& settings)
+CameraRays::CameraRays(const scene::Camera& camera, const render::RenderSettings& settings)
     : jitters_(settings.jittersPixels()),
       filter_(settings.filter),
       lens_(settings.lens),
@@ -18,7 +18,7 @@ CameraRays::CameraRays(const Camera& camera, const RenderSettings& settings)
       pixelOrigin_(0.5),
       focal_(camera.focal) {
   for (int axis = 0; axis < 2; ++axis) {
-    if (settings.pixelOrigin == PixelOrigin::centre || viewPixels_[axis] == 1) continue;
+    if (settings.pixelOrigin == render::PixelOrigin::centre || viewPixels_[axis] == 1) continue;
     viewPixels_[axis] -= 1;
     pixelOrigin_[axis] = 0;
   }
@@ -33,7 +33,7 @@ CameraRays::CameraRays(const Camera& camera, const RenderSettings& settings)
 double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const {
   if (!jitters_) return 0;
   const double u = numbers.unit(dimension);
-  return filter_ == FilterKind::box ? u - 0.5 : sampleTent(u);
+  return filter_ == render::FilterKind::box ? u - 0.5 : sampleTent(u);
 }
 
 Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
@@ -44,7 +44,7 @@ Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& number
   if (lensRadius_ == 0) return {eye_, normalize(towards)};
 
   const dvec2 u(numbers.unit(kDimensionLensU), numbers.unit(kDimensionLensV));
-  const dvec2 onLens = lensRadius_ * (lens_ == LensKind::disc ? sampleDisc(u) : 2.0 * u - 1.0);
+  const dvec2 onLens = lensRadius_ * (lens_ == render::LensKind::disc ? sampleDisc(u) : 2.0 * u - 1.0);
   const dvec3 shift = onLens.x * right_ + onLens.y * upward_;
   return {eye_ + shift, normalize(towards - shift / focal_)};
 }

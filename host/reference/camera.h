@@ -10,15 +10,15 @@ namespace candela::reference {
 class CameraRays {
  public:
   /// Of `settings`, size, pixel origin, filter, lens and whether pixels are jittered count.
-  CameraRays(const Camera& camera, const RenderSettings& settings);
+  CameraRays(const scene::Camera& camera, const render::RenderSettings& settings);
   Ray generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const;
 
  private:
   double filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const;
 
   bool jitters_;
-  FilterKind filter_;
-  LensKind lens_;
+  render::FilterKind filter_;
+  render::LensKind lens_;
   dvec3 eye_;
   dvec3 right_;             ///< unit, u of the page
   dvec3 upward_;            ///< unit, v of the page

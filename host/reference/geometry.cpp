@@ -28,7 +28,7 @@ double sideOfEdge(const dvec3& direction, const dvec3& from, const dvec3& to) {
 
 }  // namespace
 
-SphereShape::SphereShape(const Sphere& sphere) : centre(sphere.centre), radius(sphere.radius) {}
+SphereShape::SphereShape(const scene::Sphere& sphere) : centre(sphere.centre), radius(sphere.radius) {}
 
 double SphereShape::distance(const Ray& ray, bool leaving) const {
   const dvec3 fromCentre = ray.origin - centre;
@@ -45,7 +45,7 @@ dvec3 SphereShape::normal(const dvec3& point) const { return normalize(point - c
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-TriangleShape::TriangleShape(const Triangle& triangle)
+TriangleShape::TriangleShape(const scene::Triangle& triangle)
     : corner(triangle.p[0]),
       corner1(triangle.p[1]),
       corner2(triangle.p[2]),
@@ -73,7 +73,7 @@ dvec2 TriangleShape::barycentrics(const Ray& ray) const {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-BoxShape::BoxShape(const Box& box) : min(box.min), max(box.max) {}
+BoxShape::BoxShape(const scene::Box& box) : min(box.min), max(box.max) {}
 
 BoxShape::Crossings BoxShape::crossings(const Ray& ray) const {
   Crossings result;
@@ -111,7 +111,7 @@ dvec3 BoxShape::normal(const Ray& ray, bool leaving) const {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-ConeShape::ConeShape(const Cone& cone)
+ConeShape::ConeShape(const scene::Cone& cone)
     : base(cone.base),
       axis(normalize(dvec3(cone.apex) - base)),
       height(length(dvec3(cone.apex) - base)),
@@ -149,7 +149,7 @@ dvec3 ConeShape::normal(const dvec3& point) const {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-PlaneShape::PlaneShape(const Plane& plane)
+PlaneShape::PlaneShape(const scene::Plane& plane)
     : point(plane.p[0]), unitNormal(normalize(cross(dvec3(plane.p[1]) - point, dvec3(plane.p[2]) - point))) {}
 
 double PlaneShape::distance(const Ray& ray) const {

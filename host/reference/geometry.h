@@ -14,7 +14,7 @@ struct SphereShape {
   dvec3 centre;
   double radius;
 
-  explicit SphereShape(const Sphere& sphere);
+  explicit SphereShape(const scene::Sphere& sphere);
   double distance(const Ray& ray, bool leaving) const;
   /// Outward; towards the centre if the radius is negative.
   dvec3 normal(const dvec3& point) const;
@@ -27,7 +27,7 @@ struct TriangleShape {
   dvec3 edge1;  ///< from corner to corner1
   dvec3 edge2;  ///< from corner to corner2
 
-  explicit TriangleShape(const Triangle& triangle);
+  explicit TriangleShape(const scene::Triangle& triangle);
   /// Watertight: rays do not pass between triangles that share an edge.
   double distance(const Ray& ray) const;
   /// (b1, b2) of the point where the ray meets the triangle's plane.
@@ -40,7 +40,7 @@ struct BoxShape {
   dvec3 min;
   dvec3 max;
 
-  explicit BoxShape(const Box& box);
+  explicit BoxShape(const scene::Box& box);
   double distance(const Ray& ray, bool leaving) const;
   /// Outward, of the face that `distance` found.
   dvec3 normal(const Ray& ray, bool leaving) const;
@@ -63,7 +63,7 @@ struct ConeShape {
   double baseRadius;
   double slope;  ///< change of the radius per height
 
-  explicit ConeShape(const Cone& cone);
+  explicit ConeShape(const scene::Cone& cone);
   double distance(const Ray& ray, bool leaving) const;
   /// Away from the axis.
   dvec3 normal(const dvec3& point) const;
@@ -73,7 +73,7 @@ struct PlaneShape {
   dvec3 point;
   dvec3 unitNormal;
 
-  explicit PlaneShape(const Plane& plane);
+  explicit PlaneShape(const scene::Plane& plane);
   double distance(const Ray& ray) const;
 };
 

@@ -21,7 +21,7 @@ Bounds ofCircle(const dvec3& centre, const dvec3& axis, double radius) {
   return around(centre, radius * glm::sqrt(glm::max(dvec3(0), 1.0 - axis * axis)));
 }
 
-Bounds ofCone(const Cone& cone) {
+Bounds ofCone(const scene::Cone& cone) {
   const dvec3 axis = glm::normalize(dvec3(cone.apex) - dvec3(cone.base));
   Bounds bounds = ofCircle(cone.base, axis, cone.baseRadius);
   bounds.extend(ofCircle(cone.apex, axis, cone.apexRadius));
@@ -36,7 +36,7 @@ Bounds widened(const Bounds& bounds) {
 
 class Builder {
  public:
-  Builder(std::span<const Bounds> boxes, BvhSplit split) : boxes_(boxes), split_(split) {
+  Builder(std::span<const Bounds> boxes, render::BvhSplit split) : boxes_(boxes), split_(split) {
     for (const Bounds& box : boxes) twiceCentres_.push_back(box.min + box.max);
     result_.order.resize(boxes.size());
     std::iota(result_.order.begin(), result_.order.end(), 0u);
@@ -50,7 +50,7 @@ class Builder {
  private:
   void buildNode(std::uint32_t begin, std::uint32_t end, std::uint32_t depth) {
     const auto index = static_cast<std::uint32_t>(result_.nodes.size());
-    const bool byReport = split_ == BvhSplit::midpoint;
+    const bool byReport = split_ == render::BvhSplit::midpoint;
     result_.nodes.push_back(summarize(begin, end));
     if (end - begin <= (byReport ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize)) {
       result_.nodes[index].first = begin;
@@ -107,7 +107,7 @@ class Builder {
       node.bounds.extend(boxes_[item]);
       centres.extend({twiceCentres_[item], twiceCentres_[item]});
     }
-    const Bounds& measured = split_ == BvhSplit::midpoint ? node.bounds : centres;
+    const Bounds& measured = split_ == render::BvhSplit::midpoint ? node.bounds : centres;
     const dvec3 extent = measured.max - measured.min;
     const bool xyLess = extent.x < extent.y;
     node.axis = std::max(extent.x, extent.y) < extent.z ? 2 : (xyLess ? 1 : 0);
@@ -115,35 +115,37 @@ class Builder {
   }
 
   std::span<const Bounds> boxes_;
-  BvhSplit split_;
+  render::BvhSplit split_;
   std::vector<dvec3> twiceCentres_;
   Hierarchy result_;
 };
 
 }  // namespace
 
-std::optional<Bounds> boundsOf(const Scene& scene, const Primitive& primitive) {
+std::optional<Bounds> boundsOf(const scene::Scene& scene, const scene::Primitive& primitive) {
   switch (primitive.kind) {
-    case PrimitiveKind::sphere: {
-      const Sphere& sphere = scene.spheres[primitive.index];
+    case scene::PrimitiveKind::sphere: {
+      const scene::Sphere& sphere = scene.spheres[primitive.index];
       return widened(around(sphere.centre, dvec3(std::abs(sphere.radius))));
     }
-    case PrimitiveKind::triangle: {
-      const Triangle& triangle = scene.triangles[primitive.index];
+    case scene::PrimitiveKind::triangle: {
+      const scene::Triangle& triangle = scene.triangles[primitive.index];
       return widened(ofPoints({triangle.p[0], triangle.p[1], triangle.p[2]}));
     }
-    case PrimitiveKind::box: {
-      const Box& box = scene.boxes[primitive.index];
+    case scene::PrimitiveKind::box: {
+      const scene::Box& box = scene.boxes[primitive.index];
       return widened({box.min, box.max});
     }
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return widened(ofCone(scene.cones[primitive.index]));
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       break;
   }
   return std::nullopt;
 }
 
-Hierarchy buildHierarchy(std::span<const Bounds> boxes, BvhSplit split) { return Builder(boxes, split).build(); }
+Hierarchy buildHierarchy(std::span<const Bounds> boxes, render::BvhSplit split) {
+  return Builder(boxes, split).build();
+}
 
 }  // namespace candela::reference

@@ -26,7 +26,7 @@ struct Bounds {
 };
 
 /// The box of a primitive, widened by far more than a distance in double precision errs; none for a plane.
-std::optional<Bounds> boundsOf(const Scene& scene, const Primitive& primitive);
+std::optional<Bounds> boundsOf(const scene::Scene& scene, const scene::Primitive& primitive);
 
 /// A leaf has the items [first, first + count) of Hierarchy::order; an inner node (count 0) its near child behind it
 /// and the far one at `first`, where near and far are seen along `axis`.
@@ -51,6 +51,6 @@ struct Hierarchy {
 /// `order` becomes a permutation of the boxes' indices. BvhSplit::midpoint is the report's rule: at most two items a
 /// leaf, nodes split across the longest axis of their box at its centre; if all items' centres are on one side, at the
 /// mean of the centres; and if they still are, two items go to the left and the rest to the right.
-Hierarchy buildHierarchy(std::span<const Bounds> boxes, BvhSplit split = BvhSplit::sah);
+Hierarchy buildHierarchy(std::span<const Bounds> boxes, render::BvhSplit split = render::BvhSplit::sah);
 
 }  // namespace candela::reference

@@ -27,7 +27,7 @@ struct SphereView {
 
 }  // namespace
 
-LightTable::LightTable(const Scene& scene, const RenderSettings& settings)
+LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
     : scene_(scene), oneSided_(settings.oneSided), entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
   collect(settings.nextEventEstimation);
   computeThresholds();
@@ -36,13 +36,13 @@ LightTable::LightTable(const Scene& scene, const RenderSettings& settings)
 void LightTable::collect(bool withEmitters) {
   for (std::uint32_t i = 0; withEmitters && i < scene_.primitives.size(); ++i) {
     const auto [kind, index, materialIndex] = scene_.primitives[i];
-    const Material& material = scene_.materials[materialIndex];
+    const scene::Material& material = scene_.materials[materialIndex];
     if (!isEmissive(material)) continue;
-    const double brightness = luminance(material.emission);
-    if (kind == PrimitiveKind::sphere) {
+    const double brightness = image::luminance(material.emission);
+    if (kind == scene::PrimitiveKind::sphere) {
       const double radius = scene_.spheres[index].radius;
       entries_.push_back({Kind::sphere, i, 4 * kPi * radius * radius * brightness});
-    } else if (kind == PrimitiveKind::triangle) {
+    } else if (kind == scene::PrimitiveKind::triangle) {
       const double area = length(TriangleShape(scene_.triangles[index]).areaNormal()) / 2;
       if (area == 0) continue;
       entries_.push_back({Kind::triangle, i, area * brightness});
@@ -52,7 +52,7 @@ void LightTable::collect(bool withEmitters) {
     entryOfPrimitive_[i] = static_cast<std::uint32_t>(entries_.size() - 1);
   }
   for (std::uint32_t i = 0; i < scene_.pointLights.size(); ++i) {
-    entries_.push_back({Kind::point, i, luminance(scene_.pointLights[i].colour)});
+    entries_.push_back({Kind::point, i, image::luminance(scene_.pointLights[i].colour)});
   }
 }
 
@@ -86,7 +86,7 @@ LightChoice LightTable::choose(std::uint32_t word) const {
   return {entry, probability(entry)};
 }
 
-const Material& LightTable::materialOf(const Entry& entry) const {
+const scene::Material& LightTable::materialOf(const Entry& entry) const {
   return scene_.materials[scene_.primitives[entry.index].material];
 }
 
@@ -103,7 +103,7 @@ std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface
 }
 
 std::optional<LightSample> LightTable::samplePoint(const Entry& entry, const Surface& surface) const {
-  const PointLight& light = scene_.pointLights[entry.index];
+  const scene::PointLight& light = scene_.pointLights[entry.index];
   const dvec3 toLight = dvec3(light.position) - surface.position;
   const double distance = length(toLight);
   if (distance == 0) return std::nullopt;

@@ -30,7 +30,7 @@ struct LightSample {
 class LightTable {
  public:
   /// Of `settings`, `nextEventEstimation` and `oneSided` count. The scene must outlive the object.
-  LightTable(const Scene& scene, const RenderSettings& settings);
+  LightTable(const scene::Scene& scene, const render::RenderSettings& settings);
 
   /// Whether there is a light of positive weight.
   bool canChoose() const { return !thresholds_.empty() && thresholds_.back() > 0; }
@@ -59,9 +59,9 @@ class LightTable {
   std::optional<LightSample> samplePoint(const Entry& entry, const Surface& surface) const;
   std::optional<LightSample> sampleSphere(const Entry& entry, const Surface& surface, const dvec2& u) const;
   std::optional<LightSample> sampleTriangleArea(const Entry& entry, const Surface& surface, const dvec2& u) const;
-  const Material& materialOf(const Entry& entry) const;
+  const scene::Material& materialOf(const Entry& entry) const;
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   bool oneSided_;
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;

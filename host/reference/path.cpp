@@ -48,13 +48,13 @@ struct PathTracer::Vertex {
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
 };
 
-PathTracer::PathTracer(const Scene& scene, const RenderSettings& settings)
+PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
-  for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
+  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
-PathTrace PathTracer::trace(const PixelSample& place) const {
-  PathTrace trace;
+render::PathTrace PathTracer::trace(const render::PixelSample& place) const {
+  render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
   SampleNumbers numbers = numbersOf(place.x, place.y, place.index);
@@ -64,7 +64,8 @@ PathTrace PathTracer::trace(const PixelSample& place) const {
   return trace;
 }
 
-dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters,
+                           render::PathRecord* record) const {
   PathNotes notes(record);
   return walk(cameraRay, numbers, counters, notes);
 }
@@ -111,9 +112,9 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                            PathNotes& notes) const {
-  const Material& material = scene().materials[surface.material];
+  const scene::Material& material = scene().materials[surface.material];
   if (!isEmissive(material)) return dvec3(0);
-  const bool isTriangle = scene().primitives[surface.primitive].kind == PrimitiveKind::triangle;
+  const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
   const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
   const dvec3 found = weight * dvec3(material.emission);
@@ -145,17 +146,17 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u) const {
   if (vertex.bsdf.isBlack()) return {};
   const bool mirror = vertex.bsdf.isMirror();
-  const Lobe lobe = mirror ? Lobe::mirror : vertex.bsdf.chooseLobe(u.lobe());
-  if (lobe == Lobe::diffuse || lobe == Lobe::glossy) return scatterSmooth(vertex, lobe, u);
+  const render::Lobe lobe = mirror ? render::Lobe::mirror : vertex.bsdf.chooseLobe(u.lobe());
+  if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u);
 
   const DeltaSample sample = mirror ? vertex.bsdf.sampleMirror(vertex.wo)
                                     : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside, u.bsdf().x);
   const dvec3 wi = vertex.frame.toWorld(sample.wi);
-  const bool onItsSide = sample.lobe == Lobe::refract ? vertex.isBelowSurface(wi) : vertex.isAboveSurface(wi);
+  const bool onItsSide = sample.lobe == render::Lobe::refract ? vertex.isBelowSurface(wi) : vertex.isAboveSurface(wi);
   return {sample.lobe, wi, onItsSide ? sample.weight : dvec3(0), std::nullopt};
 }
 
-PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, Lobe lobe, VertexNumbers u) const {
+PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const {
   const dvec3 local = vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf());
   const dvec3 wi = vertex.frame.toWorld(local);
   const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, local);

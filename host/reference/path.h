@@ -17,10 +17,10 @@ namespace candela::reference {
 class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
-  PathTracer(const Scene& scene, const RenderSettings& settings);
+  PathTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
   /// What sample() computes for the same place, with all that led to it.
-  PathTrace trace(const PixelSample& place) const;
+  render::PathTrace trace(const render::PixelSample& place) const;
 
  private:
   /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.
@@ -29,21 +29,21 @@ class PathTracer final : public PixelTracer {
   struct Vertex;
   /// How a path goes on; `pdf` is none for a delta lobe. A weight of 0 ends it.
   struct Scattering {
-    Lobe lobe = Lobe::none;
+    render::Lobe lobe = render::Lobe::none;
     dvec3 wi{0};
     dvec3 weight{0};
     std::optional<double> pdf;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
   dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                  PathNotes& notes) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u) const;
-  Scattering scatterSmooth(const Vertex& vertex, Lobe lobe, VertexNumbers u) const;
+  Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const;
 
-  RenderSettings settings_;
+  render::RenderSettings settings_;
   Background background_;
   LightTable lights_;
   std::vector<Bsdf> bsdfs_;  ///< by material

@@ -7,7 +7,7 @@ namespace candela::reference {
 void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
                             const dvec3& radiance, SampleNumbers& numbers) {
   vertexRecord_ = nullptr;
-  if (record_ && record_->vertexCount < PathRecord::kRecordedVertices) {
+  if (record_ && record_->vertexCount < render::PathRecord::kRecordedVertices) {
     vertexRecord_ = &record_->vertices[record_->vertexCount++];
     *vertexRecord_ = {};
   }
@@ -15,7 +15,7 @@ void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<d
   if (vertexTrace_) vertexTrace_->radiance = radiance;
   vertexTrace_ = nullptr;
   trace_->vertexCount = depth;
-  if (depth > PathTrace::kMostVertices) return;
+  if (depth > render::PathTrace::kMostVertices) return;
   vertexTrace_ = &trace_->vertices.emplace_back();
   vertexTrace_->origin = ray.origin;
   vertexTrace_->direction = ray.direction;
@@ -28,30 +28,30 @@ void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<d
 void PathNotes::hit(const Hit& hit, const Surface& surface) {
   if (vertexRecord_) vertexRecord_->primitive = hit.primitive;
   if (!vertexTrace_) return;
-  vertexTrace_->hit = HitTrace{.primitive = hit.primitive,
-                               .material = surface.material,
-                               .distance = hit.distance,
-                               .position = surface.position,
-                               .normal = surface.facingNormal,
-                               .shadingNormal = surface.shadingNormal,
-                               .fromOutside = surface.fromOutside};
+  vertexTrace_->hit = render::HitTrace{.primitive = hit.primitive,
+                                       .material = surface.material,
+                                       .distance = hit.distance,
+                                       .position = surface.position,
+                                       .normal = surface.facingNormal,
+                                       .shadingNormal = surface.shadingNormal,
+                                       .fromOutside = surface.fromOutside};
 }
 
 void PathNotes::emission(const dvec3& radiance, double weight) {
-  if (vertexTrace_) vertexTrace_->emission = EmissionTrace{radiance, weight};
+  if (vertexTrace_) vertexTrace_->emission = render::EmissionTrace{radiance, weight};
 }
 
 void PathNotes::lightChoice(const LightChoice& choice) {
-  if (vertexTrace_) vertexTrace_->light = LightTrace{.entry = choice.entry};
+  if (vertexTrace_) vertexTrace_->light = render::LightTrace{.entry = choice.entry};
 }
 
 void PathNotes::shadowRay(const LightSample& light, double lightPdf, double bsdfPdf, bool occluded) {
-  const ShadowOutcome outcome = occluded ? ShadowOutcome::occluded : ShadowOutcome::visible;
+  const render::ShadowOutcome outcome = occluded ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;
   if (vertexRecord_) vertexRecord_->shadow = outcome;
   if (!vertexTrace_) return;
-  LightTrace& trace = *vertexTrace_->light;
+  render::LightTrace& trace = *vertexTrace_->light;
   trace.shadow = outcome;
-  trace.primitive = light.primitive == kNoPrimitive ? LightTrace::kPointLight : light.primitive;
+  trace.primitive = light.primitive == kNoPrimitive ? render::LightTrace::kPointLight : light.primitive;
   trace.direction = light.wi;
   trace.distance = light.distance;
   trace.pdf = lightPdf;
@@ -64,17 +64,17 @@ void PathNotes::lit(double weight, const dvec3& radiance) {
   vertexTrace_->light->radiance = radiance;
 }
 
-void PathNotes::lobe(Lobe lobe) {
+void PathNotes::lobe(render::Lobe lobe) {
   if (vertexRecord_) vertexRecord_->lobe = lobe;
 }
 
-void PathNotes::scattering(const ScatteringTrace& next) {
+void PathNotes::scattering(const render::ScatteringTrace& next) {
   if (vertexTrace_) vertexTrace_->scattering = next;
 }
 
 void PathNotes::roulette(double probability, bool survived) {
   if (vertexRecord_) vertexRecord_->survivedRoulette = survived;
-  if (vertexTrace_) vertexTrace_->roulette = RouletteTrace{probability, survived};
+  if (vertexTrace_) vertexTrace_->roulette = render::RouletteTrace{probability, survived};
 }
 
 void PathNotes::finish(const dvec3& radiance) {

@@ -15,9 +15,9 @@ namespace candela::reference {
 class PathNotes {
  public:
   /// Decisions into `record`, unless it is null.
-  explicit PathNotes(PathRecord* record) : record_(record) {}
+  explicit PathNotes(render::PathRecord* record) : record_(record) {}
   /// Everything into `trace`.
-  explicit PathNotes(PathTrace& trace) : trace_(&trace) {}
+  explicit PathNotes(render::PathTrace& trace) : trace_(&trace) {}
 
   /// The ray of `depth` sets out; `pdf` as VertexTrace has it, `radiance` of the path before it.
   void startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
@@ -29,18 +29,18 @@ class PathNotes {
   /// `lightPdf` with the choice's probability.
   void shadowRay(const LightSample& light, double lightPdf, double bsdfPdf, bool occluded);
   void lit(double weight, const dvec3& radiance);
-  void lobe(Lobe lobe);
+  void lobe(render::Lobe lobe);
   /// Only for directions with which the path goes on.
-  void scattering(const ScatteringTrace& next);
+  void scattering(const render::ScatteringTrace& next);
   void roulette(double probability, bool survived);
   /// The path has ended with this radiance.
   void finish(const dvec3& radiance);
 
  private:
-  PathRecord* record_ = nullptr;
-  PathTrace* trace_ = nullptr;
-  VertexRecord* vertexRecord_ = nullptr;  ///< null: this vertex is not kept
-  VertexTrace* vertexTrace_ = nullptr;    ///< the same
+  render::PathRecord* record_ = nullptr;
+  render::PathTrace* trace_ = nullptr;
+  render::VertexRecord* vertexRecord_ = nullptr;  ///< null: this vertex is not kept
+  render::VertexTrace* vertexTrace_ = nullptr;    ///< the same
 };
 
 }  // namespace candela::reference

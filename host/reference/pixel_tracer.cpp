@@ -2,14 +2,14 @@
 
 namespace candela::reference {
 
-PixelTracer::PixelTracer(const Scene& scene, const RenderSettings& settings)
+PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : scene_(scene),
       sampler_(settings.sampler, settings.seed, settings.sampleCount),
       camera_(*scene.camera, settings),
       tracing_(scene, settings) {}
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                          PathRecord* record) const {
+                          render::PathRecord* record) const {
   SampleNumbers numbers = numbersOf(x, y, sampleIndex);
   const Ray ray = cameraRay(x, y, numbers);
   ++counters.samples;

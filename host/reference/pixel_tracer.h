@@ -16,16 +16,16 @@ namespace candela::reference {
 class PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
-  PixelTracer(const Scene& scene, const RenderSettings& settings);
+  PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings);
   virtual ~PixelTracer() = default;
 
   /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path or tree decided.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-               PathRecord* record) const;
+               render::PathRecord* record) const;
   const Tracing& tracing() const { return tracing_; }
 
  protected:
-  const Scene& scene() const { return scene_; }
+  const scene::Scene& scene() const { return scene_; }
   SampleNumbers numbersOf(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex) const {
     return SampleNumbers(sampler_, x, y, sampleIndex);
   }
@@ -35,9 +35,10 @@ class PixelTracer {
 
  private:
   /// What the integrator makes of a sample whose camera ray is `ray`.
-  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const = 0;
+  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
+                         render::PathRecord* record) const = 0;
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   Sampler sampler_;
   CameraRays camera_;
   Tracing tracing_;

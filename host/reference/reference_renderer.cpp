@@ -1,4 +1,6 @@
 // Renders with the reference tracer: threads over tiles, one writer per pixel.
+#include "host/reference/reference_renderer.h"
+
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -11,22 +13,19 @@
 #include "host/reference/path.h"
 #include "host/reference/views.h"
 #include "host/reference/whitted.h"
-#include "host/render/make_renderer.h"
 
-namespace candela {
+namespace candela::reference {
 namespace {
 
-using reference::Counters;
-using reference::PixelTracer;
+constexpr render::Extent kDefaultTile{16, 16};
 
-constexpr Extent kDefaultTile{16, 16};
-
-std::uint32_t threadCount(const RenderSettings& settings) {
+std::uint32_t threadCount(const render::RenderSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings& settings) {
-  if (settings.integrator == Integrator::whitted) return std::make_unique<reference::WhittedTracer>(scene, settings);
+std::unique_ptr<PixelTracer> makeTracer(const scene::Scene& scene, const render::RenderSettings& settings) {
+  if (settings.integrator == render::Integrator::whitted)
+    return std::make_unique<reference::WhittedTracer>(scene, settings);
   if (isView(settings.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
   return std::make_unique<reference::PathTracer>(scene, settings);
 }
@@ -34,7 +33,8 @@ std::unique_ptr<PixelTracer> makeTracer(const Scene& scene, const RenderSettings
 // One render in progress: hands out tiles, and keeps what its threads add to.
 class Job {
  public:
-  Job(const PixelTracer& tracer, const RenderSettings& settings, const RenderControl& control, RenderResult& result)
+  Job(const PixelTracer& tracer, const render::RenderSettings& settings, const render::RenderControl& control,
+      render::RenderResult& result)
       : tracer_(tracer),
         settings_(settings),
         control_(control),
@@ -43,7 +43,7 @@ class Job {
         tilesAcross_((settings.size.width + tile_.width - 1) / tile_.width),
         tileCount_(std::uint64_t{tilesAcross_} * ((settings.size.height + tile_.height - 1) / tile_.height)) {}
 
-  Extent tile() const { return tile_; }
+  render::Extent tile() const { return tile_; }
   bool wasInterrupted() const { return interrupted_; }
 
   // The calling thread works too and alone reports progress, so that callbacks need not be thread-safe. What they throw
@@ -99,7 +99,7 @@ class Job {
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
     const std::size_t pixel = std::size_t{y} * settings_.size.width + x;
     for (std::uint32_t sample = 0; sample < settings_.sampleCount; ++sample) {
-      PathRecord* record = result_.paths.empty() || sample > 0 ? nullptr : &result_.paths[pixel];
+      render::PathRecord* record = result_.paths.empty() || sample > 0 ? nullptr : &result_.paths[pixel];
       result_.film.addSample(x, y, tracer_.sample(x, y, sample, counters, record), sample);
     }
   }
@@ -112,10 +112,10 @@ class Job {
   }
 
   const PixelTracer& tracer_;
-  const RenderSettings& settings_;
-  const RenderControl& control_;
-  RenderResult& result_;
-  Extent tile_;
+  const render::RenderSettings& settings_;
+  const render::RenderControl& control_;
+  render::RenderResult& result_;
+  render::Extent tile_;
   std::uint32_t tilesAcross_;
   std::uint64_t tileCount_;
   std::atomic<std::uint64_t> nextTile_{0};
@@ -123,24 +123,24 @@ class Job {
   std::atomic<bool> interrupted_{false};
 };
 
-void addCounters(const Counters& counters, Integrator integrator, RenderStatistics& statistics) {
+void addCounters(const Counters& counters, render::Integrator integrator, render::RenderStatistics& statistics) {
   statistics.samples = counters.samples;
   statistics.cameraRays = counters.cameraRays;
   statistics.bounceRays = counters.bounceRays;
   statistics.shadowRays = counters.shadowRays;
   statistics.vertices = counters.vertices;
   statistics.traversalSteps = counters.traversalSteps;
-  if (integrator != Integrator::whitted) return;
+  if (integrator != render::Integrator::whitted) return;
   statistics.treeRays = {
       .cameraHits = counters.cameraHits, .reflected = counters.reflectedRays, .refracted = counters.refractedRays};
 }
 
-void describeStructure(const reference::Tracing& tracing, const RenderSettings& settings,
-                       RenderStatistics& statistics) {
+void describeStructure(const reference::Tracing& tracing, const render::RenderSettings& settings,
+                       render::RenderStatistics& statistics) {
   statistics.structure = "none";
   if (tracing.hasHierarchy()) {
     statistics.structure = "bvh";
-    statistics.bvhSplit = settings.bvhSplit == BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.bvhSplit = settings.bvhSplit == render::BvhSplit::midpoint ? "midpoint" : "median";
     statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
   }
   if (tracing.hasGrid()) {
@@ -150,9 +150,9 @@ void describeStructure(const reference::Tracing& tracing, const RenderSettings& 
   }
 }
 
-std::uint64_t badSampleCount(const Film& film) {
+std::uint64_t badSampleCount(const image::Film& film) {
   std::uint64_t count = 0;
-  for (const FilmPixel& pixel : film.pixels()) count += pixel.badCount;
+  for (const image::FilmPixel& pixel : film.pixels()) count += pixel.badCount;
   return count;
 }
 
@@ -166,16 +166,18 @@ auto guarded(Work&& work) {
   }
 }
 
-class ReferenceRenderer final : public ReplayingRenderer {
+class ReferenceRenderer final : public render::ReplayingRenderer {
  public:
-  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
+  render::RenderResult render(const scene::Scene& scene, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
     return guarded([&] { return renderUnguarded(scene, settings, control); });
   }
 
-  Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) override {
+  render::Replay replay(const scene::Scene& scene, const render::RenderSettings& settings,
+                        const render::PixelSample& sample) override {
     return guarded([&] {
       const reference::PathTracer tracer(scene, settings);
-      Replay replay{tracer.trace(sample), {}};
+      render::Replay replay{tracer.trace(sample), {}};
       replay.statistics.device = "cpu";
       replay.statistics.kernel = "reference";
       describeStructure(tracer.tracing(), settings, replay.statistics);
@@ -184,14 +186,14 @@ class ReferenceRenderer final : public ReplayingRenderer {
   }
 
  private:
-  static RenderResult renderUnguarded(const Scene& scene, const RenderSettings& settings,
-                                      const RenderControl& control) {
+  static render::RenderResult renderUnguarded(const scene::Scene& scene, const render::RenderSettings& settings,
+                                              const render::RenderControl& control) {
     const auto [width, height] = settings.size;
-    RenderResult result;
-    result.film = Film(width, height);
+    render::RenderResult result;
+    result.film = image::Film(width, height);
     if (settings.recordPaths) result.paths.resize(std::size_t{width} * height);
 
-    RenderStatistics& statistics = result.statistics;
+    render::RenderStatistics& statistics = result.statistics;
     statistics.device = "cpu";
     statistics.kernel = "reference";
     statistics.threads = threadCount(settings);
@@ -215,6 +217,6 @@ class ReferenceRenderer final : public ReplayingRenderer {
 
 }  // namespace
 
-std::unique_ptr<ReplayingRenderer> makeReferenceRenderer() { return std::make_unique<ReferenceRenderer>(); }
+std::unique_ptr<render::ReplayingRenderer> makeReferenceRenderer() { return std::make_unique<ReferenceRenderer>(); }
 
-}  // namespace candela
+}  // namespace candela::reference

@@ -150,16 +150,16 @@ std::uint32_t jitterInStratum(std::uint32_t stratum, std::uint32_t count, std::u
   return static_cast<std::uint32_t>(start + ((jitter * size) >> 32));
 }
 
-Sampler::Sampler(SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount)
+Sampler::Sampler(render::SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount)
     : kind_(kind), seed_(seed), strataPerSide_(integerSquareRoot(sampleCount)) {}
 
 Words Sampler::group(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const {
   switch (kind_) {
-    case SamplerKind::sobol:
+    case render::SamplerKind::sobol:
       return sobolGroup(pixel, sample, group);
-    case SamplerKind::stratified:
+    case render::SamplerKind::stratified:
       return stratifiedGroup(pixel, sample, group);
-    case SamplerKind::independent:
+    case render::SamplerKind::independent:
       break;
   }
   return pcg4d({pixel, sample, group, seed_});

@@ -32,7 +32,7 @@ inline double toUnit(std::uint32_t word) { return (word >> 8) * 0x1p-24; }
 /// What all samples of a render have in common.
 class Sampler {
  public:
-  Sampler(SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount);
+  Sampler(render::SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount);
   /// The words of dimensions 4 * group .. 4 * group + 3.
   Words group(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
 
@@ -40,7 +40,7 @@ class Sampler {
   Words sobolGroup(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
   Words stratifiedGroup(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
 
-  SamplerKind kind_;
+  render::SamplerKind kind_;
   std::uint32_t seed_;
   std::uint32_t strataPerSide_;
 };

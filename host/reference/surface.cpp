@@ -6,28 +6,28 @@
 namespace candela::reference {
 namespace {
 
-dvec3 outwardNormalAt(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const Primitive& primitive = scene.primitives[hit.primitive];
+dvec3 outwardNormalAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
+  const scene::Primitive& primitive = scene.primitives[hit.primitive];
   switch (primitive.kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return SphereShape(scene.spheres[primitive.index]).normal(ray.at(hit.distance));
-    case PrimitiveKind::triangle:
+    case scene::PrimitiveKind::triangle:
       return normalize(TriangleShape(scene.triangles[primitive.index]).areaNormal());
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return BoxShape(scene.boxes[primitive.index]).normal(ray, ray.leaving == hit.primitive);
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return ConeShape(scene.cones[primitive.index]).normal(ray.at(hit.distance));
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       break;
   }
   return PlaneShape(scene.planes[primitive.index]).unitNormal;
 }
 
 // The mean of a patch's vertex normals, of any length; 0 for primitives without.
-dvec3 interpolatedNormal(const Scene& scene, const Ray& ray, const Primitive& primitive) {
-  if (primitive.kind != PrimitiveKind::triangle) return dvec3(0);
-  const Triangle& triangle = scene.triangles[primitive.index];
-  if (triangle.normals == Triangle::kNoNormals) return dvec3(0);
+dvec3 interpolatedNormal(const scene::Scene& scene, const Ray& ray, const scene::Primitive& primitive) {
+  if (primitive.kind != scene::PrimitiveKind::triangle) return dvec3(0);
+  const scene::Triangle& triangle = scene.triangles[primitive.index];
+  if (triangle.normals == scene::Triangle::kNoNormals) return dvec3(0);
   const glm::vec3(&n)[3] = scene.vertexNormals[triangle.normals].n;
   const dvec2 b = TriangleShape(triangle).barycentrics(ray);
   return (1 - b.x - b.y) * dvec3(n[0]) + b.x * dvec3(n[1]) + b.y * dvec3(n[2]);
@@ -35,8 +35,8 @@ dvec3 interpolatedNormal(const Scene& scene, const Ray& ray, const Primitive& pr
 
 }  // namespace
 
-Surface surfaceAt(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const Primitive& primitive = scene.primitives[hit.primitive];
+Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
+  const scene::Primitive& primitive = scene.primitives[hit.primitive];
   Surface surface;
   surface.position = ray.at(hit.distance);
   surface.outwardNormal = outwardNormalAt(scene, ray, hit);

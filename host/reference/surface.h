@@ -16,6 +16,6 @@ struct Surface {
 };
 
 /// `hit` is a hit of `ray`.
-Surface surfaceAt(const Scene& scene, const Ray& ray, const Hit& hit);
+Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit);
 
 }  // namespace candela::reference

@@ -31,8 +31,8 @@ bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double 
   return entry <= exit * kSlack && entry <= limit * kSlack;
 }
 
-bool isEverHit(const Scene& scene, const Primitive& primitive) {
-  return primitive.kind != PrimitiveKind::triangle ||
+bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
+  return primitive.kind != scene::PrimitiveKind::triangle ||
          TriangleShape(scene.triangles[primitive.index]).areaNormal() != dvec3(0);
 }
 
@@ -51,7 +51,7 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
-Tracing::Tracing(const Scene& scene, const RenderSettings& settings) {
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) {
   std::vector<Bounds> boxes;
   std::vector<std::uint32_t> bounded;
   std::vector<std::uint32_t> unbounded;
@@ -62,39 +62,39 @@ Tracing::Tracing(const Scene& scene, const RenderSettings& settings) {
     if (bounds) boxes.push_back(*bounds);
   }
   const auto add = [&](std::uint32_t primitive) {
-    const Material& material = scene.materials[scene.primitives[primitive].material];
+    const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.oneSided && material.t == 0);
   };
 
   items_.reserve(scene.primitives.size());
-  const bool wantsHierarchy = settings.bvhSplit == BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
-  if (settings.accel == AccelKind::bvh && wantsHierarchy) {
+  const bool wantsHierarchy = settings.bvhSplit == render::BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
+  if (settings.accel == render::AccelKind::bvh && wantsHierarchy) {
     hierarchy_ = buildHierarchy(boxes, settings.bvhSplit);
     for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
-  if (settings.accel == AccelKind::grid) grid_ = buildGrid(boxes, double{settings.gridDensity});
+  if (settings.accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
 }
 
-void Tracing::addItem(const Scene& scene, std::uint32_t primitive, bool oneSided) {
+void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
   const auto [kind, index, material] = scene.primitives[primitive];
   const auto append = [&](auto& shapes, const auto& source) {
     shapes.emplace_back(source);
     items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
   };
   switch (kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return append(spheres_, scene.spheres[index]);
-    case PrimitiveKind::triangle:
+    case scene::PrimitiveKind::triangle:
       return append(triangles_, scene.triangles[index]);
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return append(boxes_, scene.boxes[index]);
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return append(cones_, scene.cones[index]);
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       return append(planes_, scene.planes[index]);
   }
 }
@@ -106,17 +106,17 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
     return shape.distance(ray);
   };
   switch (item.kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return spheres_[item.shape].distance(ray, leaving);
-    case PrimitiveKind::triangle: {
+    case scene::PrimitiveKind::triangle: {
       const TriangleShape& triangle = triangles_[item.shape];
       return flat(triangle, item.oneSided ? triangle.areaNormal() : dvec3(0));
     }
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return boxes_[item.shape].distance(ray, leaving);
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return cones_[item.shape].distance(ray, leaving);
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       return flat(planes_[item.shape], planes_[item.shape].unitNormal);
   }
   return kNoHit;

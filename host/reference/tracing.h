@@ -33,7 +33,7 @@ class Tracing {
   static constexpr std::size_t kBruteForceLimit = 32;
 
   /// Of `settings`, `accel`, what belongs to it, and `oneSided` count. The scene must outlive the object.
-  Tracing(const Scene& scene, const RenderSettings& settings);
+  Tracing(const scene::Scene& scene, const render::RenderSettings& settings);
 
   /// The nearest hit; of equal distances that of the lower primitive index.
   Hit closest(const Ray& ray, Counters& counters) const;
@@ -48,13 +48,13 @@ class Tracing {
  private:
   /// A primitive to be tested: `shape` is an index into the shapes of its kind.
   struct Item {
-    PrimitiveKind kind;
+    scene::PrimitiveKind kind;
     bool oneSided;
     std::uint32_t shape;
     std::uint32_t primitive;
   };
 
-  void addItem(const Scene& scene, std::uint32_t primitive, bool oneSided);
+  void addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
   template <class Visit>
   void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;

@@ -7,7 +7,7 @@
 namespace candela::reference {
 namespace {
 
-double aoDistanceOf(const Camera& camera, const RenderSettings& settings) {
+double aoDistanceOf(const scene::Camera& camera, const render::RenderSettings& settings) {
   if (settings.aoDistance) return *settings.aoDistance;
   return static_cast<float>(glm::length(dvec3(camera.at) - dvec3(camera.from)) / 4);
 }
@@ -25,20 +25,21 @@ dvec3 ownShadingNormal(const Surface& surface) {
 
 }  // namespace
 
-ViewTracer::ViewTracer(const Scene& scene, const RenderSettings& settings)
+ViewTracer::ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : PixelTracer(scene, settings), view_(settings.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
-  for (const Material& material : scene.materials) bsdfs_.emplace_back(material);
+  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 
-dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
+dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
+                           render::PathRecord* record) const {
   const std::uint64_t stepsBefore = counters.traversalSteps;
   const Hit hit = tracing().closest(ray, counters);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
   if (hit) ++counters.vertices;
 
-  VertexRecord vertex{.primitive = hit.primitive};
-  dvec3 value(view_ == Integrator::ao ? 1 : 0);
-  if (view_ == Integrator::cost) {
+  render::VertexRecord vertex{.primitive = hit.primitive};
+  dvec3 value(view_ == render::Integrator::ao ? 1 : 0);
+  if (view_ == render::Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
     value = valueAt(hit, surfaceAt(scene(), ray, hit), numbers, counters, vertex);
@@ -48,15 +49,15 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
 }
 
 dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                          VertexRecord& record) const {
+                          render::VertexRecord& record) const {
   switch (view_) {
-    case Integrator::normal:
+    case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
-    case Integrator::albedo:
+    case render::Integrator::albedo:
       return bsdfs_[surface.material].albedo();
-    case Integrator::depth:
+    case render::Integrator::depth:
       return dvec3(hit.distance);
-    case Integrator::id:
+    case render::Integrator::id:
       return indexColour(hit.primitive);
     default:
       return dvec3(isOpen(surface, numbers, counters, record) ? 1 : 0);
@@ -64,7 +65,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
 }
 
 bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                        VertexRecord& record) const {
+                        render::VertexRecord& record) const {
   constexpr std::uint32_t kFirstVertex = kCameraDimensionCount;
   const dvec2 u(numbers.unit(kFirstVertex + kDimensionBsdfU), numbers.unit(kFirstVertex + kDimensionBsdfV));
   const dvec3 wi = Frame(surface.shadingNormal).toWorld(sampleCosineHemisphere(u));
@@ -73,7 +74,7 @@ bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters
   ++counters.shadowRays;
   const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
   const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters);
-  record.shadow = blocked ? ShadowOutcome::occluded : ShadowOutcome::visible;
+  record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;
   return !blocked;
 }
 

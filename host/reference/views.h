@@ -14,16 +14,16 @@ namespace candela::reference {
 class ViewTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
-  ViewTracer(const Scene& scene, const RenderSettings& settings);
+  ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
  private:
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                VertexRecord& record) const;
+                render::VertexRecord& record) const;
   /// Whether the ambient occlusion ray of this sample meets nothing.
-  bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, VertexRecord& record) const;
+  bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record) const;
 
-  Integrator view_;
+  render::Integrator view_;
   double aoDistance_;
   std::vector<Bsdf> bsdfs_;  ///< by material
 };

@@ -9,10 +9,10 @@
 namespace candela::reference {
 namespace {
 
-bool isGlass(const Material& material) { return material.t > 0 && material.ior > 0; }
-bool isMirror(const Material& material) { return material.t == 0 && material.ks > 0; }
+bool isGlass(const scene::Material& material) { return material.t > 0 && material.ior > 0; }
+bool isMirror(const scene::Material& material) { return material.t == 0 && material.ks > 0; }
 
-dvec3 localColour(const Material& material, const dvec3& normal, const dvec3& wo, const dvec3& wi) {
+dvec3 localColour(const scene::Material& material, const dvec3& normal, const dvec3& wo, const dvec3& wi) {
   const double cosH = dot(normal, normalize(wi + wo));
   return double{material.kd} * dot(normal, wi) * dvec3(material.diffuse) +
          material.ks * std::pow(cosH, double{material.shine}) * dvec3(material.specular);
@@ -23,10 +23,11 @@ dvec3 localColour(const Material& material, const dvec3& normal, const dvec3& wo
 struct WhittedTracer::SampleState {
   SampleNumbers& numbers;
   Counters& counters;
-  PathRecord* record;
+  render::PathRecord* record;
 
-  void keep(const VertexRecord& vertex) const {
-    if (record && record->vertexCount < PathRecord::kRecordedVertices) record->vertices[record->vertexCount++] = vertex;
+  void keep(const render::VertexRecord& vertex) const {
+    if (record && record->vertexCount < render::PathRecord::kRecordedVertices)
+      record->vertices[record->vertexCount++] = vertex;
   }
 };
 
@@ -39,9 +40,9 @@ struct WhittedTracer::Node {
   Node refracted(const Ray& next) const { return {next, 2 * number + 1, depth + 1}; }
 };
 
-WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
+WhittedTracer::WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : PixelTracer(scene, settings), maxDepth_(settings.maxDepth), lightSize_(settings.lightSize), background_(scene) {
-  for (const PointLight& light : scene.pointLights) {
+  for (const scene::PointLight& light : scene.pointLights) {
     const dvec3 position(light.position);
     const dvec3 towards = dvec3(scene.camera->at) - position;
     lights_.push_back(
@@ -49,14 +50,15 @@ WhittedTracer::WhittedTracer(const Scene& scene, const RenderSettings& settings)
   }
 }
 
-dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const {
+dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
+                              render::PathRecord* record) const {
   SampleState state{numbers, counters, record};
   return radianceAt({ray}, state);
 }
 
 dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   const Hit hit = tracing().closest(node.ray, state.counters);
-  VertexRecord record{.primitive = hit.primitive};
+  render::VertexRecord record{.primitive = hit.primitive};
   if (!hit) {
     state.keep(record);
     return background_.radiance(node.ray.direction);
@@ -64,7 +66,7 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   ++state.counters.vertices;
   if (node.depth == 1) ++state.counters.cameraHits;
   const Surface surface = surfaceAt(scene(), node.ray, hit);
-  const Material& material = scene().materials[surface.material];
+  const scene::Material& material = scene().materials[surface.material];
   dvec3 sum = dvec3(material.emission) + double{material.ka} * dvec3(material.diffuse);
   sum += direct(node, surface, state, record);
   const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -node.ray.direction) : Branches{};
@@ -87,8 +89,9 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   return sum;
 }
 
-dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const {
-  const Material& material = scene().materials[surface.material];
+dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
+                            render::VertexRecord& record) const {
+  const scene::Material& material = scene().materials[surface.material];
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
@@ -102,11 +105,11 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
     const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
     const bool occluded = tracing().isOccluded(ray, distance, kNoPrimitive, state.counters);
     if (occluded) {
-      record.shadow = ShadowOutcome::occluded;
+      record.shadow = render::ShadowOutcome::occluded;
       continue;
     }
-    if (record.shadow == ShadowOutcome::notTraced) record.shadow = ShadowOutcome::visible;
-    const unsigned seen = record.visibleLights ^ 1u << (i % VertexRecord::kRecordedLights);
+    if (record.shadow == render::ShadowOutcome::notTraced) record.shadow = render::ShadowOutcome::visible;
+    const unsigned seen = record.visibleLights ^ 1u << (i % render::VertexRecord::kRecordedLights);
     record.visibleLights = static_cast<std::uint16_t>(seen);
     sum += lights_[i].colour * localColour(material, surface.shadingNormal, -node.ray.direction, wi);
   }
@@ -124,27 +127,27 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
 }
 
 WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo) const {
-  const Material& material = scene().materials[surface.material];
+  const scene::Material& material = scene().materials[surface.material];
   if (!isMirror(material) && !isGlass(material)) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);
   Branches branches;
   branches.reflected = {2 * cosine * normal - wo, material.ks};
-  branches.lobe = Lobe::mirror;
+  branches.lobe = render::Lobe::mirror;
   if (isGlass(material)) {
     const double ior = material.ior;
     const double eta = surface.fromOutside ? 1 / ior : ior;
     const Boundary boundary = fresnel(cosine, eta);
     branches.reflected.factor = boundary.reflectance;
     branches.refracted = {-eta * wo + (eta * cosine - boundary.cosTransmitted) * normal, 1 - boundary.reflectance};
-    branches.lobe = Lobe::reflect;
+    branches.lobe = render::Lobe::reflect;
   }
   if (dot(branches.reflected.direction, surface.facingNormal) <= 0) branches.reflected.factor = 0;
   if (dot(branches.refracted.direction, surface.facingNormal) >= 0) branches.refracted.factor = 0;
   if (branches.refracted.factor > 0) {
-    branches.lobe = Lobe::refract;
+    branches.lobe = render::Lobe::refract;
   } else if (branches.reflected.factor == 0) {
-    branches.lobe = Lobe::none;
+    branches.lobe = render::Lobe::none;
   }
   return branches;
 }

@@ -14,7 +14,7 @@ namespace candela::reference {
 class WhittedTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object. `settings.maxDepth` is at most kMaxTreeDepth.
-  WhittedTracer(const Scene& scene, const RenderSettings& settings);
+  WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
  private:
   /// What all rays of one sample share.
@@ -29,7 +29,7 @@ class WhittedTracer final : public PixelTracer {
   struct Branches {
     Branch reflected;
     Branch refracted;
-    Lobe lobe = Lobe::none;
+    render::Lobe lobe = render::Lobe::none;
   };
   /// A point light, and the frame of the square that it fills.
   struct Light {
@@ -38,9 +38,9 @@ class WhittedTracer final : public PixelTracer {
     Frame frame;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, PathRecord* record) const override;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 radianceAt(const Node& node, SampleState& state) const;
-  dvec3 direct(const Node& node, const Surface& surface, SampleState& state, VertexRecord& record) const;
+  dvec3 direct(const Node& node, const Surface& surface, SampleState& state, render::VertexRecord& record) const;
   dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;
   Branches branchesAt(const Surface& surface, const dvec3& wo) const;
 

@@ -1,10 +1,10 @@
 #include "host/render/bad_sample_tally.h"
 
-namespace candela {
+namespace candela::render {
 
-void BadSampleTally::add(const Film& film, const RenderSettings& settings) {
+void BadSampleTally::add(const image::Film& film, const RenderSettings& settings) {
   for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-    const FilmPixel& pixel = film.pixels()[i];
+    const image::FilmPixel& pixel = film.pixels()[i];
     if (pixel.badCount == 0) continue;
     samples_ += pixel.badCount;
     isBad_.resize(film.pixels().size());
@@ -17,4 +17,4 @@ void BadSampleTally::add(const Film& film, const RenderSettings& settings) {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::render

@@ -5,7 +5,7 @@
 
 #include "host/render/renderer.h"
 
-namespace candela {
+namespace candela::render {
 
 /// A pixel of one render in which samples were bad: see FilmPixel::badCount.
 struct BadPixel {
@@ -24,7 +24,7 @@ class BadSampleTally {
   static constexpr std::size_t kPixelsKept = 5;
 
   /// What `settings` rendered.
-  void add(const Film& film, const RenderSettings& settings);
+  void add(const image::Film& film, const RenderSettings& settings);
 
   std::uint64_t samples() const { return samples_; }
   /// Pixels with bad samples, each counted once however many renders it was bad in.
@@ -44,7 +44,8 @@ class TalliedRenderer final : public Renderer {
  public:
   TalliedRenderer(Renderer& renderer, BadSampleTally& tally) : renderer_(renderer), tally_(tally) {}
 
-  RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) override {
+  RenderResult render(const scene::Scene& scene, const RenderSettings& settings,
+                      const RenderControl& control) override {
     RenderResult result = renderer_.render(scene, settings, control);
     tally_.add(result.film, settings);
     return result;
@@ -55,4 +56,4 @@ class TalliedRenderer final : public Renderer {
   BadSampleTally& tally_;
 };
 
-}  // namespace candela
+}  // namespace candela::render

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace candela {
+namespace candela::render {
 
 struct Extent {
   std::uint32_t width = 0;
@@ -15,4 +15,4 @@ struct Extent {
 /// E.g. "512x384".
 inline std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
 
-}  // namespace candela
+}  // namespace candela::render

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace candela {
+namespace candela::render {
 
 enum class Lobe : std::uint8_t { none, diffuse, glossy, mirror, reflect, refract };
 enum class ShadowOutcome : std::uint8_t { notTraced, visible, occluded };
@@ -34,4 +34,4 @@ struct PathRecord {
 /// One record per pixel, row by row from the top.
 using PathRecords = std::vector<PathRecord>;
 
-}  // namespace candela
+}  // namespace candela::render

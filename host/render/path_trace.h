@@ -8,7 +8,7 @@
 
 #include "host/render/path_record.h"
 
-namespace candela {
+namespace candela::render {
 
 /// One sample of one pixel. `x` to the right and `y` down, all from 0.
 struct PixelSample {
@@ -86,4 +86,4 @@ struct PathTrace {
   glm::dvec3 radiance{0};                        ///< that the sample adds to the film
 };
 
-}  // namespace candela
+}  // namespace candela::render

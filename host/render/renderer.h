@@ -13,7 +13,7 @@
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::render {
 
 /// Rays of Whitted's tracer by kind.
 struct TreeRays {
@@ -58,7 +58,7 @@ struct RenderStatistics {
 };
 
 struct RenderResult {
-  Film film;
+  image::Film film;
   RenderStatistics statistics;
   bool interrupted = false;  ///< stopped early by `RenderControl::stop`; the film holds what was done
   PathRecords paths;         ///< empty unless RenderSettings::recordPaths
@@ -75,7 +75,8 @@ class Renderer {
   virtual ~Renderer() = default;
   /// Renders `scene` (its camera is present) and returns what was summed.
   /// Throws NoDeviceError, DeviceLostError, OutOfMemoryError, FileError (a size beyond the device's limits).
-  virtual RenderResult render(const Scene& scene, const RenderSettings& settings, const RenderControl& control) = 0;
+  virtual RenderResult render(const scene::Scene& scene, const RenderSettings& settings,
+                              const RenderControl& control) = 0;
 };
 
-}  // namespace candela
+}  // namespace candela::render

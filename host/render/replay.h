@@ -3,7 +3,7 @@
 #include "host/render/path_trace.h"
 #include "host/render/renderer.h"
 
-namespace candela {
+namespace candela::render {
 
 struct Replay {
   PathTrace path;
@@ -14,7 +14,7 @@ class ReplayingRenderer : public Renderer {
  public:
   /// Traces the sample that a render() with the same settings adds to the film, bit for bit. `settings.integrator` is
   /// Integrator::path; the pixel lies within the image. Throws as render() does.
-  virtual Replay replay(const Scene& scene, const RenderSettings& settings, const PixelSample& sample) = 0;
+  virtual Replay replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample) = 0;
 };
 
-}  // namespace candela
+}  // namespace candela::render

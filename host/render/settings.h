@@ -6,7 +6,7 @@
 
 #include "host/render/extent.h"
 
-namespace candela {
+namespace candela::render {
 
 enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
 /// Whether an integrator shows something of what camera rays meet: docs/light-transport.md section 10.
@@ -90,4 +90,4 @@ struct RenderSettings {
   bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }
 };
 
-}  // namespace candela
+}  // namespace candela::render

@@ -19,9 +19,9 @@ std::string base64(std::span<const std::byte> bytes) {
   return text;
 }
 
-std::string pngUri(const Pixels8& pixels) { return "data:image/png;base64," + base64(toPng(pixels)); }
+std::string pngUri(const image::Pixels8& pixels) { return "data:image/png;base64," + base64(toPng(pixels)); }
 
-std::string floatText(const Image& image) {
+std::string floatText(const image::Image& image) {
   std::vector<std::byte> bytes;
   bytes.reserve(12 * image.rgb.size());
   for (const glm::vec3& pixel : image.rgb) {

@@ -12,9 +12,9 @@ namespace candela::report {
 std::string base64(std::span<const std::byte> bytes);
 
 /// A PNG file as the address of an image: "data:image/png;base64,...".
-std::string pngUri(const Pixels8& pixels);
+std::string pngUri(const image::Pixels8& pixels);
 
 /// Red, green and blue of every pixel, row by row from the top, as binary32, little-endian, in base64.
-std::string floatText(const Image& image);
+std::string floatText(const image::Image& image);
 
 }  // namespace candela::report

@@ -19,12 +19,12 @@ struct StopRange {
 };
 
 // Whole stops.
-StopRange stopRange(const Image& a, const Image& b) {
+StopRange stopRange(const image::Image& a, const image::Image& b) {
   double least = HUGE_VAL;
   double most = -HUGE_VAL;
-  for (const Image* image : {&a, &b}) {
+  for (const image::Image* image : {&a, &b}) {
     for (const glm::vec3& pixel : image->rgb) {
-      const double stops = std::log2(luminance(glm::dvec3(pixel)));
+      const double stops = std::log2(image::luminance(glm::dvec3(pixel)));
       if (!std::isfinite(stops)) continue;
       least = std::min(least, stops);
       most = std::max(most, stops);
@@ -35,18 +35,18 @@ StopRange stopRange(const Image& a, const Image& b) {
   return {std::max(std::floor(least), high - kMostStops), high};
 }
 
-Histogram histogramOfStops(const Image& image, const StopRange& range) {
+Histogram histogramOfStops(const image::Image& image, const StopRange& range) {
   Histogram histogram(range.low, range.high, static_cast<std::size_t>(range.high - range.low) * kBinsPerStop);
-  for (const glm::vec3& pixel : image.rgb) histogram.add(std::log2(luminance(glm::dvec3(pixel))));
+  for (const glm::vec3& pixel : image.rgb) histogram.add(std::log2(image::luminance(glm::dvec3(pixel))));
   return histogram;
 }
 
-std::vector<double> relativeDifferences(const Image& a, const Image& b) {
+std::vector<double> relativeDifferences(const image::Image& a, const image::Image& b) {
   const double scale = differenceScale(a, b);
   std::vector<double> differences;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const double expected = luminance(glm::dvec3(b.rgb[i]));
-    differences.push_back((luminance(glm::dvec3(a.rgb[i])) - expected) / (expected + scale));
+    const double expected = image::luminance(glm::dvec3(b.rgb[i]));
+    differences.push_back((image::luminance(glm::dvec3(a.rgb[i])) - expected) / (expected + scale));
   }
   return differences;
 }
@@ -73,12 +73,12 @@ void Histogram::add(double value) {
   ++counts[static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last))];
 }
 
-ValueHistograms valueHistograms(const Image& a, const Image& b) {
+ValueHistograms valueHistograms(const image::Image& a, const image::Image& b) {
   const StopRange range = stopRange(a, b);
   return {histogramOfStops(a, range), histogramOfStops(b, range)};
 }
 
-Histogram differenceHistogram(const Image& a, const Image& b) {
+Histogram differenceHistogram(const image::Image& a, const image::Image& b) {
   const std::vector<double> differences = relativeDifferences(a, b);
   const double range = rangeOf(differences);
   Histogram histogram(-range, range, kDifferenceBins);

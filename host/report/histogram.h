@@ -26,10 +26,10 @@ struct ValueHistograms {
   Histogram a;
   Histogram b;
 };
-ValueHistograms valueHistograms(const Image& a, const Image& b);
+ValueHistograms valueHistograms(const image::Image& a, const image::Image& b);
 
 /// (a - b) / (b + 1 % of b's mean) of the luminances, as the difference map shows them, over the smallest of +-0.1 %,
 /// 1 %, 10 %, 100 % and 1000 % in which 99 % of the pixels lie.
-Histogram differenceHistogram(const Image& a, const Image& b);
+Histogram differenceHistogram(const image::Image& a, const image::Image& b);
 
 }  // namespace candela::report

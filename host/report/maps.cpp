@@ -9,9 +9,9 @@ namespace candela::report {
 namespace {
 
 constexpr double kDifferenceRange = 0.1;
-constexpr DisplayTransform kAsItIs{};  // for pictures that are meant for display already
+constexpr image::DisplayTransform kAsItIs{};  // for pictures that are meant for display already
 
-Pixels8 reducedPixels(const Image& picture, std::uint32_t k) {
+image::Pixels8 reducedPixels(const image::Image& picture, std::uint32_t k) {
   return toPixels8(k == 1 ? picture : reduced(picture, k), kAsItIs);
 }
 
@@ -34,7 +34,8 @@ Map flipMap(const Report& report, std::uint32_t k) {
 }
 
 Map testMap(const Report& report, std::uint32_t tileSize, std::uint32_t k) {
-  const Pixels8 map = tileMap(report.tests->regions, tileSize, report.tests->level, report.a.width, report.a.height);
+  const image::Pixels8 map = tileMap(report.tests->regions, tileSize, report.tests->level, report.a.width,
+                                     report.a.height);
   return {fmt::format("map-t{}", tileSize), fmt::format("t of tiles, {0} × {0} pixels", tileSize),
           "Welch's t. Black: 0; orange: A is brighter; blue: A is darker; full colour and a white frame: significant.",
           k == 1 ? map : reducedPixels(toImage(map), k)};
@@ -42,7 +43,7 @@ Map testMap(const Report& report, std::uint32_t tileSize, std::uint32_t k) {
 
 }  // namespace
 
-Pixels8 sidePicture(const Image& image, const DisplayTransform& display, std::uint32_t k) {
+image::Pixels8 sidePicture(const image::Image& image, const image::DisplayTransform& display, std::uint32_t k) {
   return toPixels8(k == 1 ? image : reduced(image, k), display);
 }
 

@@ -12,11 +12,11 @@ struct Map {
   std::string id;
   std::string title;
   std::string caption;
-  Pixels8 pixels;
+  image::Pixels8 pixels;
 };
 
 /// The picture of one side, each pixel standing for k x k.
-Pixels8 sidePicture(const Image& image, const DisplayTransform& display, std::uint32_t k);
+image::Pixels8 sidePicture(const image::Image& image, const image::DisplayTransform& display, std::uint32_t k);
 /// The difference map, the FLIP map, and a t-map for every size of tiles that was tested.
 std::vector<Map> mapsOf(const Report& report, std::uint32_t k);
 

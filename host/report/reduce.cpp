@@ -7,7 +7,7 @@ namespace {
 
 std::uint32_t blocks(std::uint32_t pixels, std::uint32_t k) { return (pixels + k - 1) / k; }
 
-glm::vec3 blockMean(const Image& image, std::uint32_t left, std::uint32_t top, std::uint32_t k) {
+glm::vec3 blockMean(const image::Image& image, std::uint32_t left, std::uint32_t top, std::uint32_t k) {
   const std::uint32_t right = std::min(left + k, image.width);
   const std::uint32_t bottom = std::min(top + k, image.height);
   glm::dvec3 sum(0);
@@ -25,8 +25,8 @@ std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height) {
   return k;
 }
 
-Image reduced(const Image& image, std::uint32_t k) {
-  Image small;
+image::Image reduced(const image::Image& image, std::uint32_t k) {
+  image::Image small;
   small.width = blocks(image.width, k);
   small.height = blocks(image.height, k);
   small.rgb.reserve(std::size_t{small.width} * small.height);

@@ -13,6 +13,6 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 20;
 std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height);
 
 /// Means of blocks of k x k pixels, cut at the right and lower edge; colours alone, without variance and counts.
-Image reduced(const Image& image, std::uint32_t k);
+image::Image reduced(const image::Image& image, std::uint32_t k);
 
 }  // namespace candela::report

@@ -35,7 +35,7 @@ OutcomeText textOf(Outcome outcome) {
   return {"none", "No verdict."};
 }
 
-std::string pictureTag(const std::string& id, const std::string& alt, const Pixels8& pixels) {
+std::string pictureTag(const std::string& id, const std::string& alt, const image::Pixels8& pixels) {
   const char* style = pixels.width <= kSmallWidth ? " class=\"small\"" : "";
   return fmt::format("<img id=\"{}\"{} width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">", id, style, pixels.width,
                      pixels.height, escapeHtml(alt), pngUri(pixels));
@@ -61,7 +61,7 @@ std::string reductionNote(std::uint32_t k) {
       k);
 }
 
-std::string histograms(const Image& a, const Image& b) {
+std::string histograms(const image::Image& a, const image::Image& b) {
   return "<figure>" + valueChart(valueHistograms(a, b)) +
          "<figcaption><strong>Luminances</strong>, two bins a stop. Bars: A; line: B. Black pixels are left "
          "out.</figcaption>"
@@ -76,8 +76,8 @@ std::string histograms(const Image& a, const Image& b) {
 
 std::string toHtml(const Report& report) {
   const std::uint32_t k = reductionOf(report.a.width, report.a.height);
-  const Pixels8 a = sidePicture(report.a, report.display, k);
-  const Pixels8 b = sidePicture(report.b, report.display, k);
+  const image::Pixels8 a = sidePicture(report.a, report.display, k);
+  const image::Pixels8 b = sidePicture(report.b, report.display, k);
   const OutcomeText outcome = textOf(report.outcome);
   return fillTemplate(embedded::page, {{"style", std::string(embedded::style)},
                                        {"script", std::string(embedded::script)},

@@ -36,10 +36,10 @@ struct Report {
   Outcome outcome = Outcome::none;
   std::string verdict;  ///< one or more sentences
   std::string nameA, nameB;
-  Image a, b;  ///< of equal size, linear
-  DisplayTransform display;
-  ImageComparison comparison;
-  FlipResult flip;
+  image::Image a, b;  ///< of equal size, linear
+  image::DisplayTransform display;
+  image::ImageComparison comparison;
+  image::FlipResult flip;
   std::optional<LightTests> tests;
   std::vector<Figure> figures;  ///< before those of `comparison`
   std::vector<Fact> facts;

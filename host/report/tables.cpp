@@ -22,7 +22,7 @@ std::string cell(const std::string& text) { return "<td>" + escapeHtml(text) + "
 std::string number(double value) { return fmt::format("<td class=\"number\">{:.6g}</td>", value); }
 
 std::vector<Figure> imageFigures(const Report& report) {
-  const ImageComparison& c = report.comparison;
+  const image::ImageComparison& c = report.comparison;
   std::vector<Figure> figures{
       {"Size", fmt::format("{} × {} pixels", c.width, c.height)},
       {"Mean luminance", fmt::format("A {:.6g}, B {:.6g}: {:+.4g} %", c.meanLuminance, c.referenceMeanLuminance,

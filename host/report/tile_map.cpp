@@ -20,16 +20,16 @@ double strengthOf(const RegionResult& result, double level) {
   return sign * std::min(1.0, result.test.t / statistics::criticalT(level, result.test.degreesOfFreedom));
 }
 
-void paint(Pixels8& map, std::uint32_t x, std::uint32_t y, const glm::dvec3& signal) {
+void paint(image::Pixels8& map, std::uint32_t x, std::uint32_t y, const glm::dvec3& signal) {
   for (int c = 0; c < 3; ++c) {
     map.rgb[3 * (std::size_t{y} * map.width + x) + static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(
         std::lround(255 * signal[c]));
   }
 }
 
-void paintTile(Pixels8& map, const RegionResult& result, double level) {
+void paintTile(image::Pixels8& map, const RegionResult& result, double level) {
   const Region& tile = result.region;
-  const glm::dvec3 colour = signedColour(strengthOf(result, level));
+  const glm::dvec3 colour = image::signedColour(strengthOf(result, level));
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     for (std::uint32_t x = 0; x < tile.width; ++x) {
       const bool onEdge = x == 0 || y == 0 || x + 1 == tile.width || y + 1 == tile.height;
@@ -48,9 +48,9 @@ std::vector<std::uint32_t> tileSizes(std::span<const RegionResult> results) {
   return {sizes.begin(), sizes.end()};
 }
 
-Pixels8 tileMap(std::span<const RegionResult> results, std::uint32_t tileSize, double level, std::uint32_t width,
-                std::uint32_t height) {
-  Pixels8 map{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+image::Pixels8 tileMap(std::span<const RegionResult> results, std::uint32_t tileSize, double level, std::uint32_t width,
+                       std::uint32_t height) {
+  image::Pixels8 map{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
   for (const RegionResult& result : results) {
     if (result.region.tileSize == tileSize) paintTile(map, result, level);
   }

@@ -15,7 +15,7 @@ std::vector<std::uint32_t> tileSizes(std::span<const verify::RegionResult> resul
 /// One block of colour for every tile of a size, in an image of width x height pixels: black where the t of its test is
 /// 0, orange where the first picture is brighter and blue where it is darker, full strength at the t that is
 /// significant; tiles that differ significantly have a white frame.
-Pixels8 tileMap(std::span<const verify::RegionResult> results, std::uint32_t tileSize, double level,
-                std::uint32_t width, std::uint32_t height);
+image::Pixels8 tileMap(std::span<const verify::RegionResult> results, std::uint32_t tileSize, double level,
+                       std::uint32_t width, std::uint32_t height);
 
 }  // namespace candela::report

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 std::string joinLines(const std::vector<Diagnostic>& diagnostics) {
@@ -26,4 +26,4 @@ std::string toString(const Diagnostic& diagnostic) {
 
 SceneError::SceneError(std::vector<Diagnostic> all) : FileError(joinLines(all)), diagnostics(std::move(all)) {}
 
-}  // namespace candela
+}  // namespace candela::scene

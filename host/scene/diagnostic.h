@@ -6,7 +6,7 @@
 
 #include "host/core/errors.h"
 
-namespace candela {
+namespace candela::scene {
 
 struct Diagnostic {
   std::string file;
@@ -24,4 +24,4 @@ struct SceneError : FileError {
   std::vector<Diagnostic> diagnostics;
 };
 
-}  // namespace candela
+}  // namespace candela::scene

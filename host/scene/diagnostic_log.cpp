@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 void sortByPlace(std::vector<Diagnostic>& diagnostics) {
@@ -59,4 +59,4 @@ std::vector<Diagnostic> DiagnosticLog::warnings() const {
   return all;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -8,7 +8,7 @@
 #include "host/scene/diagnostic.h"
 #include "host/scene/tokenizer.h"
 
-namespace candela {
+namespace candela::scene {
 
 class DiagnosticLog {
  public:
@@ -47,4 +47,4 @@ class DiagnosticLog {
   std::size_t unlistedWarnings_ = 0;
 };
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -1,7 +1,7 @@
 // Ear clipping of one polygon in the plane (Meisters 1975), with a queue of ears so that it takes quadratic time.
 #include "host/scene/ear_clipper.h"
 
-namespace candela {
+namespace candela::scene {
 
 EarClipper::EarClipper(std::vector<glm::dvec2> points)
     : points_(std::move(points)),
@@ -112,4 +112,4 @@ bool EarClipper::clip() {
   return simple;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

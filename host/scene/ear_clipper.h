@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace candela {
+namespace candela::scene {
 
 /// Twice the signed area of the triangle a b c; positive if it turns counter-clockwise.
 inline double orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
@@ -43,4 +43,4 @@ class EarClipper {
   Triangles triangles_;
 };
 
-}  // namespace candela
+}  // namespace candela::scene

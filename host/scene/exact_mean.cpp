@@ -4,7 +4,7 @@
 
 #include "host/scene/number.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::string_view kKey = "exact-mean:";
@@ -56,4 +56,4 @@ std::optional<ExactMean> findExactMean(std::string_view text, DiagnosticLog& log
   return std::nullopt;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -6,9 +6,9 @@
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::scene {
 
 /// The first "# exact-mean: r g b [x y width height]" of a scene's text. One that cannot be read is an error in `log`.
 std::optional<ExactMean> findExactMean(std::string_view text, DiagnosticLog& log);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-namespace candela {
+namespace candela::scene {
 
 /// Continues `hash` over `bytes` (Fowler, Noll, Vo).
 inline std::uint64_t fnv1a(std::span<const std::uint8_t> bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
@@ -11,4 +11,4 @@ inline std::uint64_t fnv1a(std::span<const std::uint8_t> bytes, std::uint64_t ha
   return hash;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -12,7 +12,7 @@
 #include "host/scene/statements.h"
 #include "host/scene/suggestion.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::string_view
@@ -129,4 +129,4 @@ std::string describeUnknown(std::string_view word) {
   return unknown + "; comments begin with \"#\", and --lenient skips unknown lines";
 }
 
-}  // namespace candela
+}  // namespace candela::scene

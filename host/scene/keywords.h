@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace candela {
+namespace candela::scene {
 
 struct Parser;
 
@@ -24,4 +24,4 @@ std::string describeUnknown(std::string_view word);
 /// True for the words that begin an entry of a view.
 bool isViewKeyword(std::string_view word);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -13,7 +13,7 @@
 #include "host/scene/parser.h"
 #include "host/scene/scene_checks.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
@@ -88,4 +88,4 @@ void requireCamera(const Scene& scene) {
         "resolution width height"}});
 }
 
-}  // namespace candela
+}  // namespace candela::scene

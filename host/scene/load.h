@@ -9,7 +9,7 @@
 #include "host/scene/diagnostic.h"
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::scene {
 
 struct LoadOptions {
   bool lenient = false;  ///< unknown lines are skipped, short materials completed, each with a warning
@@ -34,4 +34,4 @@ LoadedScene parseScene(const std::string& text, const std::string& name, const s
 /// Throws SceneError, which says how to give a view, if there is none.
 void requireCamera(const Scene& scene);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 /// Of a decimal number out of range: true if it is too small rather than too large.
@@ -46,4 +46,4 @@ bool looksLikeNumber(std::string_view text) {
 ParsedNumber<float> parseFloat(std::string_view text) { return parseReal<float>(text); }
 ParsedNumber<double> parseDouble(std::string_view text) { return parseReal<double>(text); }
 
-}  // namespace candela
+}  // namespace candela::scene

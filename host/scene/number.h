@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace candela {
+namespace candela::scene {
 
 enum class NumberStatus : std::uint8_t { ok, notANumber, notFinite, overflow };
 
@@ -21,4 +21,4 @@ ParsedNumber<float> parseFloat(std::string_view text);
 /// The same in binary64.
 ParsedNumber<double> parseDouble(std::string_view text);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -9,7 +9,7 @@
 #include "host/scene/number.h"
 #include "host/scene/quote.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 void checkSurplus(Parser& parser) {
@@ -96,4 +96,4 @@ void parseStatements(Parser& parser) {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -12,7 +12,7 @@
 #include "host/scene/statement_reader.h"
 #include "host/scene/tokenizer.h"
 
-namespace candela {
+namespace candela::scene {
 
 struct Parser {
   Parser(std::string_view text, const std::string& name, std::filesystem::path sceneFolder,
@@ -50,4 +50,4 @@ void skipUnknown(Parser& parser);
 /// Reads all statements; what is wrong is then in `parser.log`.
 void parseStatements(Parser& parser);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace candela {
+namespace candela::scene {
 
 /// `text` in double quotes, cut at 40 bytes, with anything but printable ASCII and UTF-8 bytes shown as '?': a file
 /// cannot send control sequences to a terminal.
@@ -17,4 +17,4 @@ inline std::string quote(std::string_view text) {
   return quoted + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 /// A box that grows. Computed in double precision, rounded to nearest at the end.
@@ -120,4 +120,4 @@ SceneReport makeReport(const LoadedScene& loaded) {
   return report;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

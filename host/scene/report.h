@@ -8,7 +8,7 @@
 
 #include "host/scene/load.h"
 
-namespace candela {
+namespace candela::scene {
 
 struct SceneReport {
   struct Bounds {
@@ -51,4 +51,4 @@ SceneReport makeReport(const LoadedScene& loaded);
 std::string toText(const SceneReport& report);
 nlohmann::json toJson(const SceneReport& report);
 
-}  // namespace candela
+}  // namespace candela::scene

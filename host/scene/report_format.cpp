@@ -6,7 +6,7 @@
 #include "host/core/hash_text.h"
 #include "host/scene/report.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 using nlohmann::json;
@@ -104,4 +104,4 @@ json toJson(const SceneReport& r) {
   };
 }
 
-}  // namespace candela
+}  // namespace candela::scene

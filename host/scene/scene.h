@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace candela {
+namespace candela::scene {
 
 /// The view, as NFF states it. The view plane passes through `at`.
 struct Camera {
@@ -137,4 +137,4 @@ inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -1,7 +1,7 @@
 // Adds primitives to a scene, in order.
 #include "host/scene/scene_builder.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 template <typename Shape>
@@ -62,4 +62,4 @@ void addParallelogram(Scene& scene, const glm::vec3& corner, const glm::vec3& u,
   addQuad(scene, {corner, corner + u, corner + u + v, corner + v}, material);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -5,7 +5,7 @@
 
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::scene {
 
 /// Each appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
@@ -22,4 +22,4 @@ void addBoxAsTriangles(Scene& scene, const Box& box, std::uint32_t material);
 void addParallelogram(Scene& scene, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
                       std::uint32_t material);
 
-}  // namespace candela
+}  // namespace candela::scene

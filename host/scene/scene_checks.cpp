@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 bool hasLight(const Scene& scene) {
@@ -23,4 +23,4 @@ void checkScene(const Scene& scene, DiagnosticLog& log) {
            "the image will be black: no object emits, there is no point light, and the background is black");
 }
 
-}  // namespace candela
+}  // namespace candela::scene

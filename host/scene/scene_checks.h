@@ -3,9 +3,9 @@
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::scene {
 
 /// Warns of a scene without objects or without light.
 void checkScene(const Scene& scene, DiagnosticLog& log);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -10,7 +10,7 @@
 #include "host/image/image.h"
 #include "host/scene/quote.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ fs::path findFace(const fs::path& folder, const std::string& name) {
 }
 
 SkyFace readFace(const fs::path& file) {
-  Pixels8 pixels = readPixels8(file);
+  image::Pixels8 pixels = image::readPixels8(file);
   const bool fits = pixels.width <= kLargestSkySide && pixels.height <= kLargestSkySide;
   if (!fits) {
     throw FileError(fmt::format("{} is {} x {} pixels; a sky's face may have {} a side", quote(file.string()),
@@ -76,4 +76,4 @@ std::optional<Sky> loadSky(const fs::path& folder, const std::vector<fs::path>& 
   return sky;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

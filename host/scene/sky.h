@@ -6,7 +6,7 @@
 
 #include "host/scene/scene.h"
 
-namespace candela {
+namespace candela::scene {
 
 /// Longest side of a face, in texels.
 inline constexpr std::uint32_t kLargestSkySide = 8192;
@@ -15,4 +15,4 @@ inline constexpr std::uint32_t kLargestSkySide = 8192;
 /// resolved, must lie in one of `permitted`. Empty if there is no such folder. Throws FileError.
 std::optional<Sky> loadSky(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& permitted);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -5,7 +5,7 @@
 #include "host/scene/scene_builder.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr double kFarthest = 1e38;  ///< of a plane's foot: leaves room for points around it
@@ -62,4 +62,4 @@ void parseBox(Parser& parser) {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

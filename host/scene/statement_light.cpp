@@ -8,7 +8,7 @@
 #include "host/scene/scene_builder.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr glm::vec3 kWhite{1, 1, 1};
@@ -94,4 +94,4 @@ void parseNamedLight(Parser& parser) {
   StatementReader::fail(kind.position, fmt::format("expected \"punctual\" or \"quad\", found {}", quote(kind.text)));
 }
 
-}  // namespace candela
+}  // namespace candela::scene

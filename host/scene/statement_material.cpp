@@ -7,7 +7,7 @@
 #include "host/scene/parser.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::size_t kRequired = 8;  ///< numbers that every dialect has
@@ -122,4 +122,4 @@ void parseMaterial(Parser& parser) {
   parser.scene.materials.push_back(material);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

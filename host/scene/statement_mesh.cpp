@@ -5,7 +5,7 @@
 #include "host/scene/scene_builder.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::int64_t kMostItems = 0xffffffff;
@@ -34,4 +34,4 @@ void parseMesh(Parser& parser) {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -6,7 +6,7 @@
 #include "host/scene/statements.h"
 #include "host/scene/triangulate.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::int64_t kMostVertices = 16384;  ///< splitting takes time quadratic in it
@@ -61,4 +61,4 @@ void parsePatch(Parser& parser) {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

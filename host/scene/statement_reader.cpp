@@ -8,7 +8,7 @@
 #include "host/scene/number.h"
 #include "host/scene/quote.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 void requireValid(const Token& token, NumberStatus status) {
@@ -100,4 +100,4 @@ void StatementReader::skipStatement() {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -8,7 +8,7 @@
 
 #include "host/scene/tokenizer.h"
 
-namespace candela {
+namespace candela::scene {
 
 /// Ends the reading of a statement. Caught by the parser, which goes on with the next one.
 struct StatementError {
@@ -56,4 +56,4 @@ class StatementReader {
   Position lastNumber_;
 };
 
-}  // namespace candela
+}  // namespace candela::scene

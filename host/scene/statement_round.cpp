@@ -3,7 +3,7 @@
 #include "host/scene/scene_builder.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 void addCheckedSphere(Parser& parser, const Sphere& sphere, Position radiusPosition) {
@@ -44,4 +44,4 @@ void parseCone(Parser& parser) {
   addCone(parser.scene, {base, baseRadius, apex, apexRadius}, parser.currentMaterial());
 }
 
-}  // namespace candela
+}  // namespace candela::scene

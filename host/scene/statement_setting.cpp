@@ -9,7 +9,7 @@
 #include "host/scene/sky.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 
 void parseBackground(Parser& parser) {
   const Position position = parser.in.here();
@@ -58,4 +58,4 @@ void parseSamples(Parser& parser) {
       fmt::format("spp {} is read as {} samples per pixel in total; some programs took it per side", samples, samples));
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -8,7 +8,7 @@
 #include "host/scene/parser.h"
 #include "host/scene/statements.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 struct ViewEntry {
@@ -150,4 +150,4 @@ void parseView(Parser& parser) {
   if (seen.contains("from") && seen.contains("at")) checkDirections(parser, camera);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -2,7 +2,7 @@
 // StatementError.
 #pragma once
 
-namespace candela {
+namespace candela::scene {
 
 struct Parser;
 
@@ -26,4 +26,4 @@ void parseHessianPlane(Parser& parser);
 void parseBox(Parser& parser);
 void parseMesh(Parser& parser);
 
-}  // namespace candela
+}  // namespace candela::scene

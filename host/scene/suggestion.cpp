@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::size_t kLongestWord = 24;  ///< nothing longer is a slip of the pen
@@ -44,4 +44,4 @@ std::optional<std::string_view> suggest(std::string_view word, const std::vector
   return best;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace candela {
+namespace candela::scene {
 
 /// A word that people write, and the keyword they would have needed.
 struct Spelling {
@@ -19,4 +19,4 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 /// equally near ones wins.
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -1,7 +1,7 @@
 // Splits a scene file into words, each with its place.
 #include "host/scene/tokenizer.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
@@ -75,4 +75,4 @@ void Tokenizer::scan() {
   next_ = {text_.substr(begin, offset_ - begin), positionOf(begin)};
 }
 
-}  // namespace candela
+}  // namespace candela::scene

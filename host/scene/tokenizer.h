@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace candela {
+namespace candela::scene {
 
 /// 1-based; columns count bytes, a tab is one.
 struct Position {
@@ -51,4 +51,4 @@ class Tokenizer {
   Position end_{1, 1};
 };
 
-}  // namespace candela
+}  // namespace candela::scene

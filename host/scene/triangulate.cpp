@@ -6,7 +6,7 @@
 
 #include "host/scene/ear_clipper.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 /// Newell's sum: twice the area, along the normal.
@@ -98,4 +98,4 @@ Triangulation triangulate(std::span<const glm::vec3> polygon) {
   return split;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

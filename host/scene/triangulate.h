@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace candela {
+namespace candela::scene {
 
 struct Triangulation {
   /// Indices into the polygon, each triangle turning as the polygon does. Their areas, seen along the polygon's normal,
@@ -21,4 +21,4 @@ struct Triangulation {
 /// whose triangles are never hit. Holes may be bridged by an edge to and fro.
 Triangulation triangulate(std::span<const glm::vec3> polygon);
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "host/render/workgroup.h"
+#include "host/device/workgroup.h"
 
 namespace candela::tune {
 namespace {
 
 template <std::uint32_t width, std::uint32_t height>
 Value shape() {
-  return {extentText({width, height}), [](AutomaticChoices& choices) { choices.workgroup = {width, height}; }};
+  return {render::extentText({width, height}), [](render::AutomaticChoices& choices) {
+            choices.workgroup = {width, height};
+          }};
 }
 
 }  // namespace
@@ -20,19 +22,19 @@ std::span<const Dimension> dimensionTable() {
   static const std::array<Dimension, 4> table{{
       {"layout",
        0,
-       {{"cwbvh", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::cwbvh; }},
-        {"bvh2", [](AutomaticChoices& choices) { choices.bvhLayout = BvhLayout::bvh2; }}}},
+       {{"cwbvh", [](render::AutomaticChoices& choices) { choices.bvhLayout = render::BvhLayout::cwbvh; }},
+        {"bvh2", [](render::AutomaticChoices& choices) { choices.bvhLayout = render::BvhLayout::bvh2; }}}},
       {"loads",
        0,
-       {{"texel", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::texel; }},
-        {"storage", [](AutomaticChoices& choices) { choices.sceneLoads = SceneLoads::storage; }}}},
+       {{"texel", [](render::AutomaticChoices& choices) { choices.sceneLoads = render::SceneLoads::texel; }},
+        {"storage", [](render::AutomaticChoices& choices) { choices.sceneLoads = render::SceneLoads::storage; }}}},
       {"workgroup",
        1,
        {shape<8, 8>(), shape<8, 4>(), shape<16, 4>(), shape<16, 8>(), shape<16, 16>(), shape<32, 1>(), shape<64, 1>()}},
       {"kernel",
        2,
-       {{"megakernel", [](AutomaticChoices& choices) { choices.kernel = KernelKind::megakernel; }},
-        {"wavefront", [](AutomaticChoices& choices) { choices.kernel = KernelKind::wavefront; }}}},
+       {{"megakernel", [](render::AutomaticChoices& choices) { choices.kernel = render::KernelKind::megakernel; }},
+        {"wavefront", [](render::AutomaticChoices& choices) { choices.kernel = render::KernelKind::wavefront; }}}},
   }};
   return table;
 }
@@ -49,14 +51,14 @@ std::string nameOf(const Candidate& candidate) {
   return name;
 }
 
-AutomaticChoices choicesOf(const Candidate& candidate) {
-  AutomaticChoices choices;
+render::AutomaticChoices choicesOf(const Candidate& candidate) {
+  render::AutomaticChoices choices;
   for (std::size_t i = 0; i < candidate.size(); ++i) dimensionTable()[i].values[candidate[i]].choose(choices);
   return choices;
 }
 
-bool isFeasible(const Candidate& candidate, const DeviceInfo& info) {
-  return hasWorkgroup(info, choicesOf(candidate).workgroup);
+bool isFeasible(const Candidate& candidate, const vulkan::DeviceInfo& info) {
+  return device::hasWorkgroup(info, choicesOf(candidate).workgroup);
 }
 
 std::optional<std::size_t> valueNamed(const Dimension& dimension, const std::string& name) {

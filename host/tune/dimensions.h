@@ -13,7 +13,7 @@ namespace candela::tune {
 
 struct Value {
   std::string name;  ///< as on the command line
-  void (*choose)(AutomaticChoices& choices);
+  void (*choose)(render::AutomaticChoices& choices);
 };
 
 /// One option. The first of its values is the built-in one.
@@ -32,8 +32,8 @@ using Candidate = std::vector<std::size_t>;
 Candidate builtIn();
 /// E.g. "layout=cwbvh loads=texel workgroup=8x8 kernel=megakernel".
 std::string nameOf(const Candidate& candidate);
-AutomaticChoices choicesOf(const Candidate& candidate);
-bool isFeasible(const Candidate& candidate, const DeviceInfo& info);
+render::AutomaticChoices choicesOf(const Candidate& candidate);
+bool isFeasible(const Candidate& candidate, const vulkan::DeviceInfo& info);
 
 /// The number of a value, if the dimension has it.
 std::optional<std::size_t> valueNamed(const Dimension& dimension, const std::string& name);

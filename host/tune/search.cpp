@@ -48,7 +48,7 @@ std::vector<Candidate> combinations(const Candidate& start, std::span<const std:
 
 // What a stage measures: what is built in, the best so far, and what else the device has.
 std::vector<Candidate> candidatesOf(std::span<const std::size_t> dimensions, const Candidate& best,
-                                    const DeviceInfo& info) {
+                                    const vulkan::DeviceInfo& info) {
   std::vector<Candidate> candidates{builtIn()};
   if (best != builtIn()) candidates.push_back(best);
   for (Candidate& candidate : combinations(best, dimensions)) {
@@ -124,7 +124,7 @@ bool SearchResult::agree() const {
   return std::ranges::all_of(rounds, [](const Round& round) { return std::ranges::all_of(round.rows, &Row::agrees); });
 }
 
-SearchResult search(const DeviceInfo& info, std::uint32_t repeats, const Measure& measure) {
+SearchResult search(const vulkan::DeviceInfo& info, std::uint32_t repeats, const Measure& measure) {
   SearchResult result;
   result.chosen = builtIn();
   for (std::size_t stage = 0; stage <= dimensionTable().back().stage; ++stage) {

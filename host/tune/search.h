@@ -56,6 +56,6 @@ using Measure = std::function<std::vector<Row>(std::span<const Candidate> candid
 /// Whatever is found must then be clearly faster than what is built in, in a last round of 2 `repeats` + 1 runs, which
 /// it has not been chosen by. Candidates whose image differs are never chosen; if that is so of what is built in,
 /// nothing else is tried.
-SearchResult search(const DeviceInfo& info, std::uint32_t repeats, const Measure& measure);
+SearchResult search(const vulkan::DeviceInfo& info, std::uint32_t repeats, const Measure& measure);
 
 }  // namespace candela::tune

@@ -18,12 +18,12 @@ const std::vector<SweepRow>& firstScenes(const TuneReport& report) {
   return report.result.rounds.front().rows.front().scenes;
 }
 
-const RenderStatistics& statisticsOf(const TuneReport& report) {
+const render::RenderStatistics& statisticsOf(const TuneReport& report) {
   return firstScenes(report).front().measurement.statistics;
 }
 
 std::string sceneTitle(const SweepRow& row) {
-  const RenderSettings& settings = row.measurement.variant.settings;
+  const render::RenderSettings& settings = row.measurement.variant.settings;
   return fmt::format("{}, {} x {} spp, ms", row.scene, extentText(settings.size), settings.sampleCount);
 }
 
@@ -105,7 +105,7 @@ std::string toMarkdown(const TuneReport& report) {
 }
 
 ordered_json toJson(const TuneReport& report) {
-  const RenderStatistics& statistics = statisticsOf(report);
+  const render::RenderStatistics& statistics = statisticsOf(report);
   ordered_json json = bench::reportJson(statistics.device, statistics.driver, report.repeats);
   json["schema"] = "candela-tune-report/1";
   json["rows"] = rowsJson(report.result);

@@ -18,7 +18,7 @@
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
-#include "host/render/kernel.h"
+#include "host/device/kernel.h"
 #include "host/scene/hash.h"
 
 namespace candela::tune {
@@ -101,7 +101,7 @@ std::optional<Candidate> candidateIn(const json& choice) {
 
 TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
-TuningLookup parse(const std::string& text, const TuningKey& key, const DeviceInfo& info) {
+TuningLookup parse(const std::string& text, const TuningKey& key, const vulkan::DeviceInfo& info) {
   const json file = json::parse(text, nullptr, false);
   if (!file.is_object()) return refuse("it is damaged");
   if (textAt(file, "schema") != kSchema) return refuse("it is of another version of Candela");
@@ -117,9 +117,9 @@ TuningLookup parse(const std::string& text, const TuningKey& key, const DeviceIn
 
 }  // namespace
 
-TuningKey keyOf(const DeviceInfo& info) {
+TuningKey keyOf(const vulkan::DeviceInfo& info) {
   return {info.name, info.driver, fmt::to_string(info.driverVersion), info.pipelineCacheUuid,
-          std::string(kernelsHash())};
+          std::string(device::kernelsHash())};
 }
 
 std::optional<fs::path> cacheFolder() {
@@ -131,10 +131,10 @@ std::optional<fs::path> cacheFolder() {
 
 std::string fileNameOf(const TuningKey& key) {
   const std::string text = dump(toJson(key));
-  return "tune-" + hashText(fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) + ".json";
+  return "tune-" + hashText(scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) + ".json";
 }
 
-TuningLookup readTuning(const fs::path& file, const TuningKey& key, const DeviceInfo& info) {
+TuningLookup readTuning(const fs::path& file, const TuningKey& key, const vulkan::DeviceInfo& info) {
   std::string problem;
   const std::optional<std::string> text = readSmallFile(file, problem);
   return text ? parse(*text, key, info) : refuse(problem);

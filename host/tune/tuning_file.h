@@ -20,7 +20,7 @@ struct TuningKey {
 };
 
 /// With the kernels of this program.
-TuningKey keyOf(const DeviceInfo& info);
+TuningKey keyOf(const vulkan::DeviceInfo& info);
 
 struct Tuning {
   Candidate candidate;
@@ -40,7 +40,7 @@ struct TuningLookup {
 };
 
 /// Whatever the file may hold, what is returned is a candidate of this program's that the device has.
-TuningLookup readTuning(const std::filesystem::path& file, const TuningKey& key, const DeviceInfo& info);
+TuningLookup readTuning(const std::filesystem::path& file, const TuningKey& key, const vulkan::DeviceInfo& info);
 
 /// Throws FileError if writeTuning() could not write there, or if a pipe or the like is in its place. Makes nothing.
 void requireTuningFile(const std::filesystem::path& file);

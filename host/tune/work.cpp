@@ -17,31 +17,31 @@ constexpr double kMostSamples = 1 << 16;
 // A first estimate from a hundredth of the work is too rough to go all the way at once.
 constexpr double kLargestStep = 32;
 
-Scene generatedScene(std::uint32_t size) {
+scene::Scene generatedScene(std::uint32_t size) {
   const auto kinds = generate::kindTable();
   const auto kind = std::ranges::find(kinds, std::string_view("sphere"), &generate::Kind::name);
   std::string text;
   generate::generateScene(*kind, size, [&](std::string_view block) { text += block; });
-  return parseScene(text, fmt::format("{} triangles", kind->primitiveCount(size)), ".").scene;
+  return scene::parseScene(text, fmt::format("{} triangles", kind->primitiveCount(size)), ".").scene;
 }
 
-double pixelsOf(const Extent& size) { return static_cast<double>(size.width) * size.height; }
+double pixelsOf(const render::Extent& size) { return static_cast<double>(size.width) * size.height; }
 
 // About so many pixels in the shape of `largest`, and no more than it has.
-Extent shrunk(const Extent& largest, double pixels) {
+render::Extent shrunk(const render::Extent& largest, double pixels) {
   const double scale = std::min(1.0, std::sqrt(pixels / pixelsOf(largest)));
   const auto side = [&](std::uint32_t length) { return std::max(1u, static_cast<std::uint32_t>(length * scale)); };
   return {side(largest.width), side(largest.height)};
 }
 
-double secondsOf(Renderer& renderer, const Work& work, const RenderControl& control) {
-  RenderResult result = renderer.render(work.scene, work.settings, control);
+double secondsOf(render::Renderer& renderer, const Work& work, const render::RenderControl& control) {
+  render::RenderResult result = renderer.render(work.scene, work.settings, control);
   if (result.interrupted) throw InterruptedError("interrupted; nothing is written");
   return result.statistics.seconds["trace"];
 }
 
 // Multiplies the work by `factor`, in pixels as long as there are any, then in samples.
-void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSettings& settings) {
+void grow(double factor, const render::Extent& largest, const WorkSize& asked, render::RenderSettings& settings) {
   if (!asked.size) {
     const double before = pixelsOf(settings.size);
     settings.size = shrunk(largest, before * factor);
@@ -54,8 +54,9 @@ void grow(double factor, const Extent& largest, const WorkSize& asked, RenderSet
 }
 
 // What the caller sees of one of several works: its share, behind those that are over.
-RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t count, std::uint64_t samplesOver) {
-  RenderControl part = whole;
+render::RenderControl shareOf(const render::RenderControl& whole, std::size_t index, std::size_t count,
+                              std::uint64_t samplesOver) {
+  render::RenderControl part = whole;
   if (!whole.progress) return part;
   part.progress = [&whole, index, count, samplesOver](double fraction, std::uint64_t samples) {
     whole.progress((static_cast<double>(index) + fraction) / static_cast<double>(count), samplesOver + samples);
@@ -65,16 +66,16 @@ RenderControl shareOf(const RenderControl& whole, std::size_t index, std::size_t
 
 }  // namespace
 
-std::vector<Scene> builtInScenes() {
+std::vector<scene::Scene> builtInScenes() {
   constexpr std::uint32_t kBox = 2;
   constexpr std::uint32_t kMesh = 91;
-  std::vector<Scene> scenes;
+  std::vector<scene::Scene> scenes;
   for (const std::uint32_t size : {kBox, kMesh}) scenes.push_back(generatedScene(size));
   return scenes;
 }
 
-void fitToDevice(Renderer& renderer, const WorkSize& asked, const RenderControl& control, Work& work) {
-  const Extent largest = work.settings.size;
+void fitToDevice(render::Renderer& renderer, const WorkSize& asked, const render::RenderControl& control, Work& work) {
+  const render::Extent largest = work.settings.size;
   work.settings.size = asked.size.value_or(shrunk(largest, kFirstPixels));
   work.settings.sampleCount = asked.sampleCount.value_or(1);
   if (asked.size && asked.sampleCount) return;
@@ -86,8 +87,9 @@ void fitToDevice(Renderer& renderer, const WorkSize& asked, const RenderControl&
   }
 }
 
-std::vector<Row> measureWork(Renderer& renderer, std::span<const Work> works, std::span<const Candidate> candidates,
-                             std::uint32_t repeats, const RenderControl& control) {
+std::vector<Row> measureWork(render::Renderer& renderer, std::span<const Work> works,
+                             std::span<const Candidate> candidates, std::uint32_t repeats,
+                             const render::RenderControl& control) {
   std::vector<Row> rows;
   for (const Candidate& candidate : candidates) rows.push_back({candidate, {}});
   std::uint64_t samples = 0;

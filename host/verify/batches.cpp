@@ -21,17 +21,17 @@ std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, s
   return static_cast<std::uint32_t>(mix(mix(runSeed) + place) >> 32);
 }
 
-Batches::Batches(Side side, Renderer& renderer, const Scene& scene, const RenderSettings& settings,
-                 std::span<const Region> regions)
+Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scene,
+                 const render::RenderSettings& settings, std::span<const Region> regions)
     : side_(side), renderer_(renderer), scene_(scene), settings_(settings), runSeed_(settings.seed), regions_(regions) {
   for (std::vector<double>& sums : sums_) sums.resize(regions.size());
 }
 
-bool Batches::render(std::uint32_t samples, std::uint32_t look, const RenderControl& control) {
+bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control) {
   settings_.sampleCount = samples;
   for (std::uint32_t batch = 0; batch < kBatchCount; ++batch) {
     settings_.seed = batchSeed(runSeed_, side_, batch, look);
-    RenderResult result = renderer_.render(scene_, settings_, control);
+    render::RenderResult result = renderer_.render(scene_, settings_, control);
     if (result.interrupted) return false;
     statistics_ = std::move(result.statistics);
     badSamples_ += statistics_.badSamples;

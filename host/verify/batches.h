@@ -20,36 +20,36 @@ std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, s
 class Batches {
  public:
   /// What is referred to must outlive the object.
-  Batches(Side side, Renderer& renderer, const Scene& scene, const RenderSettings& settings,
+  Batches(Side side, render::Renderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings,
           std::span<const Region> regions);
 
   /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and
   /// of no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
-  bool render(std::uint32_t samples, std::uint32_t look, const RenderControl& control);
+  bool render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control);
 
   /// Samples per pixel of each batch so far.
   std::uint64_t samples() const { return samples_; }
   /// The sum of all batches, from now on; a film of 64 bytes a pixel.
-  void keepFilm(const Extent& size) { film_ = Film(size.width, size.height); }
-  Film takeFilm() { return std::move(film_); }
+  void keepFilm(const render::Extent& size) { film_ = image::Film(size.width, size.height); }
+  image::Film takeFilm() { return std::move(film_); }
   /// The batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
   /// Of the last render.
-  const RenderStatistics& statistics() const { return statistics_; }
+  const render::RenderStatistics& statistics() const { return statistics_; }
   std::uint64_t badSamples() const { return badSamples_; }
 
  private:
   Side side_;
-  Renderer& renderer_;
-  const Scene& scene_;
-  RenderSettings settings_;
+  render::Renderer& renderer_;
+  const scene::Scene& scene_;
+  render::RenderSettings settings_;
   std::uint32_t runSeed_;
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   std::uint64_t badSamples_ = 0;
-  Film film_;                                          ///< empty unless it is kept
+  image::Film film_;                                   ///< empty unless it is kept
   std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
-  RenderStatistics statistics_;
+  render::RenderStatistics statistics_;
 };
 
 }  // namespace candela::verify

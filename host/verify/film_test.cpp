@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "host/render/agreement.h"
 #include "host/statistics/error_rates.h"
+#include "host/verify/agreement.h"
 
 namespace candela::verify {
 namespace {
@@ -21,7 +21,7 @@ Variances largerOf(const Variances& a, const Variances& b) {
 }
 
 // `variances` are those of one sample.
-statistics::Estimate estimateRegion(const Image& image, const Variances& variances, const Region& region) {
+statistics::Estimate estimateRegion(const image::Image& image, const Variances& variances, const Region& region) {
   double sum = 0;
   double squaredError = 0;
   double uncertainty = 0;  // half the variance of the squared error
@@ -30,7 +30,7 @@ statistics::Estimate estimateRegion(const Image& image, const Variances& varianc
       const std::size_t pixel = std::size_t{y} * image.width + x;
       const double count = image.sampleCounts[pixel];
       const double pixelError = variances[pixel] / count;
-      sum += luminance(glm::dvec3(image.rgb[pixel]));
+      sum += image::luminance(glm::dvec3(image.rgb[pixel]));
       squaredError += pixelError;
       uncertainty += pixelError * pixelError / (count - 1);
     }
@@ -40,14 +40,14 @@ statistics::Estimate estimateRegion(const Image& image, const Variances& varianc
   return {sum / pixels, squaredError / (pixels * pixels), freedom};
 }
 
-bool isUsable(const Image& image, std::size_t pixel) {
+bool isUsable(const image::Image& image, std::size_t pixel) {
   const glm::vec3& rgb = image.rgb[pixel];
   const float variance = image.luminanceVariance[pixel];
   return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) &&
          variance >= 0;
 }
 
-std::optional<std::string> whyNotTestable(const std::string& name, const Image& image) {
+std::optional<std::string> whyNotTestable(const std::string& name, const image::Image& image) {
   if (!carriesVariance(image))
     return name + " has no variance and sample counts, as the EXR files of candela render have";
   if (!image.metadata.contains(kSeedMetadata)) {
@@ -72,9 +72,11 @@ std::string rarityText(double pValue) {
 
 }  // namespace
 
-bool carriesVariance(const Image& image) { return !image.luminanceVariance.empty() && !image.sampleCounts.empty(); }
+bool carriesVariance(const image::Image& image) {
+  return !image.luminanceVariance.empty() && !image.sampleCounts.empty();
+}
 
-std::optional<std::string> whyNotTestable(const Image& a, const Image& reference) {
+std::optional<std::string> whyNotTestable(const image::Image& a, const image::Image& reference) {
   if (const auto reason = whyNotTestable("A", a)) return reason;
   if (const auto reason = whyNotTestable("B", reference)) return reason;
   if (a.metadata.at(kSeedMetadata) != reference.metadata.at(kSeedMetadata)) return std::nullopt;
@@ -83,7 +85,7 @@ std::optional<std::string> whyNotTestable(const Image& a, const Image& reference
          "render one with another --seed";
 }
 
-FilmTestResult testFilms(const Image& a, const Image& reference, double alpha) {
+FilmTestResult testFilms(const image::Image& a, const image::Image& reference, double alpha) {
   std::vector<Region> regions = regionsOf({a.width, a.height});
   std::erase_if(regions, [](const Region& region) { return region.quantity != Region::Quantity::luminance; });
   const bool equalCounts = a.sampleCounts == reference.sampleCounts;

@@ -34,15 +34,15 @@ struct FilmTestResult {
 };
 
 /// Whether an image has variance and counts at all.
-bool carriesVariance(const Image& image);
+bool carriesVariance(const image::Image& image);
 
 /// Why two images of equal size cannot be tested, as a clause about "A" and "B"; none if they can. Both need variance,
 /// at least two samples in every pixel, values that are finite, and seeds that are stated and not equal: with equal
 /// random numbers the noise of both is the same, and its size says nothing about their difference.
-std::optional<std::string> whyNotTestable(const Image& a, const Image& reference);
+std::optional<std::string> whyNotTestable(const image::Image& a, const image::Image& reference);
 
 /// Tests whether two images, for which whyNotTestable() is empty, show the same light; `alpha` in (0, 1).
-FilmTestResult testFilms(const Image& a, const Image& reference, double alpha);
+FilmTestResult testFilms(const image::Image& a, const image::Image& reference, double alpha);
 
 /// Some lines for people, each ending in a newline; the last one is the verdict.
 std::string toText(const FilmTestResult& result);

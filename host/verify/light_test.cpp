@@ -22,8 +22,8 @@ std::vector<Region> withWatched(std::vector<Region> regions, const std::optional
 
 class LightTest {
  public:
-  LightTest(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-            const LightTestOptions& options, const RenderControl& control)
+  LightTest(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+            render::Renderer& reference, const LightTestOptions& options, const render::RenderControl& control)
       : options_(options),
         control_(control),
         regions_(withWatched(regionsOf(settings.size), options.watched)),
@@ -109,7 +109,7 @@ class LightTest {
   }
 
   const LightTestOptions& options_;
-  const RenderControl& control_;
+  const render::RenderControl& control_;
   std::vector<Region> regions_;  ///< those tested, then the one watched
   std::size_t testCount_;
   Batches device_;
@@ -136,8 +136,9 @@ std::uint64_t nextSamples(std::uint64_t samples, double information, std::uint32
   return std::max(samples + 1, static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * growth)));
 }
 
-LightTestResult testLight(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                          const LightTestOptions& options, const RenderControl& control) {
+LightTestResult testLight(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+                          render::Renderer& reference, const LightTestOptions& options,
+                          const render::RenderControl& control) {
   return LightTest(scene, settings, device, reference, options, control).run();
 }
 

@@ -40,8 +40,8 @@ struct LightTestResult {
   bool outOfTime = false;    ///< the time limit came before all information was there
   bool interrupted = false;  ///< no verdict
   std::uint64_t badSamples = 0;
-  RenderStatistics deviceStatistics;
-  Film deviceFilm, referenceFilm;  ///< of all samples; empty unless they are kept
+  render::RenderStatistics deviceStatistics;
+  image::Film deviceFilm, referenceFilm;  ///< of all samples; empty unless they are kept
 
   bool differs() const { return anyDiffers(regions); }
   const RegionResult& image() const { return regions.front(); }
@@ -49,8 +49,9 @@ struct LightTestResult {
 };
 
 /// Of `settings` the sample count is not used; the seed gives those of all batches.
-LightTestResult testLight(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                          const LightTestOptions& options, const RenderControl& control);
+LightTestResult testLight(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+                          render::Renderer& reference, const LightTestOptions& options,
+                          const render::RenderControl& control);
 
 /// The share, in (0, 1], of the information that is needed to see `bias` (in the units of the standard error) with
 /// probability kPower at the critical value `criticalT`; 1 if nothing varies.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 
 namespace candela::verify {
 

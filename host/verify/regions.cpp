@@ -8,7 +8,7 @@
 namespace candela::verify {
 namespace {
 
-void appendTiles(const Extent& image, std::uint32_t size, std::vector<Region>& regions) {
+void appendTiles(const render::Extent& image, std::uint32_t size, std::vector<Region>& regions) {
   if (image.width <= size && image.height <= size) return;
   for (std::uint32_t y = 0; y < image.height; y += size) {
     for (std::uint32_t x = 0; x < image.width; x += size) {
@@ -29,12 +29,12 @@ double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
     case Region::Quantity::luminance:
       break;
   }
-  return luminance(rgb);
+  return image::luminance(rgb);
 }
 
 }  // namespace
 
-std::vector<Region> regionsOf(const Extent& image) {
+std::vector<Region> regionsOf(const render::Extent& image) {
   std::vector<Region> regions;
   for (const auto quantity :
        {Region::Quantity::luminance, Region::Quantity::red, Region::Quantity::green, Region::Quantity::blue}) {
@@ -54,7 +54,7 @@ std::string regionText(const Region& region) {
   return fmt::format("tile {}x{} at {},{}", region.tileSize, region.tileSize, region.x, region.y);
 }
 
-double regionMean(const Film& film, const Region& region) {
+double regionMean(const image::Film& film, const Region& region) {
   double sum = 0;
   for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
     for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {

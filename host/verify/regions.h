@@ -20,7 +20,7 @@ struct Region {
 
 /// The whole image by luminance, first, and by channel; then its luminance in tiles of 8, 16 and 32 pixels a side, cut
 /// at the right and lower edge. Tile sizes that would have a single tile are left out.
-std::vector<Region> regionsOf(const Extent& image);
+std::vector<Region> regionsOf(const render::Extent& image);
 
 /// "image mean (luminance)" or "tile 8x8 at 16,24".
 std::string regionText(const Region& region);
@@ -28,6 +28,6 @@ std::string regionText(const Region& region);
 const char* quantityName(Region::Quantity quantity);
 
 /// The mean over a region's pixels of the means of their samples. Every pixel has samples.
-double regionMean(const Film& film, const Region& region);
+double regionMean(const image::Film& film, const Region& region);
 
 }  // namespace candela::verify

@@ -11,7 +11,7 @@ namespace {
 using statistics::Summary;
 
 // At least one pixel, in the middle of the area.
-Region regionOf(const ExactMean& exact, const Extent& image) {
+Region regionOf(const scene::ExactMean& exact, const render::Extent& image) {
   const auto first = [](float share, std::uint32_t size) {
     return std::min(static_cast<std::uint32_t>(std::floor(share * static_cast<float>(size))), size - 1);
   };
@@ -30,9 +30,9 @@ double pValueAgainst(const Summary& measured, double expected) {
   return statistics::welch(measured, exact, kRelativeTolerance * expected + kAbsoluteTolerance).pValue;
 }
 
-ExactTest testExact(const ExactMean& exact, const LightTestResult& light, double alpha) {
+ExactTest testExact(const scene::ExactMean& exact, const LightTestResult& light, double alpha) {
   ExactTest test;
-  test.expected = luminance(glm::dvec3(exact.rgb));
+  test.expected = image::luminance(glm::dvec3(exact.rgb));
   test.device = light.watchedDevice.mean;
   test.reference = light.watchedReference.mean;
   test.devicePValue = pValueAgainst(light.watchedDevice, test.expected);
@@ -43,14 +43,15 @@ ExactTest testExact(const ExactMean& exact, const LightTestResult& light, double
 
 }  // namespace
 
-VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                         const LightTestOptions& options, const RenderControl& control) {
+VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+                         render::Renderer& reference, const LightTestOptions& options,
+                         const render::RenderControl& control) {
   Stopwatch watch;
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  TalliedRenderer talliedDevice(device, report.deviceBadSamples);
-  TalliedRenderer talliedReference(reference, report.referenceBadSamples);
+  render::TalliedRenderer talliedDevice(device, report.deviceBadSamples);
+  render::TalliedRenderer talliedReference(reference, report.referenceBadSamples);
   const std::optional<PixelAgreement> paths = comparePaths(scene, settings, talliedDevice, talliedReference, control);
   report.interrupted = !paths;
   if (report.interrupted) return report;

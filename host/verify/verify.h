@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "host/render/agreement.h"
 #include "host/render/bad_sample_tally.h"
+#include "host/verify/agreement.h"
 #include "host/verify/light_test.h"
 
 namespace candela::verify {
@@ -28,7 +28,7 @@ struct VerifyReport {
   LightTestResult light;           ///< 2: same light?
   std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their answer
   double seconds = 0;
-  BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
+  render::BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
   bool interrupted = false;
 
   std::uint64_t badSamples() const { return deviceBadSamples.samples() + referenceBadSamples.samples(); }
@@ -39,8 +39,9 @@ struct VerifyReport {
 
 /// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.sampleCount` is not
 /// used. Throws as testLight does.
-VerifyReport verifyScene(const Scene& scene, const RenderSettings& settings, Renderer& device, Renderer& reference,
-                         const LightTestOptions& options, const RenderControl& control);
+VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+                         render::Renderer& reference, const LightTestOptions& options,
+                         const render::RenderControl& control);
 
 std::string toText(const VerifyReport& report);
 nlohmann::ordered_json toJson(const VerifyReport& report);

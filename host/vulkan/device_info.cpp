@@ -7,8 +7,7 @@
 #include "host/vulkan/device_choice.h"
 #include "host/vulkan/instance.h"
 
-namespace candela {
-namespace vulkan {
+namespace candela::vulkan {
 namespace {
 
 std::string versionText(std::uint32_t version) {
@@ -100,14 +99,12 @@ std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>&
   return infos;
 }
 
-}  // namespace vulkan
-
 std::vector<DeviceInfo> listDevices() {
-  const std::optional<vulkan::Instance> instance = vulkan::openInstance();
+  const std::optional<Instance> instance = openInstance();
   if (!instance) return {};
-  return vulkan::describeAll(instance->physicalDevices());
+  return describeAll(instance->physicalDevices());
 }
 
-DeviceInfo selectDevice(const std::string& selector) { return vulkan::chooseDevice(listDevices(), selector); }
+DeviceInfo selectDevice(const std::string& selector) { return chooseDevice(listDevices(), selector); }
 
-}  // namespace candela
+}  // namespace candela::vulkan

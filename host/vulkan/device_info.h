@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace candela {
+namespace candela::vulkan {
 
 struct DeviceInfo {
   std::uint32_t index = 0;
@@ -30,4 +30,4 @@ std::vector<DeviceInfo> listDevices();
 /// virtual, else CPU. Throws NoDeviceError, which lists what there is and, if nothing, what to install.
 DeviceInfo selectDevice(const std::string& selector);
 
-}  // namespace candela
+}  // namespace candela::vulkan

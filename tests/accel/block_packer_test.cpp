@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace candela {
+namespace candela::accel {
 
 TEST_CASE("blocks lie in each other's gaps, and no slot is taken twice") {
   std::mt19937 random(3);
@@ -37,4 +37,4 @@ TEST_CASE("full blocks stand one behind another, and single slots fill what is l
   CHECK(packer.end() == 21);
 }
 
-}  // namespace candela
+}  // namespace candela::accel

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using candela::Aabb;
+using candela::accel::Aabb;
 
 TEST_CASE("a box starts empty, without area, and inside every other") {
   const Aabb empty;

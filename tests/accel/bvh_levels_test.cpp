@@ -7,6 +7,7 @@
 #include "tests/accel/inputs.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 TEST_CASE("without a level all boxes come, each after the one that holds it") {

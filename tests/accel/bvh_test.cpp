@@ -10,6 +10,7 @@
 #include "tests/accel/inputs.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "tests/accel/inputs.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 namespace {

@@ -10,6 +10,8 @@
 
 namespace candela::test {
 
+using namespace accel;
+
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -37,16 +39,16 @@ inline Aabb boxAround(const glm::dvec3& centre, const glm::dvec3& halfExtent) {
   return {glm::vec3(centre - halfExtent), glm::vec3(centre + halfExtent)};
 }
 
-inline std::vector<Aabb> randomBoxes(std::size_t count, std::uint64_t seed = 1) {
+inline std::vector<accel::Aabb> randomBoxes(std::size_t count, std::uint64_t seed = 1) {
   Random random(seed);
-  std::vector<Aabb> boxes(count);
+  std::vector<accel::Aabb> boxes(count);
   for (Aabb& b : boxes) b = boxAround(random.inCube(0, 100), random.inCube(0, 1));
   return boxes;
 }
 
 struct NamedInput {
   std::string name;
-  std::vector<Aabb> boxes;
+  std::vector<accel::Aabb> boxes;
 };
 
 inline std::vector<NamedInput> builderInputs() {

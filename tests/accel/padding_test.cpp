@@ -6,6 +6,7 @@
 #include "tests/accel/ray_tests.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 namespace {
@@ -29,14 +30,14 @@ glm::dvec3 across(const glm::dvec3& v, Random& random) { return glm::normalize(g
 
 // Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just meet, or miss: on an
 // edge, a rim, or, for a sphere, on the outline as seen from `eye`.
-glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
-                         Scene& scene) {
+glm::dvec3 makePrimitive(scene::PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
+                         scene::Scene& scene) {
   const auto point = [&] { return glm::vec3(setting.centre + setting.scale * random.inCube(-1, 1)); };
   const auto length = [&] { return static_cast<float>(setting.scale * std::exp2(random.real(-10, 0))); };
   scene.primitives = {{kind, 0, 0}};
   switch (kind) {
-    case PrimitiveKind::sphere: {
-      const Sphere sphere{point(), length()};
+    case scene::PrimitiveKind::sphere: {
+      const scene::Sphere sphere{point(), length()};
       scene.spheres = {sphere};
       const glm::dvec3 toCentre = glm::dvec3(sphere.centre) - eye;
       const double sine = std::min(1.0, double{sphere.radius} / glm::length(toCentre));
@@ -44,7 +45,7 @@ glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::
                                  glm::normalize(toCentre) * sine;
       return glm::dvec3(sphere.centre) + double{sphere.radius} * outline;
     }
-    case PrimitiveKind::triangle: {
+    case scene::PrimitiveKind::triangle: {
       const glm::vec3 p = point();
       const float size = length();
       const auto near = [&] { return p + size * glm::vec3(random.direction()); };
@@ -53,13 +54,13 @@ glm::dvec3 makePrimitive(PrimitiveKind kind, const Setting& setting, const glm::
       const auto& corners = scene.triangles[0].p;
       return glm::mix(glm::dvec3(corners[0]), glm::dvec3(corners[1]), std::max(0.0, random.real(-0.2, 1)));
     }
-    case PrimitiveKind::box: {
+    case scene::PrimitiveKind::box: {
       const Aabb box = boxAround(glm::dvec3(point()), {length(), length(), length()});
       scene.boxes = {{box.min, box.max}};
       return {box.min.x, box.max.y, random.real(double{box.min.z}, double{box.max.z})};
     }
     default: {
-      const Cone cone{point(), length(), point(), random.real() < 0.3 ? 0 : length()};
+      const scene::Cone cone{point(), length(), point(), random.real() < 0.3 ? 0 : length()};
       scene.cones = {cone};
       const glm::dvec3 axis = glm::dvec3(cone.apex) - glm::dvec3(cone.base);
       if (axis == glm::dvec3(0)) scene.primitives.clear();
@@ -82,7 +83,7 @@ struct Tally {
 };
 
 template <class T>
-void count(const Ray<float>& ray, const Scene& scene, const Aabb& box, Tally& tally) {
+void count(const Ray<float>& ray, const scene::Scene& scene, const Aabb& box, Tally& tally) {
   const Ray<T> same{Vec<T>(ray.origin), Vec<T>(ray.direction)};
   const auto t = intersect(same, scene, scene.primitives[0]);
   if (!t) return;
@@ -95,14 +96,14 @@ void count(const Ray<float>& ray, const Scene& scene, const Aabb& box, Tally& ta
 
 TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
   constexpr int kRays = 70000;
-  for (const PrimitiveKind kind :
-       {PrimitiveKind::sphere, PrimitiveKind::triangle, PrimitiveKind::box, PrimitiveKind::cone}) {
+  for (const scene::PrimitiveKind kind : {scene::PrimitiveKind::sphere, scene::PrimitiveKind::triangle,
+                                          scene::PrimitiveKind::box, scene::PrimitiveKind::cone}) {
     for (const Setting& setting : kSettings) {
       INFO("kind " << static_cast<int>(kind) << ", " << setting.name);
       Random random(11);
       Tally exact, rounded;
       for (int i = 0; i < kRays; ++i) {
-        Scene scene;
+        scene::Scene scene;
         const glm::vec3 eye(makeEye(setting, random));
         const glm::dvec3 target = makePrimitive(kind, setting, glm::dvec3(eye), random, scene);
         const glm::dvec3 path = target - glm::dvec3(eye);
@@ -127,9 +128,9 @@ TEST_CASE("without the pads hits are lost, so that the test above tests somethin
   const Setting setting = kSettings[0];
   Tally tally;
   for (int i = 0; i < 20000; ++i) {
-    Scene scene;
+    scene::Scene scene;
     const glm::vec3 eye(makeEye(setting, random));
-    const glm::dvec3 target = makePrimitive(PrimitiveKind::box, setting, glm::dvec3(eye), random, scene);
+    const glm::dvec3 target = makePrimitive(scene::PrimitiveKind::box, setting, glm::dvec3(eye), random, scene);
     const Ray<float> ray{eye, glm::vec3(glm::normalize(target - glm::dvec3(eye)))};
     const auto t = intersect(Ray<double>{ray.origin, ray.direction}, scene.boxes[0]);
     if (!t) continue;
@@ -147,9 +148,9 @@ TEST_CASE("a needle's distance, clamped to its own box, is never in front of any
   int hits = 0, frontOfOwn = 0, frontOfAncestor = 0;
   for (int i = 0; i < 200000; ++i) {
     const Setting& setting = kSettings[0];
-    Scene scene;
+    scene::Scene scene;
     const glm::vec3 eye(makeEye(setting, random));
-    const glm::dvec3 target = makePrimitive(PrimitiveKind::triangle, setting, glm::dvec3(eye), random, scene);
+    const glm::dvec3 target = makePrimitive(scene::PrimitiveKind::triangle, setting, glm::dvec3(eye), random, scene);
     auto& corners = scene.triangles[0].p;
     corners[2] = glm::mix(corners[1], corners[2], static_cast<float>(std::exp2(random.real(-20, -6))));
     const Ray<float> ray{eye, glm::vec3(glm::normalize(target - glm::dvec3(eye)))};

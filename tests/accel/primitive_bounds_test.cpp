@@ -8,14 +8,15 @@
 #include "tests/accel/inputs.h"
 
 using namespace candela;
+using namespace candela::accel;
 using candela::test::Random;
 
 namespace {
 
-Scene sceneOf(const Cone& cone) {
-  Scene scene;
+scene::Scene sceneOf(const scene::Cone& cone) {
+  scene::Scene scene;
   scene.cones = {cone};
-  scene.primitives = {{PrimitiveKind::cone, 0, 0}};
+  scene.primitives = {{scene::PrimitiveKind::cone, 0, 0}};
   return scene;
 }
 
@@ -36,12 +37,13 @@ void checkPadded(const Aabb& box, const glm::dvec3& min, const glm::dvec3& max) 
 }  // namespace
 
 TEST_CASE("each kind of primitive has its box, padded by 2^-19 of its largest coordinate") {
-  Scene scene;
+  scene::Scene scene;
   scene.spheres = {{{1, 2, 3}, 0.5f}, {{1, 2, 3}, -0.5f}, {{1e5f + 1, 40.8f, 81.6f}, 1e5f}};
   scene.triangles.push_back({{{0, 1, 0}, {2, -1, 5}, {-3, 0, 1}}});
   scene.boxes = {{{0, 0, 0}, {0, 0, 0}}, {{-1, 2, 3}, {4, 2, 6}}};
-  scene.primitives = {{PrimitiveKind::sphere, 0, 0},   {PrimitiveKind::sphere, 1, 0}, {PrimitiveKind::sphere, 2, 0},
-                      {PrimitiveKind::triangle, 0, 0}, {PrimitiveKind::box, 0, 0},    {PrimitiveKind::box, 1, 0}};
+  scene.primitives = {{scene::PrimitiveKind::sphere, 0, 0}, {scene::PrimitiveKind::sphere, 1, 0},
+                      {scene::PrimitiveKind::sphere, 2, 0}, {scene::PrimitiveKind::triangle, 0, 0},
+                      {scene::PrimitiveKind::box, 0, 0},    {scene::PrimitiveKind::box, 1, 0}};
   const std::vector<Aabb> boxes = boundPrimitives(scene).bounds;
   REQUIRE(boxes.size() == 6);
   checkPadded(boxes[0], {0.5, 1.5, 2.5}, {1.5, 2.5, 3.5});
@@ -64,8 +66,8 @@ TEST_CASE("a cone's box is that of its two circles") {
 TEST_CASE("random cones touch every face of their boxes and never leave them") {
   Random random(3);
   for (int n = 0; n < 200; ++n) {
-    const Cone cone{glm::vec3(random.inCube(-5, 5)), static_cast<float>(random.real(0, 2)),
-                    glm::vec3(random.inCube(-5, 5)), static_cast<float>(random.real(0, 2))};
+    const scene::Cone cone{glm::vec3(random.inCube(-5, 5)), static_cast<float>(random.real(0, 2)),
+                           glm::vec3(random.inCube(-5, 5)), static_cast<float>(random.real(0, 2))};
     const Aabb box = boundPrimitives(sceneOf(cone)).bounds[0];
     const glm::dvec3 w = glm::normalize(glm::dvec3(cone.apex) - glm::dvec3(cone.base));
     const glm::dvec3 u = glm::normalize(glm::cross(w, std::abs(w.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -88,10 +90,11 @@ TEST_CASE("random cones touch every face of their boxes and never leave them") {
 }
 
 TEST_CASE("planes are kept apart, and boxes remember their primitives") {
-  Scene scene;
+  scene::Scene scene;
   scene.spheres = {{{0, 0, 0}, 1}, {{5, 0, 0}, 1}};
   scene.planes.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-  scene.primitives = {{PrimitiveKind::sphere, 0, 0}, {PrimitiveKind::plane, 0, 0}, {PrimitiveKind::sphere, 1, 0}};
+  scene.primitives = {
+      {scene::PrimitiveKind::sphere, 0, 0}, {scene::PrimitiveKind::plane, 0, 0}, {scene::PrimitiveKind::sphere, 1, 0}};
   const SceneBounds result = boundPrimitives(scene);
   CHECK(result.finite == std::vector<std::uint32_t>{0, 2});
   CHECK(result.infinite == std::vector<std::uint32_t>{1});
@@ -101,12 +104,12 @@ TEST_CASE("planes are kept apart, and boxes remember their primitives") {
 }
 
 TEST_CASE("a primitive too far away to be traced is refused by name of its scene") {
-  Scene scene;
+  scene::Scene scene;
   scene.name = "far.p3f";
   scene.spheres = {{{0, 1e11f, 0}, 1}, {{0, 0, -1e12f}, 2e11f}};
-  scene.primitives = {{PrimitiveKind::sphere, 0, 0}};
+  scene.primitives = {{scene::PrimitiveKind::sphere, 0, 0}};
   CHECK_NOTHROW(boundPrimitives(scene));
-  scene.primitives.push_back({PrimitiveKind::sphere, 1, 0});
+  scene.primitives.push_back({scene::PrimitiveKind::sphere, 1, 0});
   CHECK_THROWS_WITH(boundPrimitives(scene), Catch::StartsWith("far.p3f: a primitive reaches beyond"));
   CHECK_THROWS_AS(boundPrimitives(scene), FileError);
 }

@@ -10,6 +10,8 @@
 
 namespace candela::test {
 
+using namespace accel;
+
 template <class T>
 using Vec = glm::vec<3, T>;
 
@@ -29,7 +31,7 @@ std::optional<T> nearest(T t0, T t1) {
 }
 
 template <class T>
-std::optional<T> intersect(const Ray<T>& ray, const Sphere& sphere) {
+std::optional<T> intersect(const Ray<T>& ray, const scene::Sphere& sphere) {
   const T radius = sphere.radius;
   const Vec<T> toOrigin = ray.origin - Vec<T>(sphere.centre);
   const T closest = -glm::dot(toOrigin, ray.direction);
@@ -41,7 +43,7 @@ std::optional<T> intersect(const Ray<T>& ray, const Sphere& sphere) {
 
 /// Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2013.
 template <class T>
-std::optional<T> intersect(const Ray<T>& ray, const Triangle& triangle) {
+std::optional<T> intersect(const Ray<T>& ray, const scene::Triangle& triangle) {
   const Vec<T> d = ray.direction, size = glm::abs(d);
   const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   const int x = (z + 1) % 3, y = (z + 2) % 3;
@@ -62,7 +64,7 @@ std::optional<T> intersect(const Ray<T>& ray, const Triangle& triangle) {
 }
 
 template <class T>
-std::optional<T> intersect(const Ray<T>& ray, const Box& box) {
+std::optional<T> intersect(const Ray<T>& ray, const scene::Box& box) {
   T enter = -std::numeric_limits<T>::infinity(), leave = -enter;
   for (int i = 0; i < 3; ++i) {
     const T below = T{box.min[i]} - ray.origin[i], above = T{box.max[i]} - ray.origin[i];
@@ -81,7 +83,7 @@ std::optional<T> intersect(const Ray<T>& ray, const Box& box) {
 /// The origin is first moved to where the ray is closest to the axis' middle, and from there to where it is closest to
 /// the axis, but no farther than a hit can be: long thin cones need both.
 template <class T>
-std::optional<T> intersect(const Ray<T>& ray, const Cone& cone) {
+std::optional<T> intersect(const Ray<T>& ray, const scene::Cone& cone) {
   const Vec<T> base(cone.base), axis = Vec<T>(cone.apex) - base;
   const T height = glm::length(axis), slope = (T{cone.apexRadius} - T{cone.baseRadius}) / height;
   const Vec<T> w = axis / height;
@@ -111,17 +113,17 @@ std::optional<T> intersect(const Ray<T>& ray, const Cone& cone) {
 }
 
 template <class T>
-std::optional<T> intersect(const Ray<T>& ray, const Scene& scene, const Primitive& primitive) {
+std::optional<T> intersect(const Ray<T>& ray, const scene::Scene& scene, const scene::Primitive& primitive) {
   switch (primitive.kind) {
-    case PrimitiveKind::sphere:
+    case scene::PrimitiveKind::sphere:
       return intersect(ray, scene.spheres[primitive.index]);
-    case PrimitiveKind::triangle:
+    case scene::PrimitiveKind::triangle:
       return intersect(ray, scene.triangles[primitive.index]);
-    case PrimitiveKind::box:
+    case scene::PrimitiveKind::box:
       return intersect(ray, scene.boxes[primitive.index]);
-    case PrimitiveKind::cone:
+    case scene::PrimitiveKind::cone:
       return intersect(ray, scene.cones[primitive.index]);
-    case PrimitiveKind::plane:
+    case scene::PrimitiveKind::plane:
       break;
   }
   return std::nullopt;
@@ -137,7 +139,7 @@ struct SlabRay {
 
   explicit SlabRay(const Ray<T>& ray) {
     const Vec<T> size = glm::abs(ray.origin);
-    const Vec<T> pad(T{kBoundsPad} * std::max({size.x, size.y, size.z}));
+    const Vec<T> pad(T{accel::kBoundsPad} * std::max({size.x, size.y, size.z}));
     originForMin = ray.origin + pad;
     originForMax = ray.origin - pad;
     for (int i = 0; i < 3; ++i) {

@@ -14,6 +14,8 @@
 
 namespace candela::test {
 
+using namespace accel;
+
 template <class T>
 struct Hit {
   T t = std::numeric_limits<T>::infinity();
@@ -30,9 +32,9 @@ struct Hit {
 template <class T>
 class Searcher {
  public:
-  explicit Searcher(const Scene& scene) : scene_(scene), bounds_(boundPrimitives(scene)) {}
+  explicit Searcher(const scene::Scene& scene) : scene_(scene), bounds_(boundPrimitives(scene)) {}
 
-  const std::vector<Aabb>& boxes() const { return bounds_.bounds; }
+  const std::vector<accel::Aabb>& boxes() const { return bounds_.bounds; }
 
   Hit<T> bruteForce(const Ray<T>& ray) {
     Hit<T> best;
@@ -68,7 +70,7 @@ class Searcher {
       stack.pop_back();
       ++steps;
       std::uint32_t next = node.firstPrimitive;
-      for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+      for (std::uint32_t child = 0; child < accel::kWideChildren; ++child) {
         const std::uint32_t leaf = node.leafMask >> (3 * child) & 7, first = next;
         next += static_cast<std::uint32_t>(std::popcount(leaf));
         if (!slabs.meets(node.boxes, child, best.t)) continue;
@@ -104,7 +106,7 @@ class Searcher {
 
   void walk(const Ray<T>& ray, const Grid& grid, Hit<T>& best) {
     const GridShape& shape = grid.shape;
-    const T pad = T{kBoundsPad} * (largest(glm::abs(ray.origin)) + T{gridReach(shape)});
+    const T pad = T{accel::kBoundsPad} * (largest(glm::abs(ray.origin)) + T{gridReach(shape)});
     const Vec<T> inverse = SlabRay<T>(ray).inverse;
     const Vec<T> t0 = (Vec<T>(shape.bounds.min) - (ray.origin + pad)) * inverse;
     const Vec<T> t1 = (Vec<T>(shape.bounds.max) - (ray.origin - pad)) * inverse;
@@ -160,7 +162,7 @@ class Searcher {
   }
   static T largest(const Vec<T>& v) { return std::max({v.x, v.y, v.z}); }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   SceneBounds bounds_;
 };
 

@@ -6,6 +6,7 @@
 #include "tests/accel/test_scenes.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 namespace {
@@ -33,7 +34,7 @@ struct Outcome {
 
 // Rays are of single precision; T is that of all tests and searches.
 template <class T>
-Outcome searchAll(const Scene& scene, int rayCount, std::uint64_t seed, bool countTies = false) {
+Outcome searchAll(const scene::Scene& scene, int rayCount, std::uint64_t seed, bool countTies = false) {
   Searcher<T> searcher(scene);
   const Structures structures(searcher.boxes());
   RayMaker rays(structures.grids[0].shape, seed);
@@ -99,7 +100,7 @@ TEST_CASE("trees and grids find what brute force finds among a million objects",
 }
 
 TEST_CASE("trees and grids save nearly all of brute force's tests") {
-  const Scene scene = largeScene(20000);
+  const scene::Scene scene = largeScene(20000);
   Searcher<float> searcher(scene);
   const Structures structures(searcher.boxes());
   Random random(6);

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-using candela::TaskPool;
+using candela::accel::TaskPool;
 
 TEST_CASE("wait returns after every task, and those that tasks submitted") {
   for (std::uint32_t threadCount : {1u, 2u, 5u}) {

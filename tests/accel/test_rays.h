@@ -9,6 +9,8 @@
 
 namespace candela::test {
 
+using namespace accel;
+
 /// Rays at and around a box: from within, from far away, from given points, along axes, and along the faces between the
 /// cells of a grid.
 class RayMaker {

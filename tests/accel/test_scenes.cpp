@@ -7,6 +7,8 @@
 #include "tests/accel/inputs.h"
 
 namespace candela::test {
+
+using namespace accel;
 namespace {
 
 class Maker {
@@ -14,32 +16,32 @@ class Maker {
   explicit Maker(std::uint64_t seed) : random(seed) {}
 
   void sphere(const glm::dvec3& centre, double radius) {
-    add(PrimitiveKind::sphere, scene.spheres, Sphere{glm::vec3(centre), static_cast<float>(radius)});
+    add(scene::PrimitiveKind::sphere, scene.spheres, scene::Sphere{glm::vec3(centre), static_cast<float>(radius)});
   }
   void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    add(PrimitiveKind::triangle, scene.triangles, Triangle{{glm::vec3(a), glm::vec3(b), glm::vec3(c)}});
+    add(scene::PrimitiveKind::triangle, scene.triangles, scene::Triangle{{glm::vec3(a), glm::vec3(b), glm::vec3(c)}});
   }
   void box(const glm::dvec3& min, const glm::dvec3& max) {
-    add(PrimitiveKind::box, scene.boxes, Box{glm::vec3(min), glm::vec3(max)});
+    add(scene::PrimitiveKind::box, scene.boxes, scene::Box{glm::vec3(min), glm::vec3(max)});
   }
   void cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius) {
-    add(PrimitiveKind::cone, scene.cones,
-        Cone{glm::vec3(base), static_cast<float>(baseRadius), glm::vec3(apex), static_cast<float>(apexRadius)});
+    add(scene::PrimitiveKind::cone, scene.cones,
+        scene::Cone{glm::vec3(base), static_cast<float>(baseRadius), glm::vec3(apex), static_cast<float>(apexRadius)});
   }
 
-  Scene scene;
+  scene::Scene scene;
   Random random;
 
  private:
   template <class Shape>
-  void add(PrimitiveKind kind, std::vector<Shape>& shapes, const Shape& shape) {
+  void add(scene::PrimitiveKind kind, std::vector<Shape>& shapes, const Shape& shape) {
     scene.primitives.push_back({kind, static_cast<std::uint32_t>(shapes.size()), 0});
     shapes.push_back(shape);
   }
 };
 
 // Spheres around one another and through one another: each fills many cells, each cell holds many.
-Scene shells() {
+scene::Scene shells() {
   Maker m(31);
   for (int i = 1; i <= 150; ++i) {
     m.sphere(glm::dvec3(0), 0.1 * i);
@@ -49,7 +51,7 @@ Scene shells() {
 }
 
 // Everything in the plane z = 0, and one in x = 3: boxes there are only as thick as their padding.
-Scene flat(int axis, double place) {
+scene::Scene flat(int axis, double place) {
   Maker m(32);
   const auto inPlane = [&] {
     glm::dvec3 point = m.random.inCube(0, 10);
@@ -65,7 +67,7 @@ Scene flat(int axis, double place) {
 }
 
 // Boxes without thickness on one to three axes.
-Scene thinBoxes() {
+scene::Scene thinBoxes() {
   Maker m(33);
   for (int i = 0; i < 300; ++i) {
     const glm::dvec3 corner = m.random.inCube(0, 10);
@@ -76,7 +78,7 @@ Scene thinBoxes() {
   return m.scene;
 }
 
-Scene nearAndFar() {
+scene::Scene nearAndFar() {
   Maker m(34);
   for (int i = 0; i < 100; ++i) m.sphere(m.random.inCube(-1, 1), 0.05);
   for (int i = 0; i < 10; ++i) m.sphere(m.random.inCube(-1e4, 1e4), m.random.real(0, 1e3));
@@ -87,7 +89,7 @@ Scene nearAndFar() {
 }
 
 // Faces of boxes in the planes between the cells of a grid.
-Scene bricks() {
+scene::Scene bricks() {
   Maker m(35);
   for (int z = 0; z < 8; ++z) {
     for (int y = 0; y < 8; ++y) {
@@ -102,7 +104,7 @@ Scene bricks() {
 }
 
 // Triangles, spheres and cones of all sizes, and half of everything twice: those pairs tie.
-Scene mixed() {
+scene::Scene mixed() {
   Maker m(36);
   for (int i = 0; i < 150; ++i) {
     const glm::dvec3 p = m.random.inCube(0, 100), q = p + m.random.inCube(-20, 20), r = p + m.random.inCube(-20, 20);
@@ -118,18 +120,18 @@ Scene mixed() {
   return m.scene;
 }
 
-Scene needle() {
+scene::Scene needle() {
   Maker m(37);
   for (int i = 0; i < 100; ++i) m.sphere({1e3 * i, 0.001 * (i % 7), 0}, 0.5);
   return m.scene;
 }
 
-Scene single(PrimitiveKind kind) {
+scene::Scene single(scene::PrimitiveKind kind) {
   Maker m(38);
-  if (kind == PrimitiveKind::sphere) m.sphere({1, 2, 3}, 0.5);
-  if (kind == PrimitiveKind::triangle) m.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  if (kind == PrimitiveKind::box) m.box({0, 0, 0}, {0, 0, 0});
-  if (kind == PrimitiveKind::cone) m.cone({0, 0, 0}, 1, {0, 0, 50}, 0);
+  if (kind == scene::PrimitiveKind::sphere) m.sphere({1, 2, 3}, 0.5);
+  if (kind == scene::PrimitiveKind::triangle) m.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  if (kind == scene::PrimitiveKind::box) m.box({0, 0, 0}, {0, 0, 0});
+  if (kind == scene::PrimitiveKind::cone) m.cone({0, 0, 0}, 1, {0, 0, 50}, 0);
   return m.scene;
 }
 
@@ -145,16 +147,16 @@ std::vector<NamedScene> sceneFiles() {
   }
   std::sort(files.begin(), files.end());
   std::vector<NamedScene> scenes;
-  for (const auto& file : files) scenes.push_back({file.filename(), loadScene(file).scene});
+  for (const auto& file : files) scenes.push_back({file.filename(), scene::loadScene(file).scene});
   return scenes;
 }
 
 std::vector<NamedScene> edgeScenes() {
   return {{"nothing", {}},
-          {"one sphere", single(PrimitiveKind::sphere)},
-          {"one triangle", single(PrimitiveKind::triangle)},
-          {"one point", single(PrimitiveKind::box)},
-          {"one cone", single(PrimitiveKind::cone)},
+          {"one sphere", single(scene::PrimitiveKind::sphere)},
+          {"one triangle", single(scene::PrimitiveKind::triangle)},
+          {"one point", single(scene::PrimitiveKind::box)},
+          {"one cone", single(scene::PrimitiveKind::cone)},
           {"shells", shells()},
           {"flat at z = 0", flat(2, 0)},
           {"flat at x = 3", flat(0, 3)},
@@ -166,7 +168,7 @@ std::vector<NamedScene> edgeScenes() {
           {"needle", needle()}};
 }
 
-Scene largeScene(std::size_t count) {
+scene::Scene largeScene(std::size_t count) {
   Maker m(39);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 p = m.random.inCube(0, 100);

@@ -9,7 +9,7 @@ namespace candela::test {
 
 struct NamedScene {
   std::string name;
-  Scene scene;
+  scene::Scene scene;
 };
 
 /// The files of scenes/ and tests/scene/spd/.
@@ -18,6 +18,6 @@ std::vector<NamedScene> sceneFiles();
 /// objects on the faces of cells, half of everything twice.
 std::vector<NamedScene> edgeScenes();
 /// `count` triangles and spheres in a cube.
-Scene largeScene(std::size_t count);
+scene::Scene largeScene(std::size_t count);
 
 }  // namespace candela::test

@@ -10,6 +10,7 @@
 #include "tests/accel/wide_ray.h"
 
 using namespace candela;
+using namespace candela::accel;
 using namespace candela::test;
 
 namespace {

@@ -8,13 +8,15 @@
 
 namespace candela::test {
 
+using namespace accel;
+
 template <class T>
 struct WideRay {
   Vec<T> nearOrigin, farOrigin, inverse;
 
   explicit WideRay(const Ray<T>& ray) {
     const Vec<T> size = glm::abs(ray.origin);
-    const T pad = T{kBoundsPad} * std::max({size.x, size.y, size.z});
+    const T pad = T{accel::kBoundsPad} * std::max({size.x, size.y, size.z});
     for (int i = 0; i < 3; ++i) {
       const T d = ray.direction[i];
       const bool backward = d < 0;

@@ -38,10 +38,10 @@ double median(std::vector<double> values) {
 }
 
 // Triangles with edges of about half their distance from each other, in no order.
-std::vector<Aabb> triangleSoup() {
+std::vector<accel::Aabb> triangleSoup() {
   Random random(5);
-  std::vector<Aabb> boxes(kPrimitives);
-  for (Aabb& box : boxes) {
+  std::vector<accel::Aabb> boxes(kPrimitives);
+  for (accel::Aabb& box : boxes) {
     const glm::dvec3 centre = random.inCube(0, 100);
     for (int corner = 0; corner < 3; ++corner) box.extend(glm::vec3(centre + random.inCube(0, 0.3)));
   }
@@ -49,7 +49,7 @@ std::vector<Aabb> triangleSoup() {
 }
 
 // A rough height field, row by row: a mesh as files have them.
-std::vector<Aabb> triangleMesh() {
+std::vector<accel::Aabb> triangleMesh() {
   Random random(6);
   constexpr std::size_t kSide = 707;
   std::vector<glm::vec3> points;
@@ -57,12 +57,12 @@ std::vector<Aabb> triangleMesh() {
     points.emplace_back(i % (kSide + 1), i / (kSide + 1),
                         20 * std::sin(0.01 * static_cast<double>(i % (kSide + 1))) + random.real());
   }
-  std::vector<Aabb> boxes;
+  std::vector<accel::Aabb> boxes;
   for (std::size_t y = 0; y < kSide; ++y) {
     for (std::size_t x = 0; x < kSide; ++x) {
       const std::size_t corner = y * (kSide + 1) + x;
       for (const std::size_t other : {corner + 1, corner + kSide + 1}) {
-        Aabb& box = boxes.emplace_back();
+        accel::Aabb& box = boxes.emplace_back();
         for (const std::size_t point : {corner, other, corner + kSide + 2}) box.extend(points[point]);
       }
     }
@@ -70,10 +70,10 @@ std::vector<Aabb> triangleMesh() {
   return boxes;
 }
 
-std::vector<Aabb> spheres() {
+std::vector<accel::Aabb> spheres() {
   Random random(7);
-  std::vector<Aabb> boxes(kPrimitives);
-  for (Aabb& box : boxes) box = boxAround(random.inCube(0, 100), glm::dvec3(random.real(0.05, 0.4)));
+  std::vector<accel::Aabb> boxes(kPrimitives);
+  for (accel::Aabb& box : boxes) box = boxAround(random.inCube(0, 100), glm::dvec3(random.real(0.05, 0.4)));
   return boxes;
 }
 
@@ -113,14 +113,14 @@ int main(int argumentCount, char** arguments) {
   fmt::print("{} primitives, {} threads, medians of {}\n", kPrimitives, threads, kRuns);
   const std::vector<NamedInput> inputs{
       {"triangle soup", triangleSoup()}, {"triangle mesh", triangleMesh()}, {"spheres", spheres()}};
-  const BvhOptions coarse{.rule = SplitRule::coarseSah, .maxLeafSize = 8, .threads = threads};
-  const BvhOptions sah{.reinsertion = Reinsertion::trunk, .maxLeafSize = 8, .threads = threads};
-  const BvhOptions high{.reinsertion = Reinsertion::all, .maxLeafSize = 8, .threads = threads};
-  const BvhOptions midpoint{.rule = SplitRule::midpoint, .maxLeafSize = 2, .threads = threads};
-  const GridOptions grid{.threads = threads};
+  const accel::BvhOptions coarse{.rule = accel::SplitRule::coarseSah, .maxLeafSize = 8, .threads = threads};
+  const accel::BvhOptions sah{.reinsertion = accel::Reinsertion::trunk, .maxLeafSize = 8, .threads = threads};
+  const accel::BvhOptions high{.reinsertion = accel::Reinsertion::all, .maxLeafSize = 8, .threads = threads};
+  const accel::BvhOptions midpoint{.rule = accel::SplitRule::midpoint, .maxLeafSize = 2, .threads = threads};
+  const accel::GridOptions grid{.threads = threads};
   for (const NamedInput& input : inputs) {
-    const std::vector<Aabb>& boxes = input.boxes;
-    const auto bvh = [&](const char* structure, const BvhOptions& options) {
+    const std::vector<accel::Aabb>& boxes = input.boxes;
+    const auto bvh = [&](const char* structure, const accel::BvhOptions& options) {
       measure(
           {structure, input.name, boxes.size(), threads},
           [&] { return !validate(buildBvh(boxes, options), boxes, options); }, [&] { buildBvh(boxes, options); });

@@ -17,7 +17,7 @@ namespace {
 // Rays that pass by an edge may meet either side of it: so many may find another primitive.
 constexpr double kEdgeShare = 0.01;
 
-RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint32_t repeats,
+RayReport measure(const scene::Scene& scene, const render::RenderSettings& settings, std::uint32_t repeats,
                   const std::string& selector) {
   vulkan::Device device = vulkan::Device::open(selector);
   const auto tracers = deviceTracers(device, scene, settings);
@@ -25,7 +25,7 @@ RayReport measure(const Scene& scene, const RenderSettings& settings, std::uint3
   std::vector<RayTracer*> all;
   for (const auto& tracer : tracers) all.push_back(tracer.get());
   all.push_back(&embree);
-  const RaySets sets = tracers.front()->makeRays();
+  const device::RaySets sets = tracers.front()->makeRays();
   RayReport report{device.info().name, device.info().driver, settings.workgroupInUse(), settings.size, repeats, {}};
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
@@ -71,10 +71,10 @@ int main(int argumentCount, char** arguments) {
     return static_cast<int>(ExitCode::usage);
   }
   try {
-    RenderSettings settings;
+    render::RenderSettings settings;
     const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
     settings.size = {side, side};
-    const Scene scene = loadScene(arguments[1]).scene;
+    const scene::Scene scene = loadScene(arguments[1]).scene;
     const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))),
                                      argument(4, ""));
     fmt::print("{}\n", toText(report));

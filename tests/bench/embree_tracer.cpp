@@ -32,7 +32,7 @@ RTCRay rayOf(const gpu::CastRay& given) {
 
 }  // namespace
 
-EmbreeTracer::EmbreeTracer(const Scene& scene) : device_(rtcNewDevice(nullptr)), scene_(nullptr) {
+EmbreeTracer::EmbreeTracer(const scene::Scene& scene) : device_(rtcNewDevice(nullptr)), scene_(nullptr) {
   if (device_ == nullptr) throw FileError("Embree has no device");
   scene_ = rtcNewScene(device_);
   addTriangles(scene);
@@ -48,9 +48,9 @@ EmbreeTracer::~EmbreeTracer() {
   rtcReleaseDevice(device_);
 }
 
-void EmbreeTracer::addTriangles(const Scene& scene) {
+void EmbreeTracer::addTriangles(const scene::Scene& scene) {
   for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
-    if (scene.primitives[i].kind == PrimitiveKind::triangle) indices_[kTriangles].push_back(i);
+    if (scene.primitives[i].kind == scene::PrimitiveKind::triangle) indices_[kTriangles].push_back(i);
   }
   const std::size_t count = indices_[kTriangles].size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -67,16 +67,16 @@ void EmbreeTracer::addTriangles(const Scene& scene) {
   rtcReleaseGeometry(geometry);
 }
 
-void EmbreeTracer::addSpheres(const Scene& scene) {
+void EmbreeTracer::addSpheres(const scene::Scene& scene) {
   for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
-    if (scene.primitives[i].kind == PrimitiveKind::sphere) indices_[kSpheres].push_back(i);
+    if (scene.primitives[i].kind == scene::PrimitiveKind::sphere) indices_[kSpheres].push_back(i);
   }
   const std::size_t count = indices_[kSpheres].size();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* rows = static_cast<glm::vec4*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), count));
   for (std::size_t i = 0; i < count; ++i) {
-    const Sphere& sphere = scene.spheres[scene.primitives[indices_[kSpheres][i]].index];
+    const scene::Sphere& sphere = scene.spheres[scene.primitives[indices_[kSpheres][i]].index];
     rows[i] = glm::vec4(sphere.centre, std::abs(sphere.radius));
   }
   rtcCommitGeometry(geometry);

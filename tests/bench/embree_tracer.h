@@ -15,7 +15,7 @@ namespace candela::bench {
 class EmbreeTracer : public RayTracer {
  public:
   /// Throws FileError if the scene has other primitives, or no Embree device can be had.
-  explicit EmbreeTracer(const Scene& scene);
+  explicit EmbreeTracer(const scene::Scene& scene);
   ~EmbreeTracer() override;
   EmbreeTracer(const EmbreeTracer&) = delete;
   EmbreeTracer& operator=(const EmbreeTracer&) = delete;
@@ -26,8 +26,8 @@ class EmbreeTracer : public RayTracer {
   bool isExact() const override { return false; }
 
  private:
-  void addTriangles(const Scene& scene);
-  void addSpheres(const Scene& scene);
+  void addTriangles(const scene::Scene& scene);
+  void addSpheres(const scene::Scene& scene);
   void traceRange(std::size_t first, std::size_t end);
   gpu::CastHit closest(const gpu::CastRay& ray) const;
   gpu::CastHit any(const gpu::CastRay& ray) const;

@@ -14,16 +14,17 @@ struct ScriptedRun {
   bool interrupted = false;
 };
 
-class FakeRenderer final : public Renderer {
+class FakeRenderer final : public render::Renderer {
  public:
   explicit FakeRenderer(std::vector<ScriptedRun> runs) : runs_(std::move(runs)) {}
 
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
     const ScriptedRun& run = runs_.at(accels.size());
     accels.push_back(settings.accel);
     seeds.push_back(settings.seed);
-    RenderResult result;
-    result.film = Film(1, 1);
+    render::RenderResult result;
+    result.film = image::Film(1, 1);
     result.film.addSample(0, 0, glm::dvec3(run.value), 0);
     result.statistics.samples = 1000;
     result.statistics.cameraRays = 1000;
@@ -31,14 +32,14 @@ class FakeRenderer final : public Renderer {
     result.statistics.traversalSteps = 6000;
     result.statistics.truncated = run.truncated;
     result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
-    result.statistics.structure = settings.accel == AccelKind::grid ? "grid" : "bvh";
-    result.statistics.bvhSplit = settings.bvhSplit == BvhSplit::sah ? "sah" : "midpoint";
+    result.statistics.structure = settings.accel == render::AccelKind::grid ? "grid" : "bvh";
+    result.statistics.bvhSplit = settings.bvhSplit == render::BvhSplit::sah ? "sah" : "midpoint";
     result.interrupted = run.interrupted;
     if (control.progress) control.progress(1, 1000);
     return result;
   }
 
-  std::vector<AccelKind> accels;  ///< of the runs so far, in their order
+  std::vector<render::AccelKind> accels;  ///< of the runs so far, in their order
   std::vector<std::uint32_t> seeds;
 
  private:

@@ -47,8 +47,8 @@ class FakeTracer : public RayTracer {
   int traces_ = 0;
 };
 
-RaySets setsOf(std::size_t primary, std::size_t shadow) {
-  RaySets sets;
+device::RaySets setsOf(std::size_t primary, std::size_t shadow) {
+  device::RaySets sets;
   sets[gpu::kPrimaryRay].resize(primary);
   sets[gpu::kShadowRay].resize(shadow);
   return sets;

@@ -8,17 +8,18 @@
 namespace candela::bench {
 namespace {
 
-const std::vector<AccelKind> kKinds{AccelKind::none, AccelKind::grid, AccelKind::bvh};
+const std::vector<render::AccelKind> kKinds{render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh};
 
 std::vector<Variant> threeVariants() {
   std::vector<Variant> variants;
-  for (const AccelKind kind : kKinds) variants.emplace_back("variant", RenderSettings{}).settings.accel = kind;
+  for (const render::AccelKind kind : kKinds)
+    variants.emplace_back("variant", render::RenderSettings{}).settings.accel = kind;
   return variants;
 }
 
 std::vector<Measurement> measure(std::vector<ScriptedRun> script, std::uint32_t repeats) {
   FakeRenderer renderer(std::move(script));
-  return measureInterleaved(renderer, Scene{}, threeVariants(), repeats, {});
+  return measureInterleaved(renderer, scene::Scene{}, threeVariants(), repeats, {});
 }
 
 TEST_CASE("the median is the middle value, or the mean of the two middle ones") {
@@ -32,8 +33,8 @@ TEST_CASE("the median is the middle value, or the mean of the two middle ones") 
 
 TEST_CASE("every variant runs once before any runs twice") {
   FakeRenderer renderer(std::vector<ScriptedRun>(6));
-  measureInterleaved(renderer, Scene{}, threeVariants(), 2, {});
-  std::vector<AccelKind> expected = kKinds;
+  measureInterleaved(renderer, scene::Scene{}, threeVariants(), 2, {});
+  std::vector<render::AccelKind> expected = kKinds;
   expected.insert(expected.end(), kKinds.begin(), kKinds.end());
   CHECK(renderer.accels == expected);
 }
@@ -71,7 +72,7 @@ TEST_CASE("films are compared among variants of the same image alone") {
   std::vector<Variant> variants = threeVariants();
   variants[2].image = "another";
   FakeRenderer renderer({{1}, {1}, {2}});
-  for (const Measurement& measurement : measureInterleaved(renderer, Scene{}, variants, 1, {}))
+  for (const Measurement& measurement : measureInterleaved(renderer, scene::Scene{}, variants, 1, {}))
     CHECK(measurement.agrees);
 }
 
@@ -79,8 +80,8 @@ TEST_CASE("noise is half of the relMSE between two other seeds, measured once fo
   std::vector<Variant> variants = threeVariants();
   variants[2].image = "another";
   FakeRenderer renderer({{1}, {1}, {2}, {1}, {3}, {2}, {2}});
-  std::vector<Measurement> measurements = measureInterleaved(renderer, Scene{}, variants, 1, {});
-  REQUIRE(measureNoise(renderer, Scene{}, measurements, {}));
+  std::vector<Measurement> measurements = measureInterleaved(renderer, scene::Scene{}, variants, 1, {});
+  REQUIRE(measureNoise(renderer, scene::Scene{}, measurements, {}));
   CHECK(measurements[0].relMse == Approx((1.0 - 3) * (1.0 - 3) / (9 + 0.01) / 2));
   CHECK(measurements[1].relMse == measurements[0].relMse);
   CHECK(measurements[2].relMse == 0);
@@ -90,8 +91,8 @@ TEST_CASE("noise is half of the relMSE between two other seeds, measured once fo
 
 TEST_CASE("noise that nobody waited for is not measured") {
   FakeRenderer renderer({{1}, {1}, {1}, {.interrupted = true}});
-  std::vector<Measurement> measurements = measureInterleaved(renderer, Scene{}, threeVariants(), 1, {});
-  CHECK_FALSE(measureNoise(renderer, Scene{}, measurements, {}));
+  std::vector<Measurement> measurements = measureInterleaved(renderer, scene::Scene{}, threeVariants(), 1, {});
+  CHECK_FALSE(measureNoise(renderer, scene::Scene{}, measurements, {}));
 }
 
 TEST_CASE("a variant whose work was truncated does not agree, whatever its image") {
@@ -107,13 +108,13 @@ TEST_CASE("an interrupted benchmark has no measurements") {
 TEST_CASE("progress goes from the first run's share to all") {
   std::vector<double> fractions;
   std::vector<std::uint64_t> samples;
-  RenderControl control;
+  render::RenderControl control;
   control.progress = [&](double fraction, std::uint64_t done) {
     fractions.push_back(fraction);
     samples.push_back(done);
   };
   FakeRenderer renderer(std::vector<ScriptedRun>(3));
-  measureInterleaved(renderer, Scene{}, threeVariants(), 1, control);
+  measureInterleaved(renderer, scene::Scene{}, threeVariants(), 1, control);
   REQUIRE(fractions.size() == 3);
   CHECK(fractions[0] == Approx(1.0 / 3));
   CHECK(fractions[2] == Approx(1));

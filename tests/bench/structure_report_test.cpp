@@ -13,22 +13,22 @@ using Catch::Contains;
 
 StructureReport reportOf(std::vector<ScriptedRun> script) {
   FakeRenderer renderer(std::move(script));
-  const std::vector<Variant> variants = structureVariants(RenderSettings{});
+  const std::vector<Variant> variants = structureVariants(render::RenderSettings{});
   StructureReport report;
-  for (Measurement& m : measureInterleaved(renderer, Scene{}, variants, 1, {})) {
+  for (Measurement& m : measureInterleaved(renderer, scene::Scene{}, variants, 1, {})) {
     report.rows.push_back({"room", 0x1234, std::move(m), std::nullopt});
   }
   return report;
 }
 
 TEST_CASE("the structures compared are the report's two and the surface-area tree") {
-  const auto variants = structureVariants(RenderSettings{});
+  const auto variants = structureVariants(render::RenderSettings{});
   REQUIRE(variants.size() == 3);
-  CHECK(variants[0].settings.accel == AccelKind::grid);
-  CHECK(variants[1].settings.accel == AccelKind::bvh);
-  CHECK(variants[1].settings.bvhSplit == BvhSplit::midpoint);
-  CHECK(variants[2].settings.accel == AccelKind::bvh);
-  CHECK(variants[2].settings.bvhSplit == BvhSplit::sah);
+  CHECK(variants[0].settings.accel == render::AccelKind::grid);
+  CHECK(variants[1].settings.accel == render::AccelKind::bvh);
+  CHECK(variants[1].settings.bvhSplit == render::BvhSplit::midpoint);
+  CHECK(variants[2].settings.accel == render::AccelKind::bvh);
+  CHECK(variants[2].settings.bvhSplit == render::BvhSplit::sah);
 }
 
 TEST_CASE("a structure with another image has no figures") {

@@ -8,9 +8,9 @@
 namespace candela::cli {
 namespace {
 
-const BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .seed = 9, .sampleCount = 64};
+const render::BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .seed = 9, .sampleCount = 64};
 
-RenderJob jobWith(Integrator integrator, SamplerKind sampler) {
+RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
   RenderJob job;
   job.arguments.files = {"a scene.p3f"};
   job.arguments.sampleCount = 64;
@@ -19,14 +19,14 @@ RenderJob jobWith(Integrator integrator, SamplerKind sampler) {
   return job;
 }
 
-BadSampleTally tallyOfOne() {
-  Film film(3, 2);
+render::BadSampleTally tallyOfOne() {
+  image::Film film(3, 2);
   film.addSample(2, 1, glm::dvec3(1e9), 5);
   film.addSample(2, 1, glm::dvec3(1e9), 6);
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.seed = 9;
   settings.sampleCount = 64;
-  BadSampleTally tally;
+  render::BadSampleTally tally;
   tally.add(film, settings);
   return tally;
 }
@@ -34,15 +34,15 @@ BadSampleTally tallyOfOne() {
 }  // namespace
 
 TEST_CASE("a path's bad sample is explained, with all that it depends on") {
-  const RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(replayCommand(kPixel, job) == "candela explain 'a scene.p3f' --seed 9 --spp 64 --pixel 2,1 --sample 5");
-  const RenderJob strata = jobWith(Integrator::path, SamplerKind::stratified);
+  const RenderJob strata = jobWith(render::Integrator::path, render::SamplerKind::stratified);
   CHECK(replayCommand(kPixel, strata) ==
         "candela explain 'a scene.p3f' --seed 9 --sampler stratified --spp 64 --pixel 2,1 --sample 5");
 }
 
 TEST_CASE("a sample of the reference is explained on the default device beside it, another on its own") {
-  RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   job.arguments.device = "cpu";
   CHECK_THAT(replayCommand(kPixel, job), !Catch::Contains("--device"));
   job.arguments.device = "llvmpipe";
@@ -50,22 +50,23 @@ TEST_CASE("a sample of the reference is explained on the default device beside i
 }
 
 TEST_CASE("what is no path is rendered again as far as the bad sample, and jittered as it was") {
-  for (const auto& [integrator, name] : {std::pair(Integrator::whitted, "whitted"), {Integrator::depth, "depth"}}) {
-    const RenderJob job = jobWith(integrator, SamplerKind::sobol);
+  for (const auto& [integrator, name] :
+       {std::pair(render::Integrator::whitted, "whitted"), {render::Integrator::depth, "depth"}}) {
+    const RenderJob job = jobWith(integrator, render::SamplerKind::sobol);
     const std::string start = "candela render 'a scene.p3f' --seed 9 --integrator " + std::string(name);
     CHECK(replayCommand(kPixel, job) == start + " --spp 6 -o replay.exr");
-    BadPixel other = kPixel;
+    render::BadPixel other = kPixel;
     other.firstSample = 0;
     CHECK(replayCommand(other, job) == start + " --spp 2 -o replay.exr");
     other.sampleCount = 1;
     CHECK(replayCommand(other, job) == start + " --spp 1 -o replay.exr");
-    CHECK(replayCommand(kPixel, jobWith(integrator, SamplerKind::stratified)) ==
+    CHECK(replayCommand(kPixel, jobWith(integrator, render::SamplerKind::stratified)) ==
           start + " --sampler stratified --spp 64 -o replay.exr");
   }
 }
 
 TEST_CASE("bad samples are told with their number, their pixels and a replay") {
-  const RenderJob job = jobWith(Integrator::path, SamplerKind::sobol);
+  const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(badSampleLines({}, job).empty());
   const std::vector<std::string> lines = badSampleLines(tallyOfOne(), job);
   REQUIRE(lines.size() == 2);

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "host/accel/primitive_bounds.h"
+#include "host/flatten/flatten_hierarchy.h"
 #include "host/image/image.h"
-#include "host/render/flatten_hierarchy.h"
 #include "host/scene/load.h"
 #include "tests/cli/run_program.h"
 
@@ -15,14 +15,14 @@ const std::string kView = "v\nfrom 0.1 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhithe
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-Scene boxesOf(const std::string& scene, const std::vector<std::string>& options = {}) {
+scene::Scene boxesOf(const std::string& scene, const std::vector<std::string>& options = {}) {
   const TemporaryFolder folder;
   std::vector<std::string> words{"boxes", folder.write("a.nff", scene), "-o", folder.path("boxes.nff")};
   words.insert(words.end(), options.begin(), options.end());
   const ProgramResult result = runCandela(words);
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  return loadScene(folder.path("boxes.nff")).scene;
+  return scene::loadScene(folder.path("boxes.nff")).scene;
 }
 
 // Twenty balls in a row, ever farther apart.
@@ -36,16 +36,16 @@ std::string row() {
 
 TEST_CASE("the edges of a box end in its corners, to the bit") {
   const std::string text = kView + "s 0.3 -0.7 123.4 0.125\n";
-  const Aabb box = boundPrimitives(parseScene(text, "a", ".").scene).bounds.front();
-  const Scene drawn = boxesOf(text);
+  const accel::Aabb box = accel::boundPrimitives(scene::parseScene(text, "a", ".").scene).bounds.front();
+  const scene::Scene drawn = boxesOf(text);
   REQUIRE(drawn.cones.size() == 12);
   for (const bool lowX : {false, true}) {
     for (const bool lowY : {false, true}) {
       for (const bool lowZ : {false, true}) {
         const glm::vec3 corner(lowX ? box.min.x : box.max.x, lowY ? box.min.y : box.max.y,
                                lowZ ? box.min.z : box.max.z);
-        CHECK(std::ranges::count_if(drawn.cones, [&](const Cone& c) { return c.base == corner || c.apex == corner; }) ==
-              3);
+        CHECK(std::ranges::count_if(drawn.cones,
+                                    [&](const scene::Cone& c) { return c.base == corner || c.apex == corner; }) == 3);
       }
     }
   }
@@ -59,21 +59,21 @@ TEST_CASE("a flat box has no edges across") {
 }
 
 TEST_CASE("the boxes are those of the tree that the renderer builds") {
-  const std::vector<Aabb> bounds = boundPrimitives(parseScene(row(), "a", ".").scene).bounds;
-  const auto nodesBy = [&](BvhSplit split) {
-    return buildHierarchy(bounds, split, BuildQuality::standard).nodes.size();
+  const std::vector<accel::Aabb> bounds = accel::boundPrimitives(scene::parseScene(row(), "a", ".").scene).bounds;
+  const auto nodesBy = [&](render::BvhSplit split) {
+    return flatten::buildHierarchy(bounds, split, render::BuildQuality::standard).nodes.size();
   };
-  CHECK(nodesBy(BvhSplit::sah) != nodesBy(BvhSplit::midpoint));
-  CHECK(boxesOf(row()).cones.size() == 12 * nodesBy(BvhSplit::sah));
-  CHECK(boxesOf(row(), {"--bvh-split", "midpoint"}).cones.size() == 12 * nodesBy(BvhSplit::midpoint));
+  CHECK(nodesBy(render::BvhSplit::sah) != nodesBy(render::BvhSplit::midpoint));
+  CHECK(boxesOf(row()).cones.size() == 12 * nodesBy(render::BvhSplit::sah));
+  CHECK(boxesOf(row(), {"--bvh-split", "midpoint"}).cones.size() == 12 * nodesBy(render::BvhSplit::midpoint));
   CHECK(boxesOf(row(), {"--depth", "0"}).cones.size() == 12);
   CHECK(boxesOf(row(), {"--depth", "1"}).cones.size() == 24);
 }
 
 TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
   const std::string scene = row();
-  const Scene drawn = boxesOf(scene);
-  const Camera camera = *parseScene(scene, "a", ".").scene.camera;
+  const scene::Scene drawn = boxesOf(scene);
+  const scene::Camera camera = *scene::parseScene(scene, "a", ".").scene.camera;
   CHECK(drawn.camera->from == camera.from);
   CHECK(drawn.camera->up == camera.up);
   CHECK(drawn.camera->angle == camera.angle);
@@ -88,7 +88,7 @@ TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
     const std::vector<std::string> words{boxes,    "--device", "cpu", "--integrator", integrator,
                                          "--size", "128x96",   "-o",  image};
     REQUIRE(runCandela(words).exitCode == 0);
-    const Image seen = readImage(image);
+    const image::Image seen = image::readImage(image);
     float brightest = 0;
     for (std::uint32_t y = 0; y < 96; ++y) {
       for (std::uint32_t x = 0; x < 128; ++x) brightest = std::max(brightest, seen.at(x, y).x);
@@ -105,7 +105,7 @@ TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") 
   const ProgramResult result = runCandela({"boxes", scene, "--depth", "1"});
   CHECK(result.exitCode == 0);
   CHECK(contains(result.err, "a.nff: 2 boxes, of "));
-  CHECK(parseScene(result.out, "boxes", ".").scene.cones.size() == 24);
+  CHECK(scene::parseScene(result.out, "boxes", ".").scene.cones.size() == 24);
   CHECK(runCandela({"boxes", scene, "--depth", "1", "-q"}).err.empty());
   CHECK(folder.fileCount() == 1);
 }

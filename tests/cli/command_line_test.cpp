@@ -45,7 +45,7 @@ TEST_CASE("defaults are those of the settings") {
   CHECK(arguments.settings.maxDepth == 64);
   CHECK(arguments.settings.rouletteStart == 4);
   CHECK(arguments.settings.nextEventEstimation);
-  CHECK(arguments.settings.sampler == SamplerKind::sobol);
+  CHECK(arguments.settings.sampler == render::SamplerKind::sobol);
   CHECK(arguments.verbosity() == Verbosity::normal);
 }
 

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 // 8x8 pixels of one grey.
 std::string writeGrey(const TemporaryFolder& folder, const std::string& name, float value, std::uint32_t side = 8) {
-  Image image;
+  image::Image image;
   image.width = side;
   image.height = side;
   image.rgb.assign(std::size_t{side} * side, glm::vec3(value));
@@ -53,8 +53,8 @@ TEST_CASE("pictures of the differences are written on request") {
   const std::string difference = folder.path("difference.png");
   const std::string flip = folder.path("flip.png");
   CHECK(runCandela({"compare", a, b, "--diff", difference, "--flip", flip, "-q"}).exitCode == 0);
-  CHECK(readPixels8(difference).width == 8);
-  CHECK(readPixels8(flip).height == 8);
+  CHECK(image::readPixels8(difference).width == 8);
+  CHECK(image::readPixels8(flip).height == 8);
 }
 
 TEST_CASE("images that cannot be compared are an error, and nothing is written") {

@@ -47,7 +47,7 @@ TEST_CASE("a render on a device writes an image that names device and driver") {
   const ProgramResult result = runOnDevice({scene, "-o", exr, "--spp", "2"});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  const Image image = readImage(exr);
+  const image::Image image = image::readImage(exr);
   CHECK(image.width == 16);
   CHECK(image.metadata.at("candela.device") != "cpu");
   CHECK_FALSE(image.metadata.at("candela.driver").empty());
@@ -216,7 +216,7 @@ TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and 
 
   const std::string exr = folder.path("a.exr");
   CHECK(runOnDevice({scene, "-o", exr, "--spp", "4", "--strict"}).exitCode == 3);
-  CHECK(badSampleCount(readImage(exr)) > 0);
+  CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 }
 
 TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
@@ -228,7 +228,7 @@ TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7"
   const ProgramResult result = runOnDevice({scene, "-o", exr, "--spp", "1000000000"}, surroundings);
   INFO(result.err);
   CHECK(result.exitCode == 7);
-  CHECK(readImage(exr).width == 16);
+  CHECK(image::readImage(exr).width == 16);
 }
 
 }  // namespace candela

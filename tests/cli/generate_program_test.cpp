@@ -18,7 +18,7 @@ TEST_CASE("a scene goes to the file that -o names, or else to stdout") {
   CHECK(toFile.out.empty());
   CHECK(contains(toFile.err, "balls of size 2: 93 primitives"));
   const std::string text = readFile(folder.path("balls.nff"));
-  CHECK(loadScene(folder.path("balls.nff")).scene.primitives.size() == 93);
+  CHECK(scene::loadScene(folder.path("balls.nff")).scene.primitives.size() == 93);
 
   for (const auto& words :
        {std::vector<std::string>{"generate", "balls", "--size", "2"}, {"generate", "balls", "--size=2", "-o", "-"}}) {

@@ -7,9 +7,9 @@
 namespace candela::cli {
 namespace {
 
-Scene sceneWithCamera() {
-  Scene scene;
-  scene.camera = Camera{};
+scene::Scene sceneWithCamera() {
+  scene::Scene scene;
+  scene.camera = scene::Camera{};
   scene.camera->width = 40;
   scene.camera->height = 30;
   return scene;
@@ -20,12 +20,12 @@ Scene sceneWithCamera() {
 TEST_CASE("the command line wins over the file, the file over the default") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::verbose);
-  Scene scene = sceneWithCamera();
+  scene::Scene scene = sceneWithCamera();
 
   Arguments byDefault;
   resolveRequests(byDefault, scene, log);
   CHECK(byDefault.settings.sampleCount == 16);
-  CHECK(byDefault.settings.accel == AccelKind::bvh);
+  CHECK(byDefault.settings.accel == render::AccelKind::bvh);
   CHECK(byDefault.settings.size.width == 40);
   CHECK(byDefault.settings.size.height == 30);
   CHECK(sink.str().empty());
@@ -35,16 +35,16 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   Arguments byFile;
   resolveRequests(byFile, scene, log);
   CHECK(byFile.settings.sampleCount == 225);
-  CHECK(byFile.settings.accel == AccelKind::none);
+  CHECK(byFile.settings.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel in total, as the file asks\n");
 
   Arguments byOption;
   byOption.sampleCount = 3;
-  byOption.accel = AccelKind::bvh;
-  byOption.size = Extent{5, 6};
+  byOption.accel = render::AccelKind::bvh;
+  byOption.size = render::Extent{5, 6};
   resolveRequests(byOption, scene, log);
   CHECK(byOption.settings.sampleCount == 3);
-  CHECK(byOption.settings.accel == AccelKind::bvh);
+  CHECK(byOption.settings.accel == render::AccelKind::bvh);
   CHECK(byOption.settings.size.height == 6);
 }
 
@@ -55,11 +55,11 @@ TEST_CASE("the longest path is the integrator's unless the command line says") {
   resolveRequests(path, sceneWithCamera(), log);
   CHECK(path.settings.maxDepth == 64);
   Arguments whitted;
-  whitted.settings.integrator = Integrator::whitted;
+  whitted.settings.integrator = render::Integrator::whitted;
   resolveRequests(whitted, sceneWithCamera(), log);
   CHECK(whitted.settings.maxDepth == 4);
   Arguments stated;
-  stated.settings.integrator = Integrator::whitted;
+  stated.settings.integrator = render::Integrator::whitted;
   stated.maxDepth = 7;
   resolveRequests(stated, sceneWithCamera(), log);
   CHECK(stated.settings.maxDepth == 7);
@@ -67,8 +67,9 @@ TEST_CASE("the longest path is the integrator's unless the command line says") {
 
 TEST_CASE("a file may ask for each of the structures") {
   std::ostringstream sink;
-  Scene scene = sceneWithCamera();
-  for (const auto& [number, accel] : {std::pair(0u, AccelKind::none), {1u, AccelKind::grid}, {2u, AccelKind::bvh}}) {
+  scene::Scene scene = sceneWithCamera();
+  for (const auto& [number, accel] :
+       {std::pair(0u, render::AccelKind::none), {1u, render::AccelKind::grid}, {2u, render::AccelKind::bvh}}) {
     scene.requestedAccel = number;
     Arguments arguments;
     resolveRequests(arguments, scene, Log(sink, Verbosity::normal));

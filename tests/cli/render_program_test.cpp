@@ -28,11 +28,11 @@ TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through
   CHECK(contains(result.err, "16x12 pixels, 4 samples per pixel"));
   CHECK(folder.fileCount() == 3);
 
-  const Image image = readImage(exr);
-  const Pixels8 pixels = readPixels8(png);
+  const image::Image image = image::readImage(exr);
+  const image::Pixels8 pixels = image::readPixels8(png);
   REQUIRE(image.width == 16);
   REQUIRE(image.height == 12);
-  CHECK(pixels.rgb == toPixels8(image, {ToneMap::aces, 1}).rgb);
+  CHECK(pixels.rgb == toPixels8(image, {image::ToneMap::aces, 1}).rgb);
   CHECK(*std::max_element(pixels.rgb.begin(), pixels.rgb.end()) > 0);
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("an EXR file says how it was made") {
   const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
   const std::string exr = folder.path("a.exr");
   REQUIRE(runCandela({scene, "-o", exr, "--device", "cpu", "--seed", "5", "--one-sided"}).exitCode == 0);
-  const auto metadata = readImage(exr).metadata;
+  const auto metadata = image::readImage(exr).metadata;
   CHECK(metadata.at("candela.scene") == "a.p3f");
   CHECK(metadata.at("candela.sceneHash").size() == 16);
   CHECK(metadata.at("candela.samplesPerPixel") == "3");
@@ -221,7 +221,7 @@ TEST_CASE("Ctrl-C writes what was done and exits with 7") {
   INFO(result.err);
   CHECK(result.exitCode == 7);
   CHECK(contains(result.err, "interrupted"));
-  const Image image = readImage(exr);
+  const image::Image image = image::readImage(exr);
   CHECK(image.width == 512);
   CHECK(image.metadata.at("candela.interrupted") == "yes");
 }

@@ -7,10 +7,10 @@
 namespace candela::cli {
 namespace {
 
-RenderResult exampleResult() {
-  RenderResult result;
-  result.film = Film(2, 2);
-  RenderStatistics& statistics = result.statistics;
+render::RenderResult exampleResult() {
+  render::RenderResult result;
+  result.film = image::Film(2, 2);
+  render::RenderStatistics& statistics = result.statistics;
   statistics.samples = 4'000'000;
   statistics.cameraRays = 4'000'000;
   statistics.bounceRays = 5'000'000;
@@ -28,7 +28,7 @@ RenderResult exampleResult() {
 }  // namespace
 
 TEST_CASE("rates are per second of tracing") {
-  const RenderResult result = exampleResult();
+  const render::RenderResult result = exampleResult();
   const auto json = toJson(RenderReport{RenderJob{}, result, 0.5, 4});
   CHECK(json["msamplesPerSecond"] == 2.0);
   CHECK(json["mraysPerSecond"] == 6.0);
@@ -41,7 +41,7 @@ TEST_CASE("rates are per second of tracing") {
 }
 
 TEST_CASE("rays of a tree are told by kind, those of a path are not") {
-  RenderResult result = exampleResult();
+  render::RenderResult result = exampleResult();
   CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));
   result.statistics.treeRays = {.cameraHits = 3, .reflected = 4, .refracted = 1};
   const auto rays = toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"];
@@ -52,7 +52,7 @@ TEST_CASE("rays of a tree are told by kind, those of a path are not") {
 }
 
 TEST_CASE("dispatch times have median, 99th percentile and maximum by nearest rank") {
-  const RenderResult result = exampleResult();
+  const render::RenderResult result = exampleResult();
   const auto dispatch = toJson(RenderReport{RenderJob{}, result, 0, 0})["dispatch"];
   CHECK(dispatch["count"] == 100);
   CHECK(dispatch["median"] == 50.0);
@@ -61,7 +61,7 @@ TEST_CASE("dispatch times have median, 99th percentile and maximum by nearest ra
 }
 
 TEST_CASE("a report of nothing divides by nothing") {
-  const auto json = toJson(RenderReport{RenderJob{}, RenderResult{}, 0, 0});
+  const auto json = toJson(RenderReport{RenderJob{}, render::RenderResult{}, 0, 0});
   CHECK(json["msamplesPerSecond"] == 0.0);
   CHECK(json["verticesPerSample"] == 0.0);
   CHECK(json["dispatch"]["median"] == 0.0);
@@ -72,7 +72,7 @@ TEST_CASE("settings are typed: numbers, words and flags") {
   job.arguments.settings.oneSided = true;
   job.arguments.maxDepth = 64;
   job.arguments.settings.seed = 4294967295u;
-  const auto settings = toJson(RenderReport{job, RenderResult{}, 0, 0})["settings"];
+  const auto settings = toJson(RenderReport{job, render::RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);
   CHECK(settings["seed"] == 4294967295u);
   CHECK(settings["oneSided"] == true);
@@ -81,7 +81,7 @@ TEST_CASE("settings are typed: numbers, words and flags") {
 }
 
 TEST_CASE("the text report has every figure of the JSON report") {
-  const RenderResult result = exampleResult();
+  const render::RenderResult result = exampleResult();
   const std::string text = toText(RenderReport{RenderJob{}, result, 0, 0});
   CHECK(text.find("mraysPerSecond                   6\n") != std::string::npos);
   CHECK(text.find("seconds.trace                    2\n") != std::string::npos);

@@ -32,7 +32,7 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
                              Contains("--seed 3") && Contains("--sample 0"));
 
   const json statistics = json::parse(readFile(report));
-  const Image image = readImage(exr);
+  const image::Image image = image::readImage(exr);
   CHECK(image.badSampleCounts[4 * 8 + 4] == 4);
   CHECK(image.badSampleCounts[0] == 0);
   CHECK(statistics["badSamples"] == badSampleCount(image));
@@ -54,12 +54,12 @@ TEST_CASE("the option --strict ends a render that had bad samples with 3, and le
   const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "4", "--strict", "-q"});
   CHECK(result.exitCode == 3);
   CHECK_THAT(result.err, Contains("--strict: ") && Contains("this run has failed"));
-  CHECK(badSampleCount(readImage(exr)) > 0);
+  CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 
   // Files remember what they were made of.
   const ProgramResult plain = runCandela({"compare", exr, exr, "--tolerance", "0", "--json", "-"});
   CHECK(plain.exitCode == 0);
-  CHECK(json::parse(plain.out)["badSamples"] == 2 * badSampleCount(readImage(exr)));
+  CHECK(json::parse(plain.out)["badSamples"] == 2 * image::badSampleCount(image::readImage(exr)));
   CHECK_THAT(plain.err, Contains("the files tell of"));
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }
@@ -71,7 +71,7 @@ TEST_CASE("the option --strict changes nothing where no sample is bad") {
   const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "2", "--strict", "-q"});
   CHECK(result.exitCode == 0);
   CHECK(result.err.empty());
-  CHECK(readImage(exr).badSampleCounts.empty());
+  CHECK(image::readImage(exr).badSampleCounts.empty());
   CHECK(runCandela({"compare", exr, exr, "--strict", "-q"}).exitCode == 0);
 }
 

@@ -64,7 +64,7 @@ class Home {
   /// Keeps a choice, of values by their numbers, as if it had been the fastest; gives the file.
   std::string keep(const tune::Candidate& candidate) const {
     const char* const device = std::getenv("CANDELA_TEST_DEVICE");
-    const tune::TuningKey key = tune::keyOf(selectDevice(device == nullptr ? "" : device));
+    const tune::TuningKey key = tune::keyOf(vulkan::selectDevice(device == nullptr ? "" : device));
     const std::filesystem::path file = std::filesystem::path(cache()) / tune::fileNameOf(key);
     tune::writeTuning(file, key, {candidate, "2026-01-31T12:00:00Z"});
     return file.string();

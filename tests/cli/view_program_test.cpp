@@ -12,8 +12,8 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 // A render of the small scene to both kinds of files.
 struct Rendered {
   ProgramResult result;
-  Image linear;
-  Pixels8 shown;
+  image::Image linear;
+  image::Pixels8 shown;
 };
 
 Rendered renderView(const std::vector<std::string>& options) {
@@ -25,7 +25,7 @@ Rendered renderView(const std::vector<std::string>& options) {
   const ProgramResult result = runCandela(words);
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  return {result, readImage(exr), readPixels8(png)};
+  return {result, image::readImage(exr), image::readPixels8(png)};
 }
 
 float scaleIn(const std::string& metadata) { return std::stof(metadata.substr(metadata.find("scale ") + 6)); }
@@ -36,21 +36,21 @@ TEST_CASE("depth and cost are shown in false colours, whose scale the file and t
   const Rendered depth = renderView({"--integrator", "depth", "--exposure", "0.5"});
   const std::string depthText = depth.linear.metadata.at("candela.falseColour");
   CHECK(contains(depthText, "depth, scale "));
-  CHECK(depth.shown.rgb == toPixels8(depth.linear, {ToneMap::depth, 0, scaleIn(depthText)}).rgb);
+  CHECK(depth.shown.rgb == toPixels8(depth.linear, {image::ToneMap::depth, 0, scaleIn(depthText)}).rgb);
   CHECK(contains(depth.result.err, "candela: depth: near is white, far is dark, middle grey stands for "));
 
   // Four primitives and no tree: four steps for every ray.
   const Rendered cost = renderView({"--integrator", "cost"});
   CHECK(cost.linear.metadata.at("candela.falseColour") == "heat, scale 4");
   CHECK(cost.linear.at(3, 3) == glm::vec3(4));
-  CHECK(cost.shown.rgb == toPixels8(cost.linear, {ToneMap::heat, 0, 4}).rgb);
+  CHECK(cost.shown.rgb == toPixels8(cost.linear, {image::ToneMap::heat, 0, 4}).rgb);
   CHECK(contains(cost.result.err, "candela: cost: the palest colour stands for 4 steps\n"));
 }
 
 TEST_CASE("a tone curve that is asked for goes before false colours") {
   const Rendered depth = renderView({"--integrator", "depth", "--tonemap", "srgb", "--exposure", "-3"});
   CHECK(depth.linear.metadata.count("candela.falseColour") == 0);
-  CHECK(depth.shown.rgb == toPixels8(depth.linear, {ToneMap::srgb, -3}).rgb);
+  CHECK(depth.shown.rgb == toPixels8(depth.linear, {image::ToneMap::srgb, -3}).rgb);
   CHECK_FALSE(contains(depth.result.err, "middle grey"));
 }
 
@@ -66,8 +66,8 @@ TEST_CASE("the other views are shown like light") {
 }
 
 TEST_CASE("the reach of ambient occlusion changes its image") {
-  const Image near = renderView({"--integrator", "ao", "--ao-distance", "0.01"}).linear;
-  const Image far = renderView({"--integrator", "ao", "--ao-distance", "10"}).linear;
+  const image::Image near = renderView({"--integrator", "ao", "--ao-distance", "0.01"}).linear;
+  const image::Image far = renderView({"--integrator", "ao", "--ao-distance", "10"}).linear;
   double nearSum = 0, farSum = 0;
   for (std::size_t i = 0; i < near.rgb.size(); ++i) {
     nearSum += near.rgb[i].x;

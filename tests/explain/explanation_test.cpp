@@ -13,8 +13,8 @@ namespace {
 using Catch::Contains;
 
 // The explanation of a path of which `change` alters the device's side.
-Explanation explainChanged(const std::function<void(PathTrace&)>& change) {
-  PathTrace device = madePath();
+Explanation explainChanged(const std::function<void(render::PathTrace&)>& change) {
+  render::PathTrace device = madePath();
   change(device);
   return explainMade(device, madePath());
 }
@@ -25,72 +25,73 @@ std::string firstOf(const Explanation& explanation) {
   return explanation.stages[place.stage].title + ": " + explanation.at(place).name;
 }
 
-std::string firstIn(const std::function<void(PathTrace&)>& change) { return firstOf(explainChanged(change)); }
+std::string firstIn(const std::function<void(render::PathTrace&)>& change) { return firstOf(explainChanged(change)); }
 
 }  // namespace
 
 TEST_CASE("equal paths agree, to the bit or within rounding") {
-  const Explanation same = explainChanged([](PathTrace&) {});
+  const Explanation same = explainChanged([](render::PathTrace&) {});
   CHECK_FALSE(same.firstDifference);
   CHECK(same.verdict() == "The two paths agree: no decision differs, and all numbers are equal to the bit.");
-  const Explanation rounded = explainChanged([](PathTrace& path) { path.vertices[0].light->pdf *= 1 + 5e-5; });
+  const Explanation rounded = explainChanged([](render::PathTrace& path) { path.vertices[0].light->pdf *= 1 + 5e-5; });
   CHECK_FALSE(rounded.firstDifference);
   CHECK_THAT(rounded.verdict(), Contains("no number is further apart than 5.0e-05 (light pdf at vertex 1)"));
 }
 
 TEST_CASE("every quantity that differs is named, at its vertex") {
   struct Planted {
-    void (*change)(PathTrace& p);
+    void (*change)(render::PathTrace& p);
     const char* named;
   };
   const Planted all[]{
-      {[](PathTrace& p) { p.cameraNumbers[1] ^= 1; }, "camera: filter y"},
-      {[](PathTrace& p) { p.vertices[0].origin.x += 0.01; }, "camera: ray origin"},
-      {[](PathTrace& p) { p.vertices[0].direction.x += 0.01; }, "camera: ray direction"},
-      {[](PathTrace& p) { p.vertices[0].numbers[6] ^= 1; }, "vertex 1: roulette u"},
-      {[](PathTrace& p) { p.vertices[1].throughput.y = 0.9; }, "vertex 2: throughput"},
-      {[](PathTrace& p) { p.vertices[0].hit->primitive = 1; }, "vertex 1: primitive"},
-      {[](PathTrace& p) { p.vertices[1].hit = p.vertices[0].hit; }, "vertex 2: primitive"},
-      {[](PathTrace& p) { p.vertices[0].hit->position.z += 0.01; }, "vertex 1: position"},
-      {[](PathTrace& p) { p.vertices[0].hit->fromOutside = false; }, "vertex 1: side"},
-      {[](PathTrace& p) { p.vertices[0].hit->normal.z += 0.01; }, "vertex 1: normal"},
-      {[](PathTrace& p) { p.vertices[0].hit->shadingNormal.z += 0.01; }, "vertex 1: shading normal"},
-      {[](PathTrace& p) { p.vertices[0].hit->material = 1; }, "vertex 1: material"},
-      {[](PathTrace& p) {
-         p.vertices[0].emission = EmissionTrace{glm::dvec3(5), 1};
+      {[](render::PathTrace& p) { p.cameraNumbers[1] ^= 1; }, "camera: filter y"},
+      {[](render::PathTrace& p) { p.vertices[0].origin.x += 0.01; }, "camera: ray origin"},
+      {[](render::PathTrace& p) { p.vertices[0].direction.x += 0.01; }, "camera: ray direction"},
+      {[](render::PathTrace& p) { p.vertices[0].numbers[6] ^= 1; }, "vertex 1: roulette u"},
+      {[](render::PathTrace& p) { p.vertices[1].throughput.y = 0.9; }, "vertex 2: throughput"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->primitive = 1; }, "vertex 1: primitive"},
+      {[](render::PathTrace& p) { p.vertices[1].hit = p.vertices[0].hit; }, "vertex 2: primitive"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->position.z += 0.01; }, "vertex 1: position"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->fromOutside = false; }, "vertex 1: side"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->normal.z += 0.01; }, "vertex 1: normal"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->shadingNormal.z += 0.01; }, "vertex 1: shading normal"},
+      {[](render::PathTrace& p) { p.vertices[0].hit->material = 1; }, "vertex 1: material"},
+      {[](render::PathTrace& p) {
+         p.vertices[0].emission = render::EmissionTrace{glm::dvec3(5), 1};
        },
        "vertex 1: emission"},
-      {[](PathTrace& p) { p.vertices[0].light->entry = 1; }, "vertex 1: light"},
-      {[](PathTrace& p) { p.vertices[0].light.reset(); }, "vertex 1: light"},
-      {[](PathTrace& p) { p.vertices[0].light->shadow = ShadowOutcome::occluded; }, "vertex 1: shadow ray"},
-      {[](PathTrace& p) { p.vertices[0].light->primitive = 0; }, "vertex 1: light at"},
-      {[](PathTrace& p) { p.vertices[0].light->direction.x += 0.01; }, "vertex 1: light direction"},
-      {[](PathTrace& p) { p.vertices[0].light->distance *= 1.01; }, "vertex 1: light distance"},
-      {[](PathTrace& p) { p.vertices[0].light->pdf *= 1.01; }, "vertex 1: light pdf"},
-      {[](PathTrace& p) { p.vertices[0].light->bsdfPdf *= 1.01; }, "vertex 1: light BSDF pdf"},
-      {[](PathTrace& p) { p.vertices[0].light->weight *= 1.01; }, "vertex 1: light weight"},
-      {[](PathTrace& p) { p.vertices[0].light->radiance.y *= 1.01; }, "vertex 1: light adds"},
-      {[](PathTrace& p) { p.vertices[0].scattering->lobe = Lobe::glossy; }, "vertex 1: lobe"},
-      {[](PathTrace& p) { p.vertices[0].scattering.reset(); }, "vertex 1: lobe"},
-      {[](PathTrace& p) { p.vertices[0].scattering->direction.x += 0.01; }, "vertex 1: direction"},
-      {[](PathTrace& p) { p.vertices[0].scattering->pdf = 0; }, "vertex 1: pdf"},
-      {[](PathTrace& p) { p.vertices[0].scattering->weight.x *= 1.01; }, "vertex 1: weight"},
-      {[](PathTrace& p) { p.vertices[0].roulette->probability *= 1.01; }, "vertex 1: survival"},
-      {[](PathTrace& p) { p.vertices[0].roulette->survived = false; }, "vertex 1: roulette"},
-      {[](PathTrace& p) { p.vertices[0].radiance.x *= 1.01; }, "vertex 1: radiance so far"},
-      {[](PathTrace& p) { p.radiance.x *= 1.01; }, "sample: radiance"},
+      {[](render::PathTrace& p) { p.vertices[0].light->entry = 1; }, "vertex 1: light"},
+      {[](render::PathTrace& p) { p.vertices[0].light.reset(); }, "vertex 1: light"},
+      {[](render::PathTrace& p) { p.vertices[0].light->shadow = render::ShadowOutcome::occluded; },
+       "vertex 1: shadow ray"},
+      {[](render::PathTrace& p) { p.vertices[0].light->primitive = 0; }, "vertex 1: light at"},
+      {[](render::PathTrace& p) { p.vertices[0].light->direction.x += 0.01; }, "vertex 1: light direction"},
+      {[](render::PathTrace& p) { p.vertices[0].light->distance *= 1.01; }, "vertex 1: light distance"},
+      {[](render::PathTrace& p) { p.vertices[0].light->pdf *= 1.01; }, "vertex 1: light pdf"},
+      {[](render::PathTrace& p) { p.vertices[0].light->bsdfPdf *= 1.01; }, "vertex 1: light BSDF pdf"},
+      {[](render::PathTrace& p) { p.vertices[0].light->weight *= 1.01; }, "vertex 1: light weight"},
+      {[](render::PathTrace& p) { p.vertices[0].light->radiance.y *= 1.01; }, "vertex 1: light adds"},
+      {[](render::PathTrace& p) { p.vertices[0].scattering->lobe = render::Lobe::glossy; }, "vertex 1: lobe"},
+      {[](render::PathTrace& p) { p.vertices[0].scattering.reset(); }, "vertex 1: lobe"},
+      {[](render::PathTrace& p) { p.vertices[0].scattering->direction.x += 0.01; }, "vertex 1: direction"},
+      {[](render::PathTrace& p) { p.vertices[0].scattering->pdf = 0; }, "vertex 1: pdf"},
+      {[](render::PathTrace& p) { p.vertices[0].scattering->weight.x *= 1.01; }, "vertex 1: weight"},
+      {[](render::PathTrace& p) { p.vertices[0].roulette->probability *= 1.01; }, "vertex 1: survival"},
+      {[](render::PathTrace& p) { p.vertices[0].roulette->survived = false; }, "vertex 1: roulette"},
+      {[](render::PathTrace& p) { p.vertices[0].radiance.x *= 1.01; }, "vertex 1: radiance so far"},
+      {[](render::PathTrace& p) { p.radiance.x *= 1.01; }, "sample: radiance"},
   };
   for (const auto& [change, named] : all) CHECK(firstIn(change) == named);
 }
 
 TEST_CASE("what is not finite differs from what is") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(firstIn([](PathTrace& p) { p.radiance.x = kNan; }) == "sample: radiance");
-  CHECK(firstIn([](PathTrace& p) { p.vertices[0].hit->position.x = kNan; }) == "vertex 1: position");
+  CHECK(firstIn([](render::PathTrace& p) { p.radiance.x = kNan; }) == "sample: radiance");
+  CHECK(firstIn([](render::PathTrace& p) { p.vertices[0].hit->position.x = kNan; }) == "vertex 1: position");
 }
 
 TEST_CASE("an earlier number goes before a later decision, and both are told") {
-  const Explanation explanation = explainChanged([](PathTrace& path) {
+  const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].scattering->weight *= 1.005;
     path.vertices[0].roulette->survived = false;
     path.vertices.pop_back();
@@ -105,7 +106,7 @@ TEST_CASE("an earlier number goes before a later decision, and both are told") {
 }
 
 TEST_CASE("behind a decision that differs nothing is compared but the result") {
-  const Explanation explanation = explainChanged([](PathTrace& path) {
+  const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].hit->primitive = 1;
     path.vertices[0].hit->position.x = 7;
     path.radiance *= 2;
@@ -121,7 +122,7 @@ TEST_CASE("behind a decision that differs nothing is compared but the result") {
 }
 
 TEST_CASE("a path that goes on where the other ends is shown alone") {
-  const Explanation explanation = explainChanged([](PathTrace& path) {
+  const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].scattering.reset();
     path.vertices[0].roulette.reset();
     path.vertices.pop_back();
@@ -132,7 +133,7 @@ TEST_CASE("a path that goes on where the other ends is shown alone") {
 }
 
 TEST_CASE("the text names scene, place, tracers and random numbers") {
-  const std::string text = toText(explainChanged([](PathTrace&) {}));
+  const std::string text = toText(explainChanged([](render::PathTrace&) {}));
   CHECK_THAT(text, Contains("made.p3f, pixel 3,4, sample 5, seed 0: a device against the reference\n"));
   CHECK_THAT(text, Contains("  random  light choice 0.0625000  light u 0.1250000"));
   CHECK_THAT(text, Contains("primitive 1 sphere"));
@@ -142,7 +143,7 @@ TEST_CASE("the text names scene, place, tracers and random numbers") {
 TEST_CASE("a path of more vertices than are kept says so") {
   const Explanation explanation = explainMade(
       [] {
-        PathTrace path = madePath();
+        render::PathTrace path = madePath();
         path.vertexCount = 100;
         return path;
       }(),
@@ -151,7 +152,7 @@ TEST_CASE("a path of more vertices than are kept says so") {
 }
 
 TEST_CASE("JSON has each quantity by name, and the first that differs") {
-  const auto json = toJson(explainChanged([](PathTrace& path) { path.vertices[0].light->bsdfPdf = 0.5; }));
+  const auto json = toJson(explainChanged([](render::PathTrace& path) { path.vertices[0].light->bsdfPdf = 0.5; }));
   CHECK(json["schema"] == "candela-explain/1");
   CHECK(json["equal"] == false);
   CHECK(json["pixel"] == nlohmann::json({3, 4}));
@@ -169,9 +170,9 @@ TEST_CASE("JSON has each quantity by name, and the first that differs") {
 }
 
 TEST_CASE("integrators without paths are refused with what to do instead") {
-  CHECK_NOTHROW(requirePaths(Integrator::path));
-  CHECK_THROWS_WITH(requirePaths(Integrator::whitted), Contains("candela compare SCENE"));
-  CHECK_THROWS_AS(requirePaths(Integrator::normal), UsageError);
+  CHECK_NOTHROW(requirePaths(render::Integrator::path));
+  CHECK_THROWS_WITH(requirePaths(render::Integrator::whitted), Contains("candela compare SCENE"));
+  CHECK_THROWS_AS(requirePaths(render::Integrator::normal), UsageError);
 }
 
 }  // namespace candela::explain

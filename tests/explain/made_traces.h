@@ -5,53 +5,53 @@
 namespace candela::explain {
 
 /// Two spheres, the second a lamp; a diffuse material and one that emits.
-inline Scene twoSpheres() {
-  Scene scene;
+inline scene::Scene twoSpheres() {
+  scene::Scene scene;
   scene.name = "made.p3f";
   scene.materials.resize(2);
   scene.materials[1].emission = glm::vec3(5);
   scene.spheres = {{glm::vec3(0), 1}, {glm::vec3(0, 0, 9), 1}};
-  scene.primitives = {{PrimitiveKind::sphere, 0, 0}, {PrimitiveKind::sphere, 1, 1}};
+  scene.primitives = {{scene::PrimitiveKind::sphere, 0, 0}, {scene::PrimitiveKind::sphere, 1, 1}};
   return scene;
 }
 
 /// Off the first sphere, lit by the lamp, and past everything.
-inline PathTrace madePath() {
-  VertexTrace first;
+inline render::PathTrace madePath() {
+  render::VertexTrace first;
   first.origin = {0, -5, 0};
   first.direction = {0, 1, 0};
   first.numbers = {0x10000000u, 0x20000000u, 0x30000000u, 0x40000000u, 0x50000000u, 0x60000000u, 0x70000000u};
-  first.hit = HitTrace{.primitive = 0,
-                       .material = 0,
-                       .distance = 4,
-                       .position = {0, -1, 0},
-                       .normal = {0, -1, 0},
-                       .shadingNormal = {0, -1, 0}};
-  first.light = LightTrace{.entry = 0,
-                           .shadow = ShadowOutcome::visible,
-                           .primitive = 1,
-                           .direction = {0, 0, 1},
-                           .distance = 8,
-                           .pdf = 2,
-                           .bsdfPdf = 0.25,
-                           .weight = 0.75,
-                           .radiance = {0.5, 0.5, 0.5}};
-  first.scattering = ScatteringTrace{Lobe::diffuse, {0, -1, 0}, 0.3, {0.8, 0.8, 0.8}};
-  first.roulette = RouletteTrace{0.8, true};
+  first.hit = render::HitTrace{.primitive = 0,
+                               .material = 0,
+                               .distance = 4,
+                               .position = {0, -1, 0},
+                               .normal = {0, -1, 0},
+                               .shadingNormal = {0, -1, 0}};
+  first.light = render::LightTrace{.entry = 0,
+                                   .shadow = render::ShadowOutcome::visible,
+                                   .primitive = 1,
+                                   .direction = {0, 0, 1},
+                                   .distance = 8,
+                                   .pdf = 2,
+                                   .bsdfPdf = 0.25,
+                                   .weight = 0.75,
+                                   .radiance = {0.5, 0.5, 0.5}};
+  first.scattering = render::ScatteringTrace{render::Lobe::diffuse, {0, -1, 0}, 0.3, {0.8, 0.8, 0.8}};
+  first.roulette = render::RouletteTrace{0.8, true};
   first.radiance = {0.5, 0.5, 0.5};
-  VertexTrace last;
+  render::VertexTrace last;
   last.origin = {0, -1, 0};
   last.direction = {0, -1, 0};
   last.radiance = {0.6, 0.6, 0.6};
-  PathTrace path;
+  render::PathTrace path;
   path.vertices = {first, last};
   path.vertexCount = 2;
   path.radiance = last.radiance;
   return path;
 }
 
-inline Explanation explainMade(const PathTrace& device, const PathTrace& reference) {
-  Replay a{device, {}};
+inline Explanation explainMade(const render::PathTrace& device, const render::PathTrace& reference) {
+  render::Replay a{device, {}};
   a.statistics.device = "a device";
   return explainReplays(twoSpheres(), {}, {3, 4, 5}, a, {reference, {}});
 }

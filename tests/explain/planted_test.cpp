@@ -20,35 +20,35 @@ const char* const kScene =
     "f 0.8 0.7 0.6 1 0 0 0 0 1 0 1 0 0 0\np 4\n-8 -8 0\n8 -8 0\n8 8 0\n-8 8 0\n";
 constexpr std::uint32_t kLamp = 0, kGlass = 1, kShiny = 2, kFarBall = 3, kFloor = 4;
 
-using Change = std::function<void(Scene&, RenderSettings&)>;
-using Wanted = std::function<bool(const VertexTrace& first)>;
+using Change = std::function<void(scene::Scene&, render::RenderSettings&)>;
+using Wanted = std::function<bool(const render::VertexTrace& first)>;
 
-bool sees(const VertexTrace& vertex, std::uint32_t primitive) {
+bool sees(const render::VertexTrace& vertex, std::uint32_t primitive) {
   return vertex.hit && vertex.hit->primitive == primitive;
 }
 
-bool seesLitFloor(const VertexTrace& vertex) {
+bool seesLitFloor(const render::VertexTrace& vertex) {
   const bool floor = sees(vertex, kFloor) || sees(vertex, kFloor + 1);
-  return floor && vertex.light && vertex.light->shadow == ShadowOutcome::visible;
+  return floor && vertex.light && vertex.light->shadow == render::ShadowOutcome::visible;
 }
 
-RenderSettings testSettings() {
-  RenderSettings settings = squareSettings(16, 1);
+render::RenderSettings testSettings() {
+  render::RenderSettings settings = device::squareSettings(16, 1);
   settings.rouletteStart = 0;
   return settings;
 }
 
-ReplayingRenderer& deviceTracer() {
-  static const std::unique_ptr<ReplayingRenderer> tracer = makeGpuRenderer(testDevice());
+render::ReplayingRenderer& deviceTracer() {
+  static const std::unique_ptr<render::ReplayingRenderer> tracer = device::makeGpuRenderer(device::testDevice());
   return *tracer;
 }
 
 // A pixel whose first vertex is as wanted, by the reference.
-PixelSample findPixel(const Scene& scene, const RenderSettings& settings, const Wanted& wanted) {
-  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSettings& settings, const Wanted& wanted) {
+  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
   for (std::uint32_t y = 0; y < settings.size.height; ++y) {
     for (std::uint32_t x = 0; x < settings.size.width; ++x) {
-      const Replay replay = reference->replay(scene, settings, {x, y, 0});
+      const render::Replay replay = reference->replay(scene, settings, {x, y, 0});
       if (wanted(replay.path.vertices.front())) return {x, y, 0};
     }
   }
@@ -58,17 +58,17 @@ PixelSample findPixel(const Scene& scene, const RenderSettings& settings, const 
 
 // The explanation of a wanted pixel where one side, either one, has a changed scene or changed settings.
 Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDevice) {
-  const Scene scene = sceneFromText(kScene);
-  const RenderSettings settings = testSettings();
+  const scene::Scene scene = device::sceneFromText(kScene);
+  const render::RenderSettings settings = testSettings();
   REQUIRE(scene.primitives.size() == 6);
-  const PixelSample pixel = findPixel(scene, settings, wanted);
-  Scene changedScene = scene;
-  RenderSettings changedSettings = settings;
+  const render::PixelSample pixel = findPixel(scene, settings, wanted);
+  scene::Scene changedScene = scene;
+  render::RenderSettings changedSettings = settings;
   change(changedScene, changedSettings);
-  const auto replay = [&](ReplayingRenderer& tracer, bool changed) {
+  const auto replay = [&](render::ReplayingRenderer& tracer, bool changed) {
     return tracer.replay(changed ? changedScene : scene, changed ? changedSettings : settings, pixel);
   };
-  const std::unique_ptr<ReplayingRenderer> reference = makeReferenceRenderer();
+  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
   return explainReplays(scene, settings, pixel, replay(deviceTracer(), onDevice), replay(*reference, !onDevice));
 }
 
@@ -85,37 +85,39 @@ void requireFirst(const Wanted& wanted, const Change& change, const std::string&
 
 TEST_CASE("nothing planted, nothing named") {
   const Explanation explanation = explainPlanted(
-      seesLitFloor, [](Scene&, RenderSettings&) {}, true);
+      seesLitFloor, [](scene::Scene&, render::RenderSettings&) {}, true);
   CAPTURE(toText(explanation));
   CHECK_FALSE(explanation.firstDifference);
   CHECK(explanation.furthestBefore);
 }
 
 TEST_CASE("another albedo is named where the surface is lit, with its size") {
-  const auto brighter = [](Scene& scene, RenderSettings&) { scene.materials[3].diffuse *= 1.005f; };
+  const auto brighter = [](scene::Scene& scene, render::RenderSettings&) { scene.materials[3].diffuse *= 1.005f; };
   requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
   const Explanation explanation = explainPlanted(seesLitFloor, brighter, true);
   CHECK(explanation.at(*explanation.firstDifference).apart == Approx(0.005 / 1.005).epsilon(0.01));
 }
 
 TEST_CASE("another radius is named by the position") {
-  requireFirst([](const VertexTrace& v) { return sees(v, kShiny); },
-               [](Scene& scene, RenderSettings&) { scene.spheres[kShiny].radius = 1.01f; }, "vertex 1", "position");
+  requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
+               [](scene::Scene& scene, render::RenderSettings&) { scene.spheres[kShiny].radius = 1.01f; }, "vertex 1",
+               "position");
 }
 
 TEST_CASE("another index of refraction is named by the direction in the glass") {
-  const auto refracts = [](const VertexTrace& v) {
-    return sees(v, kGlass) && v.scattering && v.scattering->lobe == Lobe::refract;
+  const auto refracts = [](const render::VertexTrace& v) {
+    return sees(v, kGlass) && v.scattering && v.scattering->lobe == render::Lobe::refract;
   };
   requireFirst(
-      refracts, [](Scene& scene, RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1", "direction");
+      refracts, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1",
+      "direction");
 }
 
 TEST_CASE("a surface that is gone is named by the primitive") {
   requireFirst(
       seesLitFloor,
-      [](Scene& scene, RenderSettings&) {
-        for (Triangle& triangle : scene.triangles) {
+      [](scene::Scene& scene, render::RenderSettings&) {
+        for (scene::Triangle& triangle : scene.triangles) {
           for (glm::vec3& corner : triangle.p) corner.z -= 1000;
         }
       },
@@ -123,51 +125,57 @@ TEST_CASE("a surface that is gone is named by the primitive") {
 }
 
 TEST_CASE("another material of a primitive is named as such") {
-  requireFirst([](const VertexTrace& v) { return sees(v, kShiny); },
-               [](Scene& scene, RenderSettings&) { scene.primitives[kShiny].material = 3; }, "vertex 1", "material");
+  requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
+               [](scene::Scene& scene, render::RenderSettings&) { scene.primitives[kShiny].material = 3; }, "vertex 1",
+               "material");
 }
 
 TEST_CASE("a lamp that shines more is named where it is seen, and by the light that it adds") {
-  const auto brighter = [](Scene& scene, RenderSettings&) { scene.materials[0].emission *= 1.01f; };
+  const auto brighter = [](scene::Scene& scene, render::RenderSettings&) { scene.materials[0].emission *= 1.01f; };
   requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
 }
 
 TEST_CASE("a lamp elsewhere is named by the direction to it") {
   requireFirst(
-      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; }, "vertex 1",
-      "light direction");
+      seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; },
+      "vertex 1", "light direction");
 }
 
 TEST_CASE("something in the way of the light is named by the shadow ray") {
-  const auto blocked = [](Scene& scene, RenderSettings&) { scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f}; };
-  const auto belowLamp = [](const VertexTrace& v) {
+  const auto blocked = [](scene::Scene& scene, render::RenderSettings&) {
+    scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f};
+  };
+  const auto belowLamp = [](const render::VertexTrace& v) {
     return seesLitFloor(v) && glm::length(glm::dvec2(v.hit->position) - glm::dvec2(2, -1)) < 1;
   };
   requireFirst(belowLamp, blocked, "vertex 1", "shadow ray");
 }
 
 TEST_CASE("another roulette is named as a decision") {
-  requireFirst([](const VertexTrace& v) { return seesLitFloor(v) && v.roulette && v.roulette->survived; },
-               [](Scene&, RenderSettings& settings) { settings.rouletteStart = 5; }, "vertex 1", "roulette");
+  requireFirst([](const render::VertexTrace& v) { return seesLitFloor(v) && v.roulette && v.roulette->survived; },
+               [](scene::Scene&, render::RenderSettings& settings) { settings.rouletteStart = 5; }, "vertex 1",
+               "roulette");
 }
 
 TEST_CASE("another camera is named by its ray, another seed by the first random number") {
   requireFirst(
-      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera", "ray origin");
+      seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera",
+      "ray origin");
   requireFirst(
-      seesLitFloor, [](Scene& scene, RenderSettings&) { scene.camera->angle += 0.1f; }, "camera", "ray direction");
+      seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.camera->angle += 0.1f; }, "camera",
+      "ray direction");
   requireFirst(
-      seesLitFloor, [](Scene&, RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
+      seesLitFloor, [](scene::Scene&, render::RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
 }
 
 TEST_CASE("a difference at a later vertex is named there") {
   // Off the shiny ball onto the floor, whose albedo differs: all up to there is equal.
-  const auto viaBall = [](const VertexTrace& v) {
+  const auto viaBall = [](const render::VertexTrace& v) {
     return sees(v, kShiny) && v.scattering && v.scattering->direction.z < -0.5;
   };
   const bool onDevice = GENERATE(true, false);
   const Explanation explanation = explainPlanted(
-      viaBall, [](Scene& scene, RenderSettings&) { scene.materials[3].diffuse *= 1.005f; }, onDevice);
+      viaBall, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[3].diffuse *= 1.005f; }, onDevice);
   CAPTURE(toText(explanation));
   REQUIRE(explanation.firstDifference);
   CHECK(explanation.stages[explanation.firstDifference->stage].title == "vertex 2");

@@ -19,8 +19,8 @@ std::string generatedText(const std::string& kind, std::uint32_t size) {
   return text;
 }
 
-LoadedScene generatedScene(const std::string& kind, std::uint32_t size) {
-  return parseScene(generatedText(kind, size), kind, ".");
+scene::LoadedScene generatedScene(const std::string& kind, std::uint32_t size) {
+  return scene::parseScene(generatedText(kind, size), kind, ".");
 }
 
 }  // namespace candela

@@ -10,6 +10,6 @@ namespace candela {
 const generate::Kind& kindNamed(const std::string& name);
 std::string generatedText(const std::string& kind, std::uint32_t size);
 /// Read strictly.
-LoadedScene generatedScene(const std::string& kind, std::uint32_t size);
+scene::LoadedScene generatedScene(const std::string& kind, std::uint32_t size);
 
 }  // namespace candela

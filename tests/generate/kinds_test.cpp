@@ -36,8 +36,8 @@ TEST_CASE(
                                                          {"jacks", "Kd + Ks + T = 1.4"}};
   for (const generate::Kind& kind : generate::kindTable()) {
     CAPTURE(kind.name);
-    const LoadedScene loaded = generatedScene(std::string(kind.name), kind.smallestSize);
-    for (const Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
+    const scene::LoadedScene loaded = generatedScene(std::string(kind.name), kind.smallestSize);
+    for (const scene::Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
     CHECK(loaded.scene.camera);
     const auto found = expected.find(kind.name);
     REQUIRE(loaded.warnings.size() == (found == expected.end() ? 0 : 1));

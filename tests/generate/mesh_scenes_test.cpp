@@ -17,9 +17,9 @@ using Edge = std::pair<Point, Point>;
 Point key(const glm::vec3& p) { return {p.x, p.y, p.z}; }
 
 /// Of each edge from a to b: how often there is one more of it than of b to a.
-std::map<Edge, int> unmatchedEdges(std::span<const Triangle> triangles) {
+std::map<Edge, int> unmatchedEdges(std::span<const scene::Triangle> triangles) {
   std::map<Edge, int> edges;
-  for (const Triangle& triangle : triangles) {
+  for (const scene::Triangle& triangle : triangles) {
     for (int i = 0; i < 3; ++i) {
       const Point a = key(triangle.p[i]);
       const Point b = key(triangle.p[(i + 1) % 3]);
@@ -31,7 +31,7 @@ std::map<Edge, int> unmatchedEdges(std::span<const Triangle> triangles) {
   return edges;
 }
 
-glm::dvec3 normalOf(const Triangle& triangle) {
+glm::dvec3 normalOf(const scene::Triangle& triangle) {
   const glm::dvec3 a = triangle.p[0], b = triangle.p[1], c = triangle.p[2];
   return glm::cross(b - a, c - a);
 }
@@ -41,10 +41,10 @@ using Corner = std::tuple<Point, Colour, Colour>;  ///< where, the surface's col
 
 /// Corners of the triangles of a scene from `first` on, which must be diffuse. Lamps have no colour here: those of
 /// `al` statements are black.
-std::set<Corner> cornersOf(const Scene& scene, std::size_t first, std::size_t count) {
+std::set<Corner> cornersOf(const scene::Scene& scene, std::size_t first, std::size_t count) {
   std::set<Corner> corners;
   for (std::size_t i = first; i < first + count; ++i) {
-    const Material& material = scene.materials[scene.primitives[i].material];
+    const scene::Material& material = scene.materials[scene.primitives[i].material];
     const glm::vec3 colour = isEmissive(material) ? glm::vec3(0) : material.diffuse;
     CHECK(material.kd == 1);
     for (const glm::vec3& p : scene.triangles[scene.primitives[i].index].p) {
@@ -57,9 +57,9 @@ std::set<Corner> cornersOf(const Scene& scene, std::size_t first, std::size_t co
 }  // namespace
 
 TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
-  const Scene scene = generatedScene("terrain", 64).scene;
+  const scene::Scene scene = generatedScene("terrain", 64).scene;
   glm::vec3 least(1e9f), greatest(-1e9f);
-  for (const Triangle& triangle : scene.triangles) {
+  for (const scene::Triangle& triangle : scene.triangles) {
     CHECK(normalOf(triangle).z > 0);
     for (const glm::vec3& p : triangle.p) {
       least = glm::min(least, p);
@@ -74,16 +74,16 @@ TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
 }
 
 TEST_CASE("terrain is the same landscape at every size") {
-  const auto heightAt = [](const Scene& scene, const glm::vec2& place) {
-    for (const Triangle& triangle : scene.triangles) {
+  const auto heightAt = [](const scene::Scene& scene, const glm::vec2& place) {
+    for (const scene::Triangle& triangle : scene.triangles) {
       for (const glm::vec3& p : triangle.p) {
         if (glm::vec2(p) == place) return p.z;
       }
     }
     return -1.f;
   };
-  const Scene coarse = generatedScene("terrain", 11).scene;
-  const Scene fine = generatedScene("terrain", 101).scene;
+  const scene::Scene coarse = generatedScene("terrain", 11).scene;
+  const scene::Scene fine = generatedScene("terrain", 101).scene;
   for (const glm::vec2& place : {glm::vec2(-50, -50), {10, -20}, {40, 50}}) {
     CHECK(heightAt(coarse, place) > 0);
     CHECK(heightAt(coarse, place) == heightAt(fine, place));
@@ -93,12 +93,12 @@ TEST_CASE("terrain is the same landscape at every size") {
 TEST_CASE("the bumpy sphere is closed, faces outwards and lies within its room") {
   for (const std::uint32_t size : {1u, 2u, 9u, 76u}) {
     CAPTURE(size);
-    const Scene scene = generatedScene("sphere", size).scene;
-    const std::span<const Triangle> all = scene.triangles;
-    const std::span<const Triangle> sphere = all.last(12 * size * size);
+    const scene::Scene scene = generatedScene("sphere", size).scene;
+    const std::span<const scene::Triangle> all = scene.triangles;
+    const std::span<const scene::Triangle> sphere = all.last(12 * size * size);
     CHECK(unmatchedEdges(sphere).empty());
     const glm::dvec3 centre(0, 0, 1.8);
-    for (const Triangle& triangle : sphere) {
+    for (const scene::Triangle& triangle : sphere) {
       REQUIRE(glm::dot(normalOf(triangle), glm::dvec3(triangle.p[0]) - centre) > 0);
       for (const glm::vec3& p : triangle.p) {
         const double radius = glm::length(glm::dvec3(p) - centre);
@@ -109,15 +109,15 @@ TEST_CASE("the bumpy sphere is closed, faces outwards and lies within its room")
 }
 
 TEST_CASE("the room with its lamp is closed and faces inwards") {
-  const Scene scene = generatedScene("sphere", 1).scene;
-  const std::span<const Triangle> all = scene.triangles;
-  const std::span<const Triangle> room = all.first(20);
+  const scene::Scene scene = generatedScene("sphere", 1).scene;
+  const std::span<const scene::Triangle> all = scene.triangles;
+  const std::span<const scene::Triangle> room = all.first(20);
   CHECK(unmatchedEdges(room).empty());
-  for (const Triangle& triangle : room) {
+  for (const scene::Triangle& triangle : room) {
     CHECK(glm::dot(normalOf(triangle), glm::dvec3(0, 0, 1.8) - glm::dvec3(triangle.p[0])) > 0);
   }
   std::size_t shining = 0;
-  for (const Primitive& primitive : scene.primitives) {
+  for (const scene::Primitive& primitive : scene.primitives) {
     shining += isEmissive(scene.materials[primitive.material]) ? 1 : 0;
   }
   CHECK(shining == 2);
@@ -127,12 +127,12 @@ TEST_CASE("the balls of the Cornell box are closed, face outwards, and touch nei
   const std::array<glm::dvec3, 2> centres{{{380, 101, 370}, {175, 101, 180}}};
   for (const std::uint32_t size : {1u, 2u, 29u}) {
     CAPTURE(size);
-    const Scene scene = generatedScene("cornell", size).scene;
-    const std::span<const Triangle> balls = std::span<const Triangle>(scene.triangles).subspan(18);
+    const scene::Scene scene = generatedScene("cornell", size).scene;
+    const std::span<const scene::Triangle> balls = std::span<const scene::Triangle>(scene.triangles).subspan(18);
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::span<const Triangle> ball = balls.subspan(i * 12 * size * size, 12 * size * size);
+      const std::span<const scene::Triangle> ball = balls.subspan(i * 12 * size * size, 12 * size * size);
       CHECK(unmatchedEdges(ball).empty());
-      for (const Triangle& triangle : ball) {
+      for (const scene::Triangle& triangle : ball) {
         REQUIRE(glm::dot(normalOf(triangle), glm::dvec3(triangle.p[0]) - centres[i]) > 0);
         for (const glm::vec3& p : triangle.p) {
           REQUIRE(glm::length(glm::dvec3(p) - centres[i]) == Approx(100).epsilon(1e-5));
@@ -146,9 +146,9 @@ TEST_CASE("the balls of the Cornell box are closed, face outwards, and touch nei
 }
 
 TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
-  const Scene scene = generatedScene("cornell", 1).scene;
-  const Material& mirror = scene.materials[scene.primitives[18].material];
-  const Material& glass = scene.materials[scene.primitives[18 + 12].material];
+  const scene::Scene scene = generatedScene("cornell", 1).scene;
+  const scene::Material& mirror = scene.materials[scene.primitives[18].material];
+  const scene::Material& glass = scene.materials[scene.primitives[18 + 12].material];
   CHECK(mirror.ks == 1);
   CHECK(mirror.kd == 0);
   CHECK((glass.kd == 0 && glass.ks == 0));
@@ -156,10 +156,11 @@ TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
 }
 
 TEST_CASE("the balls' box and lamp are those of scenes/cornell.p3f, open at the front alone") {
-  const Scene box = generatedScene("cornell", 1).scene;
-  const Scene original = loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f").scene;
+  const scene::Scene box = generatedScene("cornell", 1).scene;
+  const scene::Scene original = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
+                                    .scene;
   CHECK(cornersOf(box, 0, 18) == cornersOf(original, 0, 18));
-  const std::map<Edge, int> open = unmatchedEdges(std::span<const Triangle>(box.triangles).first(18));
+  const std::map<Edge, int> open = unmatchedEdges(std::span<const scene::Triangle>(box.triangles).first(18));
   CHECK(open.size() == 4);
   for (const auto& [edge, surplus] : open) {
     CHECK(std::get<2>(edge.first) == 0);

@@ -15,14 +15,14 @@ struct Expectation {
   std::size_t triangles = 0;  ///< as traced
 };
 
-std::size_t statements(const LoadedScene& loaded, const std::string& kind) {
+std::size_t statements(const scene::LoadedScene& loaded, const std::string& kind) {
   const auto found = loaded.counts.find(kind);
   return found == loaded.counts.end() ? 0 : found->second;
 }
 
 void check(const std::string& kind, std::uint32_t size, const Expectation& expected) {
   CAPTURE(kind, size);
-  const LoadedScene loaded = generatedScene(kind, size);
+  const scene::LoadedScene loaded = generatedScene(kind, size);
   CHECK(loaded.scene.spheres.size() == expected.spheres);
   CHECK(loaded.scene.cones.size() == expected.cones);
   CHECK(statements(loaded, "polygon") == expected.polygons);

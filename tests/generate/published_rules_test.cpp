@@ -12,9 +12,9 @@ namespace {
 using Heights = std::map<std::pair<float, float>, float>;
 
 /// z over x and y, of all vertices.
-Heights heightsOf(const Scene& scene) {
+Heights heightsOf(const scene::Scene& scene) {
   Heights heights;
-  for (const Triangle& triangle : scene.triangles) {
+  for (const scene::Triangle& triangle : scene.triangles) {
     for (const glm::vec3& p : triangle.p) {
       const auto [place, isNew] = heights.insert({{p.x, p.y}, p.z});
       REQUIRE((isNew || place->second == p.z));  // neighbours agree about their common vertices
@@ -23,7 +23,7 @@ Heights heightsOf(const Scene& scene) {
   return heights;
 }
 
-bool touch(const Sphere& a, const Sphere& b) {
+bool touch(const scene::Sphere& a, const scene::Sphere& b) {
   const double distance = glm::length(glm::dvec3(a.centre) - glm::dvec3(b.centre));
   return std::abs(distance - (a.radius + b.radius)) < 1e-5;
 }
@@ -31,11 +31,11 @@ bool touch(const Sphere& a, const Sphere& b) {
 }  // namespace
 
 TEST_CASE("every ball but the first touches its parent, which has three times its radius") {
-  const std::vector<Sphere> balls = generatedScene("balls", 3).scene.spheres;
+  const std::vector<scene::Sphere> balls = generatedScene("balls", 3).scene.spheres;
   for (std::size_t i = 1; i < balls.size(); ++i) {
     const bool hasParent = std::any_of(
         balls.begin(), balls.begin() + static_cast<std::ptrdiff_t>(i),
-        [&](const Sphere& p) { return std::abs(p.radius - 3 * balls[i].radius) < 1e-5 && touch(p, balls[i]); });
+        [&](const scene::Sphere& p) { return std::abs(p.radius - 3 * balls[i].radius) < 1e-5 && touch(p, balls[i]); });
     CAPTURE(i);
     CHECK(hasParent);
   }
@@ -61,7 +61,7 @@ TEST_CASE("the mountain's rim is displaced and its corners are not") {
 }
 
 TEST_CASE("tetra's triangles are equilateral, of one size, and face outwards") {
-  const Scene scene = generatedScene("tetra", 3).scene;
+  const scene::Scene scene = generatedScene("tetra", 3).scene;
   const double side = 2 * std::sqrt(2.0) / 4;
   for (std::size_t i = 0; i < scene.triangles.size(); i += 4) {
     glm::dvec3 middle(0);
@@ -79,7 +79,7 @@ TEST_CASE("tetra's triangles are equilateral, of one size, and face outwards") {
 }
 
 TEST_CASE("gears that mesh are apart, and turn in half steps") {
-  const Scene scene = generatedScene("gears", 2).scene;
+  const scene::Scene scene = generatedScene("gears", 2).scene;
   const std::size_t trianglesOfGear = 2 * 142 + 144 * 2;
   REQUIRE(scene.triangles.size() == 2 + 8 * trianglesOfGear);
   const auto greatest = [&](std::size_t gear, int axis) {
@@ -98,8 +98,8 @@ TEST_CASE("gears that mesh are apart, and turn in half steps") {
 
 TEST_CASE("the sombrero is cos(2 pi r) exp(-r), sampled a little denser than its vertices lie") {
   constexpr int kPoints = 64;
-  const Scene scene = generatedScene("sombrero", 2).scene;
-  for (const Triangle& triangle : scene.triangles) {
+  const scene::Scene scene = generatedScene("sombrero", 2).scene;
+  for (const scene::Triangle& triangle : scene.triangles) {
     for (const glm::vec3& p : triangle.p) {
       const double column = std::round((p.x + 4.0) / 8 * (kPoints - 1));
       const double row = std::round((p.z + 4.0) / 8 * (kPoints - 1));
@@ -112,10 +112,10 @@ TEST_CASE("the sombrero is cos(2 pi r) exp(-r), sampled a little denser than its
 }
 
 TEST_CASE("the teapot's normals are unit and point to the front of its triangles") {
-  const Scene scene = generatedScene("teapot", 8).scene;
+  const scene::Scene scene = generatedScene("teapot", 8).scene;
   CHECK(scene.vertexNormals.size() == 64 * 8 * 8 - 8 * 8);
-  for (const Triangle& triangle : scene.triangles) {
-    if (triangle.normals == Triangle::kNoNormals) continue;
+  for (const scene::Triangle& triangle : scene.triangles) {
+    if (triangle.normals == scene::Triangle::kNoNormals) continue;
     const glm::dvec3 a = triangle.p[0], b = triangle.p[1], c = triangle.p[2];
     const glm::dvec3 front = glm::cross(b - a, c - a);
     for (const glm::vec3& normal : scene.vertexNormals[triangle.normals].n) {

@@ -6,6 +6,7 @@
 #include "host/image/image.h"
 
 using namespace candela;
+using namespace candela::image;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "host/image/colour_map.h"
 
 using namespace candela;
+using namespace candela::image;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "host/core/errors.h"
 
 using namespace candela;
+using namespace candela::image;
 
 namespace {
 

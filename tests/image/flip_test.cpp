@@ -10,6 +10,7 @@
 #include "host/image/flip_colour.h"
 
 using namespace candela;
+using namespace candela::image;
 
 namespace {
 

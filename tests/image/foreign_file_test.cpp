@@ -13,6 +13,7 @@
 #include "tests/image/test_images.h"
 
 using namespace candela;
+using namespace candela::image;
 namespace fs = std::filesystem;
 
 namespace {

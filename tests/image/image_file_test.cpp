@@ -8,6 +8,7 @@
 #include "tests/image/test_images.h"
 
 using namespace candela;
+using namespace candela::image;
 
 TEST_CASE("an image of a film has its means, variances and counts") {
   Film film(2, 1);

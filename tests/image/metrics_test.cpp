@@ -8,6 +8,7 @@
 #include "tests/image/test_images.h"
 
 using namespace candela;
+using namespace candela::image;
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include "host/image/image.h"
 
 /// Colours over ten decades, with variance, counts and metadata.
-inline candela::Image testImage(std::uint32_t width, std::uint32_t height) {
+inline candela::image::Image testImage(std::uint32_t width, std::uint32_t height) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> exponent(-20, 14);
-  candela::Image image{width, height, {}, {}, {}, {}, {}};
+  candela::image::Image image{width, height, {}, {}, {}, {}, {}};
   for (std::uint32_t i = 0; i < width * height; ++i) {
     image.rgb.emplace_back(std::exp2(exponent(random)), std::exp2(exponent(random)), std::exp2(exponent(random)));
     image.luminanceVariance.push_back(std::exp2(exponent(random)));
@@ -22,8 +22,8 @@ inline candela::Image testImage(std::uint32_t width, std::uint32_t height) {
 }
 
 /// All 256 values in each channel, in different orders.
-inline candela::Pixels8 testPixels() {
-  candela::Pixels8 pixels{16, 16, {}};
+inline candela::image::Pixels8 testPixels() {
+  candela::image::Pixels8 pixels{16, 16, {}};
   for (unsigned i = 0; i < 256; ++i) {
     for (const unsigned value : {i, 255 - i, (i * 77) % 256}) pixels.rgb.push_back(static_cast<std::uint8_t>(value));
   }

@@ -13,8 +13,8 @@ using test::SceneBuilder;
 namespace {
 
 // Only what camera rays meet.
-RenderSettings directView(std::uint32_t side, std::uint32_t samples) {
-  RenderSettings settings = test::settingsOf(side, side, samples);
+render::RenderSettings directView(std::uint32_t side, std::uint32_t samples) {
+  render::RenderSettings settings = test::settingsOf(side, side, samples);
   settings.maxDepth = 1;
   settings.nextEventEstimation = false;
   return settings;
@@ -41,7 +41,7 @@ struct Moments {
 };
 
 // Of an image's light over the places of its pixels' centres.
-Moments momentsOf(const Film& film) {
+Moments momentsOf(const image::Film& film) {
   Moments moments;
   const auto forEachPixel = [&](const auto& body) {
     for (std::uint32_t y = 0; y < film.height(); ++y) {
@@ -87,11 +87,11 @@ TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, 
   const dvec2 place(7, -4);                                                      // in pixels from the image's centre
   addRectangle(b, pixel * (place - kPointSide / 2), pixel * (place + kPointSide / 2), kDistance);
 
-  for (const LensKind lens : {LensKind::disc, LensKind::square}) {
-    RenderSettings settings = directView(kSide, 256);
+  for (const render::LensKind lens : {render::LensKind::disc, render::LensKind::square}) {
+    render::RenderSettings settings = directView(kSide, 256);
     settings.lens = lens;
-    const Moments seen = momentsOf(render(b.scene, settings).film);
-    const bool disc = lens == LensKind::disc;
+    const Moments seen = momentsOf(renderScene(b.scene, settings).film);
+    const bool disc = lens == render::LensKind::disc;
     CAPTURE(disc);
     // Variances add up: of lens, square point and the pixels that the image is cut into.
     const double ofLens = disc ? kRadius * kRadius / 2 : 2 * kRadius * kRadius / 3;
@@ -115,14 +115,14 @@ TEST_CASE("an edge shows the pixel filter's distribution function, across and do
   };
   addRectangle(b, onPlane({-8, edge.y}), onPlane({edge.x, -8}), 1);
 
-  for (const FilterKind filter : {FilterKind::box, FilterKind::tent}) {
-    RenderSettings settings = directView(kSide, 4096);
+  for (const render::FilterKind filter : {render::FilterKind::box, render::FilterKind::tent}) {
+    render::RenderSettings settings = directView(kSide, 4096);
     settings.filter = filter;
-    const Film film = render(b.scene, settings).film;
-    const auto below = filter == FilterKind::box ? boxBelow : tentBelow;
+    const image::Film film = renderScene(b.scene, settings).film;
+    const auto below = filter == render::FilterKind::box ? boxBelow : tentBelow;
     for (std::uint32_t y = 0; y < kSide; ++y) {
       for (std::uint32_t x = 0; x < kSide; ++x) {
-        CAPTURE(filter == FilterKind::tent, x, y);
+        CAPTURE(filter == render::FilterKind::tent, x, y);
         CHECK(film.mean(x, y).x == Approx(below(edge.x - x - 0.5) * below(edge.y - y - 0.5)).margin(3e-3));
       }
     }

@@ -24,7 +24,7 @@ struct ClosedMesh {
     moved.middle = place;
     return moved;
   }
-  Scene scene() const {
+  scene::Scene scene() const {
     test::SceneBuilder b;
     b.material(test::diffuseMaterial(glm::vec3(0.5f)));
     for (const glm::uvec3& f : faces) b.triangle(vertices[f.x], vertices[f.y], vertices[f.z]);

@@ -18,13 +18,15 @@ using glm::vec4;
 
 const double kRounding = 1e-5;
 
-RenderResult render(const Scene& scene, const RenderSettings& settings) { return renderOnDevice(scene, settings); }
+render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings) {
+  return device::renderOnDevice(scene, settings);
+}
 
 WarpValues warps(std::span<const vec3> numbers, float capHeight) {
   std::vector<vec4> inputs;
   for (const vec3& u : numbers) inputs.emplace_back(u, capHeight);
-  const auto rows = runLeaf<vec4>(spirv::warps_leaf, inputs, 3 * inputs.size(),
-                                  {static_cast<std::uint32_t>(inputs.size()), 0});
+  const auto rows = device::runLeaf<vec4>(spirv::warps_leaf, inputs, 3 * inputs.size(),
+                                          {static_cast<std::uint32_t>(inputs.size()), 0});
   WarpValues values;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     values.disc.emplace_back(rows[3 * i].x, rows[3 * i].y);
@@ -41,13 +43,13 @@ WarpValues warps(std::span<const vec3> numbers, float capHeight) {
 namespace {
 
 // Every material on a sphere of its own, which makes it one that the scene uses.
-Scene sceneOfMaterials(const std::vector<Material>& materials) {
-  Scene scene;
+scene::Scene sceneOfMaterials(const std::vector<scene::Material>& materials) {
+  scene::Scene scene;
   scene.camera.emplace();
   scene.materials = materials;
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
     scene.spheres.push_back({vec3(0), 1});
-    scene.primitives.push_back({PrimitiveKind::sphere, i, i});
+    scene.primitives.push_back({scene::PrimitiveKind::sphere, i, i});
   }
   return scene;
 }
@@ -59,11 +61,11 @@ std::uint32_t count(float value) { return static_cast<std::uint32_t>(value); }
 }  // namespace
 
 struct MaterialLeaves::Side {
-  SceneLeaf leaf;
+  device::SceneLeaf leaf;
 };
 
-MaterialLeaves::MaterialLeaves(const std::vector<Material>& materials)
-    : side_(new Side{SceneLeaf(spirv::material_leaf, sceneOfMaterials(materials))}) {}
+MaterialLeaves::MaterialLeaves(const std::vector<scene::Material>& materials)
+    : side_(new Side{device::SceneLeaf(spirv::material_leaf, sceneOfMaterials(materials))}) {}
 MaterialLeaves::~MaterialLeaves() = default;
 
 std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> queries) const {
@@ -75,8 +77,8 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
   const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), queries.size(), 0);
   std::vector<Scattered> samples(queries.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto lobe = static_cast<Lobe>(rows[2 * i + 1].w);
-    if (lobe != Lobe::none) samples[i] = {lobe, vec3(rows[2 * i]), vec3(rows[2 * i + 1]), rows[2 * i].w};
+    const auto lobe = static_cast<render::Lobe>(rows[2 * i + 1].w);
+    if (lobe != render::Lobe::none) samples[i] = {lobe, vec3(rows[2 * i]), vec3(rows[2 * i + 1]), rows[2 * i].w};
   }
   return samples;
 }
@@ -96,7 +98,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct LightLeaves::Side {
-  SceneLeaf leaf;
+  device::SceneLeaf leaf;
 
   // As light_leaf.comp numbers them.
   static constexpr std::uint32_t kChoose = 0, kSample = 1, kFind = 2;
@@ -112,7 +114,7 @@ struct LightLeaves::Side {
   }
 };
 
-LightLeaves::LightLeaves(const Scene& scene) : side_(new Side{SceneLeaf(spirv::light_leaf, scene)}) {}
+LightLeaves::LightLeaves(const scene::Scene& scene) : side_(new Side{device::SceneLeaf(spirv::light_leaf, scene)}) {}
 LightLeaves::~LightLeaves() = default;
 
 std::vector<ChosenLight> LightLeaves::choose(std::span<const std::uint32_t> words) const {
@@ -151,10 +153,10 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct RayLeaves::Side {
-  SceneLeaf leaf;
+  device::SceneLeaf leaf;
 };
 
-RayLeaves::RayLeaves(const Scene& scene) : side_(new Side{SceneLeaf(spirv::ray_leaf, scene)}) {}
+RayLeaves::RayLeaves(const scene::Scene& scene) : side_(new Side{device::SceneLeaf(spirv::ray_leaf, scene)}) {}
 RayLeaves::~RayLeaves() = default;
 
 std::vector<TracedHit> RayLeaves::closest(std::span<const ProofRay> rays) const {

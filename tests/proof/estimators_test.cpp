@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kSamples = 1000000;
 
-const Material kFloor = mixtureMaterial(0.3f, 0.6f, 15);
+const scene::Material kFloor = mixtureMaterial(0.3f, 0.6f, 15);
 
 // The lamps over the origin, none in the way of another there.
 SceneBuilder lampsAlone() {
@@ -30,7 +30,7 @@ SceneBuilder lampsAlone() {
 }
 
 // Seen from where the glossy lobe points between the lamps. So narrow an angle that every ray meets the origin.
-Scene lampsOverFloor() {
+scene::Scene lampsOverFloor() {
   SceneBuilder b = lampsAlone();
   b.material(kFloor).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.view({0.5f, -2.5f, 2.5f}, {0, 0, 0}, {0, 0, 1}, 1e-3f);
@@ -38,12 +38,12 @@ Scene lampsOverFloor() {
 }
 
 Estimate rendered(bool nextEventEstimation) {
-  RenderSettings settings = test::settingsOf(32, 32, kSamples >> 10);
-  settings.sampler = SamplerKind::independent;
+  render::RenderSettings settings = test::settingsOf(32, 32, kSamples >> 10);
+  settings.sampler = render::SamplerKind::independent;
   settings.maxDepth = 2;
   settings.nextEventEstimation = nextEventEstimation;
   settings.seed = nextEventEstimation ? 1 : 2;
-  return test::estimateOf(render(lampsOverFloor(), settings).film);
+  return test::estimateOf(renderScene(lampsOverFloor(), settings).film);
 }
 
 // The floor's frame at the origin is that of the world.
@@ -63,7 +63,7 @@ Estimate byLightSamples() {
     double own = 0, ownSquares = 0;
     for (std::size_t i = 0; i < lit.size(); ++i) {
       if (lit[i].pdf == 0) continue;
-      const double light = luminance(values[i].f * lit[i].emission) * lit[i].wi.z * probability / lit[i].pdf;
+      const double light = image::luminance(values[i].f * lit[i].emission) * lit[i].wi.z * probability / lit[i].pdf;
       own += light;
       ownSquares += light * light;
     }

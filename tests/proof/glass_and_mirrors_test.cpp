@@ -14,8 +14,8 @@ using test::SceneBuilder;
 
 namespace {
 
-RenderSettings longPaths(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
-  RenderSettings settings = test::settingsOf(width, height, samples);
+render::RenderSettings longPaths(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+  render::RenderSettings settings = test::settingsOf(width, height, samples);
   settings.rouletteStart = settings.maxDepth;
   return settings;
 }
@@ -49,9 +49,9 @@ TEST_CASE("a corridor of two mirrors dims its end once for every mirror that unf
   b.plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1}).quad({1, -9, -9}, {1, 9, -9}, {1, 9, 9}, {1, -9, 9});
   b.material(diffuseMaterial(vec3(0), {1, 2, 3})).plane({0, kLength, 0}, {0, kLength, 1}, {1, kLength, 0});
   b.view({kStart, 0, 0}, {kStart, 1, 0}, {0, 0, 1}, 2.7f);
-  RenderSettings settings = longPaths(kWidth, kHeight, 1);
+  render::RenderSettings settings = longPaths(kWidth, kHeight, 1);
   settings.nextEventEstimation = false;
-  const RenderResult result = render(b.scene, settings);
+  const render::RenderResult result = renderScene(b.scene, settings);
 
   // Where the straight ray through the image's column `x` ends, in the row of mirrored corridors of width 1.
   const double width = 2 * std::tan(b.scene.camera->angle * std::numbers::pi / 360) * kWidth / kHeight;
@@ -81,9 +81,9 @@ TEST_CASE("a slab of glass transmits and reflects by the series of its inner ref
     b.material(diffuseMaterial(vec3(0), {1, 0, 0})).plane({0, 0, -2}, {1, 0, -2}, {0, 1, -2});
     b.scene.background = {0, 1, 0};
     b.view(vec3(5 * std::sin(angle), 0, 5 * std::cos(angle)), {0, 0, 0}, {0, 1, 0}, 1e-3f);
-    RenderSettings settings = longPaths(16, 16, 1024);
+    render::RenderSettings settings = longPaths(16, 16, 1024);
     settings.nextEventEstimation = false;
-    const dvec3 shown = test::meanOf(render(b.scene, settings).film);
+    const dvec3 shown = test::meanOf(renderScene(b.scene, settings).film);
     const Slab slab(std::cos(angle), 1.5, 0.875);
     CAPTURE(degrees);
     CHECK(shown.x == Approx(slab.transmitted()).margin(2e-3));

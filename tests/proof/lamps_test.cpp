@@ -16,12 +16,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr float kAlbedo = 0.75f;
 
-const Sphere kBall{{-1, 0.5f, 2}, 0.5f};
+const scene::Sphere kBall{{-1, 0.5f, 2}, 0.5f};
 const vec3 kNear[3] = {{1, -0.5f, 1}, {1.5f, 1, 1.25f}, {0.75f, 0.25f, 2}};
 const vec3 kFar[3] = {{2, 3, 4}, {-2, 4, 3}, {0, 2.5f, 4.5f}};
 
 // A red ball, a green triangle, a blue one farther away, so that each has a channel to itself; and a grey point light.
-Scene lampsOverFloor(const vec3& seen) {
+scene::Scene lampsOverFloor(const vec3& seen) {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(kAlbedo))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(diffuseMaterial(vec3(0), {5, 0, 0})).sphere(kBall.centre, kBall.radius);
@@ -48,8 +48,8 @@ double irradianceOfBall(const dvec3& at) {
   return kPi * kBall.radius * kBall.radius * towards.z / std::pow(length(towards), 3);
 }
 
-RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
-  RenderSettings settings = test::settingsOf(side, side, samples);
+render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
+  render::RenderSettings settings = test::settingsOf(side, side, samples);
   settings.maxDepth = 64;
   settings.rouletteStart = 64;
   return settings;
@@ -66,9 +66,9 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
                                dvec3(5 * irradianceOfBall(at), 3 * irradianceOfTriangle(kNear, at),
                                      8 * irradianceOfTriangle(kFar, at)) +
                            kAlbedo * 0.125 * towardsPoint.z / length(towardsPoint);
-    RenderSettings settings = withoutRoulette(16, 4096);
+    render::RenderSettings settings = withoutRoulette(16, 4096);
     settings.maxDepth = 2;
-    const dvec3 shown = test::meanOf(render(lampsOverFloor(seen), settings).film);
+    const dvec3 shown = test::meanOf(renderScene(lampsOverFloor(seen), settings).film);
     CAPTURE(seen.x);
     for (int channel = 0; channel < 3; ++channel) {
       CAPTURE(channel);
@@ -80,20 +80,20 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
 TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without",
           "[swiftshader-slow]") {
   for (const float albedo : {0.25f, 0.5f, 0.75f}) {
-    Scene furnace = boxMesh(1, 4).scene();
+    scene::Scene furnace = boxMesh(1, 4).scene();
     furnace.materials[0] = diffuseMaterial(vec3(albedo), vec3(1));
     furnace.camera->from = {0.25f, 0.1f, 0.3f};
     furnace.camera->at = {-1, 0.5f, -1};
     const double expected = 1 / (1 - double{albedo});
     CAPTURE(albedo);
-    RenderSettings settings = withoutRoulette(16, 16);
+    render::RenderSettings settings = withoutRoulette(16, 16);
     settings.nextEventEstimation = false;
-    CHECK(test::meanOf(render(furnace, settings).film).y == Approx(expected).epsilon(1e-6 + kRounding));
+    CHECK(test::meanOf(renderScene(furnace, settings).film).y == Approx(expected).epsilon(1e-6 + kRounding));
     settings = test::settingsOf(32, 32, 256);
     settings.nextEventEstimation = false;
     settings.rouletteStart = 1;
     // A path's length is geometric: its deviation is sqrt(albedo) / (1 - albedo), of 2^18 paths.
     const double error = std::sqrt(double{albedo}) * expected / 512;
-    CHECK(std::abs(test::meanOf(render(furnace, settings).film).y - expected) < 4 * error);
+    CHECK(std::abs(test::meanOf(renderScene(furnace, settings).film).y - expected) < 4 * error);
   }
 }

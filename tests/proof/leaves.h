@@ -18,7 +18,7 @@ using glm::dvec3;
 extern const double kRounding;
 
 /// Renders on this side; a device must not have truncated a loop.
-RenderResult render(const Scene& scene, const RenderSettings& settings);
+render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings);
 
 /// What the warps of docs/light-transport.md section 2 make of pairs of numbers (the tent: of the first).
 struct WarpValues {
@@ -38,7 +38,7 @@ struct ScatterQuery {
   bool outside = true;   ///< wo is on the side to which the surface is oriented
 };
 struct Scattered {
-  Lobe lobe = Lobe::none;  ///< none: the path ends
+  render::Lobe lobe = render::Lobe::none;  ///< none: the path ends
   dvec3 wi{0};
   dvec3 weight{0};  ///< f |cos| / pdf; 0 where the path ends
   double pdf = 0;   ///< per solid angle, of all smooth lobes; 0: a discrete choice
@@ -54,7 +54,7 @@ struct ScatterValue {
 };
 class MaterialLeaves {
  public:
-  explicit MaterialLeaves(const std::vector<Material>& materials);
+  explicit MaterialLeaves(const std::vector<scene::Material>& materials);
   ~MaterialLeaves();
   std::vector<Scattered> sample(std::span<const ScatterQuery> queries) const;
   std::vector<ScatterValue> evaluate(std::span<const DirectionPair> pairs) const;
@@ -86,7 +86,7 @@ struct ChosenLight {
 /// The light table of a scene. Its entries are numbered as docs/light-transport.md section 6 says.
 class LightLeaves {
  public:
-  explicit LightLeaves(const Scene& scene);
+  explicit LightLeaves(const scene::Scene& scene);
   ~LightLeaves();
   std::vector<ChosenLight> choose(std::span<const std::uint32_t> words) const;
   /// Numbers: light u, v in x and y.
@@ -112,7 +112,7 @@ struct TracedHit {
 /// Closest hits through the default structure.
 class RayLeaves {
  public:
-  explicit RayLeaves(const Scene& scene);
+  explicit RayLeaves(const scene::Scene& scene);
   ~RayLeaves();
   std::vector<TracedHit> closest(std::span<const ProofRay> rays) const;
 

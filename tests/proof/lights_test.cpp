@@ -32,13 +32,13 @@ std::pair<dvec3, dvec3> axesAcross(const dvec3& axis) {
 }
 
 // As long as the triangle's area.
-dvec3 areaNormalOf(const Triangle& triangle) {
+dvec3 areaNormalOf(const scene::Triangle& triangle) {
   const dvec3 origin(triangle.p[0]);
   return cross(dvec3(triangle.p[1]) - origin, dvec3(triangle.p[2]) - origin) / 2.0;
 }
 
 // The share of a triangle's weights as a place in the unit square: see the proof of the warp.
-dvec2 placeInTriangle(const dvec3& point, const Triangle& triangle) {
+dvec2 placeInTriangle(const dvec3& point, const scene::Triangle& triangle) {
   const dvec3 origin(triangle.p[0]), edge1 = dvec3(triangle.p[1]) - origin, edge2 = dvec3(triangle.p[2]) - origin;
   const dvec3 normal = cross(edge1, edge2), across = point - origin;
   const double b1 = dot(cross(across, edge2), normal) / dot(normal, normal);
@@ -47,8 +47,8 @@ dvec2 placeInTriangle(const dvec3& point, const Triangle& triangle) {
 }
 
 // A sphere far off, one nearly touched, and two triangles, one behind the other's plane. The origin sees them all.
-const Scene& lamps() {
-  static const Scene scene = [] {
+const scene::Scene& lamps() {
+  static const scene::Scene scene = [] {
     SceneBuilder b;
     b.material(diffuseMaterial(vec3(1), vec3(2, 3, 4)));
     b.sphere({1, 2, 3}, 0.5f).sphere({-2, 0.5f, -1}, 2.25f);
@@ -60,8 +60,8 @@ const Scene& lamps() {
 
 double probabilityOf(std::uint32_t entry) {
   std::vector<double> weights;
-  for (const Sphere& sphere : lamps().spheres) weights.push_back(4 * kPi * sphere.radius * sphere.radius);
-  for (const Triangle& triangle : lamps().triangles) weights.push_back(length(areaNormalOf(triangle)));
+  for (const scene::Sphere& sphere : lamps().spheres) weights.push_back(4 * kPi * sphere.radius * sphere.radius);
+  for (const scene::Triangle& triangle : lamps().triangles) weights.push_back(length(areaNormalOf(triangle)));
   return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("from inside a sphere and from its own surface all directions are samp
 TEST_CASE("samples of a triangle are uniform on it, from the front and from behind") {
   const LightLeaves lights(lamps());
   for (const std::uint32_t entry : {2u, 3u}) {
-    const Triangle& triangle = lamps().triangles[entry - 2];
+    const scene::Triangle& triangle = lamps().triangles[entry - 2];
     const dvec3 areaNormal = areaNormalOf(triangle);
     for (const dvec3& from : {dvec3(0), dvec3(4, 3, 5)}) {
       CAPTURE(entry, from.x);
@@ -189,7 +189,7 @@ TEST_CASE("lights are chosen by power, half of the time a point light, and never
   b.material(diffuseMaterial(vec3(1), vec3(9, 1, 0.5f)));
   b.triangle({0, 0, 1}, {1, 0, 1}, {0, 3, 1}).triangle({0, 0, 2}, {1, 0, 2}, {0, 0.125f, 2});
   b.pointLight({0, 0, 5}, {0.2f, 0.2f, 0.2f}).pointLight({0, 0, 6}, vec3(0)).pointLight({0, 0, 7}, {0, 0, 1});
-  const double first = luminance({1, 2, 3}), second = luminance({9, 1, 0.5});
+  const double first = image::luminance({1, 2, 3}), second = image::luminance({9, 1, 0.5});
   const double emitters[] = {kPi * first, 1.5 * second, 0.0625 * second}, points[] = {0.2, 0, 0.0722};
   std::vector<double> shares;
   for (const double weight : emitters) shares.push_back(weight / (emitters[0] + emitters[1] + emitters[2]) / 2);

@@ -23,7 +23,7 @@ constexpr int kLobeRows = 32, kLobeColumns = 64;
 constexpr int kFiner = 2;  // times as many columns in quadrature: towards the horizon lobes are narrow in azimuth
 
 struct SmoothMaterial {
-  Material material;
+  scene::Material material;
   double glossyShare;      // probability of the glossy lobe
   double dielectricShare;  // and of the dielectric
 };
@@ -39,8 +39,8 @@ const std::vector<SmoothMaterial> kSmooth{{diffuseMaterial({0.8f, 0.5f, 0.2f}), 
 // Steep, middling and grazing, on no axis.
 const std::vector<dvec3> kViews{directionAt(0.98, 0.05), directionAt(0.6, 0.32), directionAt(0.15, 0.81)};
 
-std::vector<Material> smoothMaterials() {
-  std::vector<Material> materials;
+std::vector<scene::Material> smoothMaterials() {
+  std::vector<scene::Material> materials;
   for (const SmoothMaterial& smooth : kSmooth) materials.push_back(smooth.material);
   return materials;
 }
@@ -69,7 +69,7 @@ std::vector<ScatterValue> valuesOn(const MaterialLeaves& leaves, const Hemispher
   return leaves.evaluate(pairs);
 }
 
-bool isSmooth(Lobe lobe) { return lobe == Lobe::diffuse || lobe == Lobe::glossy; }
+bool isSmooth(render::Lobe lobe) { return lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy; }
 
 // How likely the half vector that Blinn's lobe takes reflects `wo` below the surface: with t = cosH^(n + 2) uniform.
 double shareBelow(double exponent, const dvec3& wo) {
@@ -200,7 +200,7 @@ TEST_CASE("nothing is scattered below the horizon, nor from below it") {
 
 TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 exponents") {
   constexpr std::uint32_t kSteps = 16;
-  std::vector<Material> materials;  // glossy, and half diffuse
+  std::vector<scene::Material> materials;  // glossy, and half diffuse
   for (std::uint32_t i = 0; i < kSteps; ++i) {
     const float exponent = i == 0 ? 0 : std::exp2(static_cast<float>(i) - 2);  // 0, 1/2, 1, ... 2^13
     materials.push_back(mixtureMaterial(0, 0.9999f, exponent));
@@ -223,8 +223,8 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
 }
 
 TEST_CASE("lobes are chosen with their shares of the weights") {
-  const Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);    // ior 1 reflects nothing at steep angles
-  const Material tooMuch = mixtureMaterial(0.8f, 0.8f, 8, 0.4f, 1.0f);  // scaled to 0.4, 0.4 and 0.2
+  const scene::Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);    // ior 1 reflects nothing at steep angles
+  const scene::Material tooMuch = mixtureMaterial(0.8f, 0.8f, 8, 0.4f, 1.0f);  // scaled to 0.4, 0.4 and 0.2
   const MaterialLeaves leaves({three, tooMuch});
   const std::vector<std::vector<double>> shares{{2.0 / 6, 3.0 / 6, 1.0 / 6}, {0.4, 0.4, 0.2}};
   for (std::uint32_t material = 0; material < 2; ++material) {
@@ -234,8 +234,8 @@ TEST_CASE("lobes are chosen with their shares of the weights") {
     std::vector<glm::vec3> numbers = randomNumbers(kSamples, 207);
     for (glm::vec3& u : numbers) u = {u.x, 0.6f, 0.5f};
     for (const Scattered& sample : sampled(leaves, material, {0, 0, 1}, numbers)) {
-      REQUIRE(sample.lobe != Lobe::none);
-      ++counts[sample.lobe == Lobe::diffuse ? 0 : sample.lobe == Lobe::glossy ? 1 : 2];
+      REQUIRE(sample.lobe != render::Lobe::none);
+      ++counts[sample.lobe == render::Lobe::diffuse ? 0 : sample.lobe == render::Lobe::glossy ? 1 : 2];
     }
     checkCounts(counts, expected);
   }
@@ -253,8 +253,8 @@ TEST_CASE("glass reflects Schlick's share and refracts by Snell's law, into it a
       const dvec3 refracted = -directionAt(std::sqrt(1 - otherSine * otherSine), 0.3);
       std::vector<double> counts(2);
       for (const Scattered& sample : sampled(leaves, 0, wo, numbers, outside)) {
-        const bool reflects = sample.lobe == Lobe::reflect;
-        REQUIRE((reflects || sample.lobe == Lobe::refract));
+        const bool reflects = sample.lobe == render::Lobe::reflect;
+        REQUIRE((reflects || sample.lobe == render::Lobe::refract));
         REQUIRE(length(sample.wi - (reflects ? dvec3(-wo.x, -wo.y, wo.z) : refracted)) < 10 * kRounding);
         REQUIRE(length(sample.weight - dvec3(glm::vec3(0.9f, 0.8f, 0.7f))) < kRounding);
         REQUIRE(sample.pdf == 0);
@@ -273,11 +273,11 @@ TEST_CASE("glass reflects all beyond the critical angle, and a mirror everything
   const dvec3 reflected(-wo.x, -wo.y, wo.z);
   const std::vector<glm::vec3> numbers = randomNumbers(10000, 209);
   for (const Scattered& sample : sampled(leaves, 0, wo, numbers, false)) {
-    REQUIRE(sample.lobe == Lobe::reflect);
+    REQUIRE(sample.lobe == render::Lobe::reflect);
     REQUIRE(length(sample.wi - reflected) < kRounding);
   }
   for (const Scattered& sample : sampled(leaves, 1, wo, numbers)) {
-    REQUIRE(sample.lobe == Lobe::mirror);
+    REQUIRE(sample.lobe == render::Lobe::mirror);
     REQUIRE(length(sample.wi - reflected) < kRounding);
     REQUIRE(sample.weight == dvec3(glm::vec3(0.9f, 0.5f, 0.1f)));
   }

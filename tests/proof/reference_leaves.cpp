@@ -1,18 +1,18 @@
 // The reference's side.
 #include "host/reference/bsdf.h"
 #include "host/reference/lights.h"
+#include "host/reference/reference_renderer.h"
 #include "host/reference/sampling.h"
 #include "host/reference/surface.h"
 #include "host/reference/tracing.h"
-#include "host/render/make_renderer.h"
 #include "tests/proof/leaves.h"
 
 namespace candela::proof {
 
 const double kRounding = 1e-12;
 
-RenderResult render(const Scene& scene, const RenderSettings& settings) {
-  return makeReferenceRenderer()->render(scene, settings, {});
+render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings) {
+  return reference::makeReferenceRenderer()->render(scene, settings, {});
 }
 
 WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
@@ -37,9 +37,9 @@ struct MaterialLeaves::Side {
   Scattered sample(const ScatterQuery& query) const {
     const reference::Bsdf& bsdf = bsdfs[query.material];
     if (bsdf.isBlack()) return {};
-    const Lobe lobe = bsdf.isMirror() ? Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
-    if (lobe == Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
-    if (lobe == Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
+    const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
+    if (lobe == render::Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
+    if (lobe == render::Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
     const dvec3 wi = bsdf.sampleSmooth(lobe, query.wo, {query.numbers.y, query.numbers.z});
     const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
     if (value.pdf == 0) return {};
@@ -49,8 +49,8 @@ struct MaterialLeaves::Side {
   static Scattered ofDelta(const reference::DeltaSample& sample) { return {sample.lobe, sample.wi, sample.weight, 0}; }
 };
 
-MaterialLeaves::MaterialLeaves(const std::vector<Material>& materials) : side_(std::make_unique<Side>()) {
-  for (const Material& material : materials) side_->bsdfs.emplace_back(material);
+MaterialLeaves::MaterialLeaves(const std::vector<scene::Material>& materials) : side_(std::make_unique<Side>()) {
+  for (const scene::Material& material : materials) side_->bsdfs.emplace_back(material);
 }
 
 MaterialLeaves::~MaterialLeaves() = default;
@@ -73,10 +73,10 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct LightLeaves::Side {
-  Scene scene;
+  scene::Scene scene;
   reference::LightTable table;
 
-  explicit Side(const Scene& lights) : scene(lights), table(scene, {}) {}
+  explicit Side(const scene::Scene& lights) : scene(lights), table(scene, {}) {}
 
   double probability(std::uint32_t entry) const {
     const std::uint32_t below = entry == 0 ? 0 : table.thresholds()[entry - 1];
@@ -100,15 +100,15 @@ struct LightLeaves::Side {
     return {distance, table.pdf(ray, distance, surface)};
   }
 
-  double distanceTo(const Primitive& primitive, const reference::Ray& ray, bool leaving) const {
-    if (primitive.kind == PrimitiveKind::sphere) {
+  double distanceTo(const scene::Primitive& primitive, const reference::Ray& ray, bool leaving) const {
+    if (primitive.kind == scene::PrimitiveKind::sphere) {
       return reference::SphereShape(scene.spheres[primitive.index]).distance(ray, leaving);
     }
     return leaving ? reference::kNoHit : reference::TriangleShape(scene.triangles[primitive.index]).distance(ray);
   }
 };
 
-LightLeaves::LightLeaves(const Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+LightLeaves::LightLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
 LightLeaves::~LightLeaves() = default;
 
 std::vector<ChosenLight> LightLeaves::choose(std::span<const std::uint32_t> words) const {
@@ -137,13 +137,13 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct RayLeaves::Side {
-  Scene scene;
+  scene::Scene scene;
   reference::Tracing tracing;
 
-  explicit Side(const Scene& traced) : scene(traced), tracing(scene, {}) {}
+  explicit Side(const scene::Scene& traced) : scene(traced), tracing(scene, {}) {}
 };
 
-RayLeaves::RayLeaves(const Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+RayLeaves::RayLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
 RayLeaves::~RayLeaves() = default;
 
 std::vector<TracedHit> RayLeaves::closest(std::span<const ProofRay> rays) const {

@@ -12,12 +12,12 @@ struct Estimate {
 };
 
 /// Luminance of all pixels, with the error that the film's own variance gives: for independent samples.
-inline Estimate estimateOf(const Film& film) {
+inline Estimate estimateOf(const image::Film& film) {
   double sum = 0, variance = 0;
   const double pixels = double{1} * film.width() * film.height();
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) {
-      sum += luminance(film.mean(x, y));
+      sum += image::luminance(film.mean(x, y));
       variance += film.luminanceVariance(x, y) / film.at(x, y).sampleCount;
     }
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "host/render/make_renderer.h"
+#include "host/reference/reference_renderer.h"
 #include "host/render/renderer.h"
 #include "host/scene/scene.h"
 
@@ -12,23 +12,23 @@ namespace candela::test {
 using glm::dvec3;
 using glm::vec3;
 
-inline Material diffuseMaterial(const vec3& albedo, const vec3& emission = vec3(0)) {
-  Material material;
+inline scene::Material diffuseMaterial(const vec3& albedo, const vec3& emission = vec3(0)) {
+  scene::Material material;
   material.diffuse = albedo;
   material.emission = emission;
   return material;
 }
 
-inline Material mirrorMaterial(const vec3& colour) {
-  Material material;
+inline scene::Material mirrorMaterial(const vec3& colour) {
+  scene::Material material;
   material.diffuse = colour;
   material.kd = 0;
   material.ks = 1;
   return material;
 }
 
-inline Material glassMaterial(const vec3& colour, float ior) {
-  Material material;
+inline scene::Material glassMaterial(const vec3& colour, float ior) {
+  scene::Material material;
   material.diffuse = colour;
   material.kd = 0;
   material.t = 1;
@@ -36,8 +36,8 @@ inline Material glassMaterial(const vec3& colour, float ior) {
   return material;
 }
 
-inline Material mixtureMaterial(float kd, float ks, float shine, float t = 0, float ior = 1) {
-  Material material;
+inline scene::Material mixtureMaterial(float kd, float ks, float shine, float t = 0, float ior = 1) {
+  scene::Material material;
   material.kd = kd;
   material.ks = ks;
   material.shine = shine;
@@ -49,35 +49,37 @@ inline Material mixtureMaterial(float kd, float ks, float shine, float t = 0, fl
 /// Primitives take the material that was added last.
 class SceneBuilder {
  public:
-  Scene scene;
+  scene::Scene scene;
 
   SceneBuilder() { scene.camera.emplace(); }
 
-  SceneBuilder& material(const Material& value) {
+  SceneBuilder& material(const scene::Material& value) {
     scene.materials.push_back(value);
     return *this;
   }
   SceneBuilder& sphere(const vec3& centre, float radius) {
-    return add(PrimitiveKind::sphere, scene.spheres, {centre, radius});
+    return add(scene::PrimitiveKind::sphere, scene.spheres, {centre, radius});
   }
   SceneBuilder& triangle(const vec3& a, const vec3& b, const vec3& c) {
-    return add(PrimitiveKind::triangle, scene.triangles, {{a, b, c}, Triangle::kNoNormals});
+    return add(scene::PrimitiveKind::triangle, scene.triangles, {{a, b, c}, scene::Triangle::kNoNormals});
   }
-  SceneBuilder& patch(const vec3& a, const vec3& b, const vec3& c, const VertexNormals& normals) {
+  SceneBuilder& patch(const vec3& a, const vec3& b, const vec3& c, const scene::VertexNormals& normals) {
     scene.vertexNormals.push_back(normals);
     const auto index = static_cast<std::uint32_t>(scene.vertexNormals.size() - 1);
-    return add(PrimitiveKind::triangle, scene.triangles, {{a, b, c}, index});
+    return add(scene::PrimitiveKind::triangle, scene.triangles, {{a, b, c}, index});
   }
   /// Counter-clockwise from its front.
   SceneBuilder& quad(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
     return triangle(a, b, c).triangle(a, c, d);
   }
-  SceneBuilder& box(const vec3& min, const vec3& max) { return add(PrimitiveKind::box, scene.boxes, {min, max}); }
+  SceneBuilder& box(const vec3& min, const vec3& max) {
+    return add(scene::PrimitiveKind::box, scene.boxes, {min, max});
+  }
   SceneBuilder& cone(const vec3& base, float baseRadius, const vec3& apex, float apexRadius) {
-    return add(PrimitiveKind::cone, scene.cones, {base, baseRadius, apex, apexRadius});
+    return add(scene::PrimitiveKind::cone, scene.cones, {base, baseRadius, apex, apexRadius});
   }
   SceneBuilder& plane(const vec3& a, const vec3& b, const vec3& c) {
-    return add(PrimitiveKind::plane, scene.planes, {{a, b, c}});
+    return add(scene::PrimitiveKind::plane, scene.planes, {{a, b, c}});
   }
   SceneBuilder& pointLight(const vec3& position, const vec3& colour) {
     scene.pointLights.push_back({position, colour});
@@ -93,7 +95,7 @@ class SceneBuilder {
 
  private:
   template <class Shape>
-  SceneBuilder& add(PrimitiveKind kind, std::vector<Shape>& shapes, const Shape& shape) {
+  SceneBuilder& add(scene::PrimitiveKind kind, std::vector<Shape>& shapes, const Shape& shape) {
     shapes.push_back(shape);
     scene.primitives.push_back(
         {kind, static_cast<std::uint32_t>(shapes.size() - 1), static_cast<std::uint32_t>(scene.materials.size() - 1)});
@@ -121,19 +123,19 @@ inline SceneBuilder cornellBox() {
   return b;
 }
 
-inline RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t sampleCount) {
-  RenderSettings settings;
+inline render::RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t sampleCount) {
+  render::RenderSettings settings;
   settings.size = {width, height};
   settings.sampleCount = sampleCount;
   return settings;
 }
 
-inline RenderResult render(const Scene& scene, const RenderSettings& settings) {
-  return makeReferenceRenderer()->render(scene, settings, {});
+inline render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings) {
+  return reference::makeReferenceRenderer()->render(scene, settings, {});
 }
 
 /// Mean of all pixels.
-inline dvec3 meanOf(const Film& film) {
+inline dvec3 meanOf(const image::Film& film) {
   dvec3 sum(0);
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) sum += film.mean(x, y);

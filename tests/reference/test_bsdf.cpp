@@ -34,20 +34,21 @@ double integrate(const Function& g, int steps) {
   return sum * kPi / steps / steps;
 }
 
-const std::vector<Material> kSmoothMaterials{mixtureMaterial(0.5f, 0.5f, 10), mixtureMaterial(0, 0.9f, 0),
-                                             mixtureMaterial(0, 0.9f, 50), mixtureMaterial(0.3f, 0.4f, 5, 0.3f, 1.5f)};
+const std::vector<scene::Material> kSmoothMaterials{mixtureMaterial(0.5f, 0.5f, 10), mixtureMaterial(0, 0.9f, 0),
+                                                    mixtureMaterial(0, 0.9f, 50),
+                                                    mixtureMaterial(0.3f, 0.4f, 5, 0.3f, 1.5f)};
 
 }  // namespace
 
 TEST_CASE("a material's rule is the first that fits") {
-  Material everything = mixtureMaterial(1, 1, 10, 1, 1.5f);
-  CHECK(Bsdf(everything).chooseLobe(0.999) == Lobe::diffuse);
+  scene::Material everything = mixtureMaterial(1, 1, 10, 1, 1.5f);
+  CHECK(Bsdf(everything).chooseLobe(0.999) == render::Lobe::diffuse);
   everything.kd = 0.5f;
   CHECK(Bsdf(everything).isMirror());
   everything.ks = 0;
   everything.kd = 0;
   everything.t = 0;  // ignored by the dielectric
-  CHECK(Bsdf(everything).chooseLobe(0) == Lobe::refract);
+  CHECK(Bsdf(everything).chooseLobe(0) == render::Lobe::refract);
   CHECK_FALSE(Bsdf(everything).isBlack());
   everything.ior = 0;
   CHECK(Bsdf(everything).isBlack());
@@ -56,20 +57,20 @@ TEST_CASE("a material's rule is the first that fits") {
 
 TEST_CASE("a mixture's lobes are chosen by their weights, scaled to at most 1") {
   const Bsdf half(mixtureMaterial(0.25f, 0.25f, 1));
-  CHECK(half.chooseLobe(0.499) == Lobe::diffuse);
-  CHECK(half.chooseLobe(0.5) == Lobe::glossy);
-  CHECK(half.chooseLobe(1 - 0x1p-24) == Lobe::glossy);
+  CHECK(half.chooseLobe(0.499) == render::Lobe::diffuse);
+  CHECK(half.chooseLobe(0.5) == render::Lobe::glossy);
+  CHECK(half.chooseLobe(1 - 0x1p-24) == render::Lobe::glossy);
   CHECK(half.evaluate({0, 0, 1}, {0, 0, 1}).f.x == Approx(0.25 / kPi + 0.25 * 3 / (2 * kPi) / 4));
 
   const Bsdf scaled(mixtureMaterial(0.8f, 0.8f, 1, 0.4f, 1.5f));  // 0.4, 0.4, 0.2
-  CHECK(scaled.chooseLobe(0.39) == Lobe::diffuse);
-  CHECK(scaled.chooseLobe(0.79) == Lobe::glossy);
-  CHECK(scaled.chooseLobe(0.81) == Lobe::refract);
+  CHECK(scaled.chooseLobe(0.39) == render::Lobe::diffuse);
+  CHECK(scaled.chooseLobe(0.79) == render::Lobe::glossy);
+  CHECK(scaled.chooseLobe(0.81) == render::Lobe::refract);
   CHECK(scaled.evaluate({0, 0, 1}, {0, 0, 1}).f.x == Approx(0.4 / kPi + 0.4 * 3 / (2 * kPi) / 4));
 
   const Bsdf opaque(mixtureMaterial(0.8f, 0.8f, 1, 0.4f, 0));  // T is dropped after the scaling
   CHECK(opaque.evaluate({0, 0, 1}, {0, 0, 1}).f.x == Approx(0.4 / kPi + 0.4 * 3 / (2 * kPi) / 4));
-  CHECK(opaque.chooseLobe(0.99) == Lobe::glossy);
+  CHECK(opaque.chooseLobe(0.99) == render::Lobe::glossy);
 }
 
 TEST_CASE("the glossy lobe has the value that is worked out by hand") {
@@ -88,7 +89,7 @@ TEST_CASE("the glossy lobe has the value that is worked out by hand") {
 
 TEST_CASE("scattering is reciprocal") {
   std::mt19937 random(1);
-  for (const Material& material : kSmoothMaterials) {
+  for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
     for (int i = 0; i < 100; ++i) {
       const dvec3 a = randomDirection(random), b = randomDirection(random);
@@ -111,7 +112,7 @@ TEST_CASE("no surface scatters more than it receives") {
 }
 
 TEST_CASE("the density of all directions, those that end the path included, is 1") {
-  for (const Material& material : kSmoothMaterials) {
+  for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
     for (const double cosTheta : {1.0, 0.6, 0.2}) {
       const dvec3 wo = direction(cosTheta, 1);
@@ -121,9 +122,9 @@ TEST_CASE("the density of all directions, those that end the path included, is 1
       for (int i = 0; i < kSide * kSide; ++i) {
         const double u = (i % kSide + 0.5) / kSide, v = (i / kSide + 0.5) / kSide;
         // A third number, well spread against both others.
-        const Lobe lobe = bsdf.chooseLobe(std::fmod(i * 0.61803398874989, 1));
-        if (lobe == Lobe::refract) ++delta;
-        if (lobe != Lobe::refract && bsdf.sampleSmooth(lobe, wo, {u, v}).z <= 0) ++below;
+        const render::Lobe lobe = bsdf.chooseLobe(std::fmod(i * 0.61803398874989, 1));
+        if (lobe == render::Lobe::refract) ++delta;
+        if (lobe != render::Lobe::refract && bsdf.sampleSmooth(lobe, wo, {u, v}).z <= 0) ++below;
       }
       INFO("cos " << cosTheta << ", Ks " << material.ks << ", shine " << material.shine);
       CHECK(above + (below + delta) / double{kSide * kSide} == Approx(1).epsilon(3e-3));
@@ -134,7 +135,7 @@ TEST_CASE("the density of all directions, those that end the path included, is 1
 TEST_CASE("directions are sampled with the density that is stated") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (const Material& material : kSmoothMaterials) {
+  for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
     const dvec3 wo = direction(0.6, 0);
     // Chi-square over cells of equal solid angle, whose probability is integrated with 12 x 12 points each.
@@ -150,9 +151,9 @@ TEST_CASE("directions are sampled with the density that is stated") {
       }
     }
     for (int i = 0; i < kSamples; ++i) {
-      const Lobe lobe = bsdf.chooseLobe(uniform(random));
+      const render::Lobe lobe = bsdf.chooseLobe(uniform(random));
       const dvec2 u(uniform(random), uniform(random));
-      if (lobe == Lobe::refract) continue;
+      if (lobe == render::Lobe::refract) continue;
       const dvec3 wi = bsdf.sampleSmooth(lobe, wo, u);
       if (wi.z <= 0) continue;
       const double phi = std::atan2(wi.y, wi.x) / (2 * kPi);
@@ -185,17 +186,17 @@ TEST_CASE("a dielectric refracts by Snell's law and reflects Schlick's share") {
   const double cos1 = std::sqrt(0.75);
   const double reflectance = 0.04 + 0.96 * std::pow(1 - cos1, 5);
   const DeltaSample in = glass.sampleDielectric({0.5, 0, cos1}, true, reflectance + 1e-9);
-  CHECK(in.lobe == Lobe::refract);
+  CHECK(in.lobe == render::Lobe::refract);
   CHECK(in.wi.x == Approx(-1.0 / 3));  // sin2 = 0.5 / 1.5
   CHECK(in.wi.z == Approx(-std::sqrt(1 - 1.0 / 9)));
   CHECK(in.weight == dvec3(1));
-  CHECK(glass.sampleDielectric({0.5, 0, cos1}, true, reflectance - 1e-9).lobe == Lobe::reflect);
+  CHECK(glass.sampleDielectric({0.5, 0, cos1}, true, reflectance - 1e-9).lobe == render::Lobe::reflect);
 
   // Backwards along the refracted ray: the same reflectance, since the cosine outside counts.
   const dvec3 inside(1.0 / 3, 0, std::sqrt(1 - 1.0 / 9));
-  CHECK(glass.sampleDielectric(inside, false, reflectance - 1e-9).lobe == Lobe::reflect);
+  CHECK(glass.sampleDielectric(inside, false, reflectance - 1e-9).lobe == render::Lobe::reflect);
   const DeltaSample out = glass.sampleDielectric(inside, false, reflectance + 1e-9);
-  CHECK(out.lobe == Lobe::refract);
+  CHECK(out.lobe == render::Lobe::refract);
   CHECK(out.wi.x == Approx(-0.5));
 }
 
@@ -204,8 +205,8 @@ TEST_CASE("a dielectric reflects everything beyond the critical angle") {
   const auto lobeAt = [&](double sine) {
     return glass.sampleDielectric({sine, 0, std::sqrt(1 - sine * sine)}, false, 1 - 0x1p-24).lobe;
   };
-  CHECK(lobeAt(1 / 1.5 - 1e-6) == Lobe::refract);
-  CHECK(lobeAt(1 / 1.5 + 1e-6) == Lobe::reflect);
+  CHECK(lobeAt(1 / 1.5 - 1e-6) == render::Lobe::refract);
+  CHECK(lobeAt(1 / 1.5 + 1e-6) == render::Lobe::reflect);
 }
 
 TEST_CASE("a dielectric lobe of a mixture carries the weight of all lobes") {

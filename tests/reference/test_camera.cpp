@@ -13,8 +13,8 @@ using glm::vec3;
 
 namespace {
 
-Camera lookingAtOrigin() {
-  Camera camera;
+scene::Camera lookingAtOrigin() {
+  scene::Camera camera;
   camera.from = {0, 0, 4};
   camera.angle = 90;  // the view plane is 8 high
   camera.width = 100;
@@ -25,9 +25,9 @@ Camera lookingAtOrigin() {
 // Where a ray crosses the plane at the height `z`.
 dvec2 crossing(const Ray& ray, double z) { return dvec2(ray.at((z - ray.origin.z) / ray.direction.z)); }
 
-Ray generate(const Camera& camera, const RenderSettings& settings, std::uint32_t x, std::uint32_t y,
+Ray generate(const scene::Camera& camera, const render::RenderSettings& settings, std::uint32_t x, std::uint32_t y,
              std::uint32_t sample = 0) {
-  const Sampler sampler(SamplerKind::independent, 0, 1);
+  const Sampler sampler(render::SamplerKind::independent, 0, 1);
   SampleNumbers numbers(sampler, x, y, sample);
   return CameraRays(camera, settings).generate(x, y, numbers);
 }
@@ -35,7 +35,7 @@ Ray generate(const Camera& camera, const RenderSettings& settings, std::uint32_t
 }  // namespace
 
 TEST_CASE("a pixel's rays cross the view plane within the pixel, row 0 on top") {
-  const RenderSettings settings = test::settingsOf(80, 40, 1);  // pixels of 8 / 40
+  const render::RenderSettings settings = test::settingsOf(80, 40, 1);  // pixels of 8 / 40
   for (std::uint32_t sample = 0; sample < 100; ++sample) {
     const dvec2 at = crossing(generate(lookingAtOrigin(), settings, 79, 0, sample), 0);
     CHECK(at.x >= 8 - 0.2);
@@ -46,8 +46,8 @@ TEST_CASE("a pixel's rays cross the view plane within the pixel, row 0 on top") 
 }
 
 TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre") {
-  RenderSettings settings = test::settingsOf(80, 40, 1);
-  settings.filter = FilterKind::tent;
+  render::RenderSettings settings = test::settingsOf(80, 40, 1);
+  settings.filter = render::FilterKind::tent;
   double least = 9, most = -9;
   for (std::uint32_t sample = 0; sample < 2000; ++sample) {
     const double x = crossing(generate(lookingAtOrigin(), settings, 40, 20, sample), 0).x / 0.2;
@@ -61,8 +61,8 @@ TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre
 }
 
 TEST_CASE("without jitter rays go through pixels' centres, or through the corners of a grid of one pixel less") {
-  RenderSettings settings = test::settingsOf(5, 3, 1);
-  settings.integrator = Integrator::whitted;
+  render::RenderSettings settings = test::settingsOf(5, 3, 1);
+  settings.integrator = render::Integrator::whitted;
   const auto at = [&](std::uint32_t x, std::uint32_t y) {
     return crossing(generate(lookingAtOrigin(), settings, x, y), 0);
   };
@@ -70,7 +70,7 @@ TEST_CASE("without jitter rays go through pixels' centres, or through the corner
   // The view is 8 high; centres are 8 / 3 apart, corners 8 / 2.
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(4, 0), {2 * 8.0 / 3, 8.0 / 3}));
-  settings.pixelOrigin = PixelOrigin::corner;
+  settings.pixelOrigin = render::PixelOrigin::corner;
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(0, 0), {-8, 4}));
   CHECK(isNear(at(4, 2), {8, -4}));
@@ -79,8 +79,8 @@ TEST_CASE("without jitter rays go through pixels' centres, or through the corner
 }
 
 TEST_CASE("corners are jittered about") {
-  RenderSettings settings = test::settingsOf(5, 3, 1);
-  settings.pixelOrigin = PixelOrigin::corner;
+  render::RenderSettings settings = test::settingsOf(5, 3, 1);
+  settings.pixelOrigin = render::PixelOrigin::corner;
   double most = 0;
   for (std::uint32_t sample = 0; sample < 200; ++sample) {
     const dvec2 offset = crossing(generate(lookingAtOrigin(), settings, 0, 0, sample), 0) - dvec2(-8, 4);
@@ -91,11 +91,11 @@ TEST_CASE("corners are jittered about") {
 }
 
 TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the stated resolution") {
-  Camera camera = lookingAtOrigin();
+  scene::Camera camera = lookingAtOrigin();
   camera.aperture = 5;  // 5 * 8 / 50 = 0.8
   camera.focal = 1.5f;  // at z = -2
-  for (const LensKind lens : {LensKind::disc, LensKind::square}) {
-    RenderSettings settings = test::settingsOf(4000, 2000, 1);
+  for (const render::LensKind lens : {render::LensKind::disc, render::LensKind::square}) {
+    render::RenderSettings settings = test::settingsOf(4000, 2000, 1);
     settings.lens = lens;
     double farthest = 0, widest = 0;
     for (std::uint32_t sample = 0; sample < 3000; ++sample) {
@@ -105,7 +105,7 @@ TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the
       farthest = std::max(farthest, length(dvec2(ray.origin)));
       widest = std::max(widest, std::abs(ray.origin.x));
     }
-    const double corner = lens == LensKind::disc ? 0.8 : 0.8 * std::sqrt(2);
+    const double corner = lens == render::LensKind::disc ? 0.8 : 0.8 * std::sqrt(2);
     CHECK(farthest <= corner * (1 + 1e-6));
     CHECK(farthest > corner * 0.95);
     CHECK(widest > 0.78);
@@ -113,7 +113,7 @@ TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the
 }
 
 TEST_CASE("each face of the sky is seen in its direction, the right way up") {
-  Scene scene;
+  scene::Scene scene;
   scene.sky.emplace();
   for (std::uint8_t face = 0; face < 6; ++face) {
     // 2 x 2 texels: 40 * face, +10 in the right column, +20 in the lower row.
@@ -142,7 +142,7 @@ TEST_CASE("each face of the sky is seen in its direction, the right way up") {
 }
 
 TEST_CASE("without a sky the background has its colour everywhere") {
-  Scene scene;
+  scene::Scene scene;
   scene.background = {1, 2, 3};
   CHECK(Background(scene).radiance({0, 1, 0}) == dvec3(1, 2, 3));
 }

@@ -17,7 +17,7 @@ void checkEqualMeans(const Estimate& a, const Estimate& b, double largestError) 
   CHECK(std::abs(a.mean - b.mean) < 4 * error);
 }
 
-SceneBuilder closedBox(const Material& material) {
+SceneBuilder closedBox(const scene::Material& material) {
   SceneBuilder b;
   b.material(material);
   b.quad({-1, -1, 1}, {1, -1, 1}, {1, -1, -1}, {-1, -1, -1}).quad({-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1});
@@ -29,8 +29,8 @@ SceneBuilder closedBox(const Material& material) {
 // A camera that looks down at one point of the plane z = 0, nearly without any extent.
 SceneBuilder& lookDownAt(SceneBuilder& b, float x, float y) { return b.view({x, y, 2}, {x, y, 0}, {0, 1, 0}, 1e-3f); }
 
-RenderSettings onePixel(std::uint32_t sampleCount, std::uint32_t maxDepth = 64) {
-  RenderSettings settings = settingsOf(1, 1, sampleCount);
+render::RenderSettings onePixel(std::uint32_t sampleCount, std::uint32_t maxDepth = 64) {
+  render::RenderSettings settings = settingsOf(1, 1, sampleCount);
   settings.maxDepth = maxDepth;
   return settings;
 }
@@ -39,31 +39,31 @@ RenderSettings onePixel(std::uint32_t sampleCount, std::uint32_t maxDepth = 64) 
 
 TEST_CASE("a closed furnace of albedo a shows 1 / (1 - a) everywhere") {
   SceneBuilder box = closedBox(diffuseMaterial(vec3(0.5f), vec3(1)));
-  RenderSettings settings = settingsOf(16, 16, 4);
+  render::RenderSettings settings = settingsOf(16, 16, 4);
 
   settings.nextEventEstimation = false;
   settings.rouletteStart = 64;
-  const RenderResult plain = render(box.scene, settings);
+  const render::RenderResult plain = renderScene(box.scene, settings);
   for (std::uint32_t i = 0; i < 16; ++i) CHECK(plain.film.mean(i, i).y == Approx(2).epsilon(1e-9));
 
   settings.nextEventEstimation = true;
   settings.sampleCount = 256;
-  CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
+  CHECK(meanOf(renderScene(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
 
   settings.nextEventEstimation = false;
   settings.rouletteStart = 5;  // by it the standard deviation of a sample is less than 0.25
-  CHECK(meanOf(render(box.scene, settings).film).x == Approx(2).epsilon(2e-3));
+  CHECK(meanOf(renderScene(box.scene, settings).film).x == Approx(2).epsilon(2e-3));
 }
 
 TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
-  RenderSettings settings = settingsOf(8, 8, 4);
+  render::RenderSettings settings = settingsOf(8, 8, 4);
   settings.rouletteStart = 64;
   const auto checkFurnace = [&](SceneBuilder& b, double expected) {
     b.view({0.2f, 0.1f, 0.3f}, {0, 0, 0}, {0, 1, 0}, 90);
-    const dvec3 mean = meanOf(render(b.scene, settings).film);
+    const dvec3 mean = meanOf(renderScene(b.scene, settings).film);
     CHECK(mean.x == Approx(expected).epsilon(1e-3));
   };
-  const Material wall = diffuseMaterial(vec3(0.5f), vec3(1));
+  const scene::Material wall = diffuseMaterial(vec3(0.5f), vec3(1));
 
   SceneBuilder box;
   box.material(wall).box({-1, -1, -1}, {1, 1, 1});
@@ -79,7 +79,7 @@ TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
   checkFurnace(cones, 2);
 
   SceneBuilder mirrors;
-  Material glowingMirror = mirrorMaterial(vec3(0.5f));
+  scene::Material glowingMirror = mirrorMaterial(vec3(0.5f));
   glowingMirror.emission = vec3(1);
   mirrors.material(glowingMirror).box({-1, -1, -1}, {1, 1, 1});
   checkFurnace(mirrors, 2);
@@ -99,7 +99,7 @@ TEST_CASE("a spherical furnace keeps its mean under next-event estimation") {
     SceneBuilder ball;
     ball.material(diffuseMaterial(vec3(0.5f), vec3(1))).sphere({0, 0, 0}, radius);
     ball.view({0.2f, 0.1f, 0.3f}, {0, 0, 0}, {0, 1, 0}, 90);
-    CHECK(meanOf(render(ball.scene, settingsOf(16, 16, 256)).film).x == Approx(2).epsilon(1e-3));
+    CHECK(meanOf(renderScene(ball.scene, settingsOf(16, 16, 256)).film).x == Approx(2).epsilon(1e-3));
   }
 }
 
@@ -111,10 +111,10 @@ TEST_CASE("walls of radius 100,000 make a furnace without acne or leaks") {
   b.sphere({50, 1e5f, 81.6f}, 1e5f).sphere({50, -1e5f + 81.6f, 81.6f}, 1e5f);
   b.material(glassMaterial(vec3(1), 1.5f)).sphere({73, 16.5f, 78}, 16.5f);
   b.view({50, 52, 160}, {50, 48, 100}, {0, 1, 0}, 60);
-  RenderSettings settings = settingsOf(24, 24, 4);
+  render::RenderSettings settings = settingsOf(24, 24, 4);
   settings.nextEventEstimation = false;
   settings.rouletteStart = 64;
-  const RenderResult result = render(b.scene, settings);
+  const render::RenderResult result = renderScene(b.scene, settings);
   for (std::uint32_t y = 0; y < 24; ++y) {
     for (std::uint32_t x = 0; x < 24; ++x) {
       // Paths that end inside the glass, or spend many vertices there, miss a little.
@@ -128,11 +128,11 @@ TEST_CASE("colourless glass is invisible in a furnace, whatever stands in it") {
   b.material(glassMaterial(vec3(1), 1.5f));
   b.sphere({-0.4f, 0, 0}, 0.3f).box({0.1f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.1f});
   b.cone({0, 0.5f, 0}, 0.3f, {0, 0.9f, 0}, 0.1f);
-  RenderSettings settings = settingsOf(24, 24, 9);
+  render::RenderSettings settings = settingsOf(24, 24, 9);
   settings.maxDepth = 400;
   settings.rouletteStart = 400;
   settings.nextEventEstimation = false;
-  CHECK(meanOf(render(b.scene, settings).film).x == Approx(2).epsilon(1e-3));
+  CHECK(meanOf(renderScene(b.scene, settings).film).x == Approx(2).epsilon(1e-3));
 }
 
 TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
@@ -143,31 +143,31 @@ TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
   for (const float x : {1.0f, 2.0f}) {
     lookDownAt(b, x, 0);
     const double expected = double{0.8f} * 5 * 0.25 * 2.5 / std::pow(x * x + 2.5 * 2.5, 1.5);
-    RenderSettings settings = onePixel(1024);
-    CHECK(render(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(2e-3));
+    render::RenderSettings settings = onePixel(1024);
+    CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(2e-3));
     settings.sampleCount = 65536;
     settings.nextEventEstimation = false;
-    CHECK(render(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(1e-2));
+    CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(1e-2));
   }
 }
 
 TEST_CASE("a point light shows Kd Lc cd (N.L), with next-event estimation or without") {
   SceneBuilder b;
-  Material material = mixtureMaterial(0.5f, 0, 1);
+  scene::Material material = mixtureMaterial(0.5f, 0, 1);
   material.diffuse = {0.25f, 0.5f, 1};
   b.material(material).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.pointLight({3e7f, 0, 4e7f}, {2, 4, 8});  // N.L = 0.8
   lookDownAt(b, 1, 1);
   for (const bool nextEvent : {true, false}) {
-    RenderSettings settings = onePixel(1);
+    render::RenderSettings settings = onePixel(1);
     settings.nextEventEstimation = nextEvent;
-    const dvec3 seen = render(b.scene, settings).film.mean(0, 0);
+    const dvec3 seen = renderScene(b.scene, settings).film.mean(0, 0);
     CHECK(seen.x == Approx(0.5 * 2 * 0.25 * 0.8).epsilon(1e-7));
     CHECK(seen.y == Approx(0.5 * 4 * 0.5 * 0.8).epsilon(1e-7));
     CHECK(seen.z == Approx(0.5 * 8 * 1 * 0.8).epsilon(1e-7));
   }
   b.material(diffuseMaterial(vec3(1))).sphere({4, 1, 4}, 0.5f);  // in the light's way
-  CHECK(render(b.scene, onePixel(1)).film.mean(0, 0) == dvec3(0));
+  CHECK(renderScene(b.scene, onePixel(1)).film.mean(0, 0) == dvec3(0));
 }
 
 TEST_CASE("many point lights add up") {
@@ -178,7 +178,7 @@ TEST_CASE("many point lights add up") {
   lookDownAt(b, 0, 0);
   b.scene.primitives[1].material = 1;
   // The lamp is a shadow caster to none of the point lights, and they are none to it.
-  CHECK(render(b.scene, onePixel(65536, 2)).film.mean(0, 0).x == Approx(4.5 + 2.0 / 144).epsilon(5e-3));
+  CHECK(renderScene(b.scene, onePixel(65536, 2)).film.mean(0, 0).x == Approx(4.5 + 2.0 / 144).epsilon(5e-3));
 }
 
 TEST_CASE("next-event estimation leaves the mean of a box with every kind of surface") {
@@ -189,12 +189,12 @@ TEST_CASE("next-event estimation leaves the mean of a box with every kind of sur
   b.material(mirrorMaterial(vec3(0.9f))).sphere({0.4f, -0.7f, -0.3f}, 0.3f);
   b.material(glassMaterial(vec3(0.9f), 1.5f)).box({-0.6f, -1, -0.5f}, {-0.1f, -0.5f, 0});
   b.material(mixtureMaterial(0.2f, 0.5f, 300, 0.3f, 1.4f)).sphere({0, 0, -0.6f}, 0.3f);
-  RenderSettings settings = settingsOf(24, 24, 256);
-  settings.sampler = SamplerKind::independent;
-  const Estimate with = estimateOf(render(b.scene, settings).film);
+  render::RenderSettings settings = settingsOf(24, 24, 256);
+  settings.sampler = render::SamplerKind::independent;
+  const Estimate with = estimateOf(renderScene(b.scene, settings).film);
   settings.nextEventEstimation = false;
   settings.seed = 1;
-  checkEqualMeans(with, estimateOf(render(b.scene, settings).film), 0.005);
+  checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
 TEST_CASE("next-event estimation leaves the mean of a gloss under large lights, seen in one bounce") {
@@ -204,13 +204,13 @@ TEST_CASE("next-event estimation leaves the mean of a gloss under large lights, 
   b.quad({-2, 1, 0.2f}, {2, 1, 0.2f}, {2, 2, 2}, {-2, 2, 2}).sphere({0, -1, 1}, 0.8f);
   b.scene.background = {0.3f, 0.3f, 0.3f};
   b.view({0, -4, 1.5f}, {0, 0, 0.2f}, {0, 0, 1}, 40);
-  RenderSettings settings = settingsOf(24, 24, 256);
-  settings.sampler = SamplerKind::independent;
+  render::RenderSettings settings = settingsOf(24, 24, 256);
+  settings.sampler = render::SamplerKind::independent;
   settings.maxDepth = 2;
-  const Estimate with = estimateOf(render(b.scene, settings).film);
+  const Estimate with = estimateOf(renderScene(b.scene, settings).film);
   settings.nextEventEstimation = false;
   settings.seed = 1;
-  checkEqualMeans(with, estimateOf(render(b.scene, settings).film), 0.005);
+  checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
 TEST_CASE("one-sided lights shine from their front, with next-event estimation or without") {
@@ -219,44 +219,44 @@ TEST_CASE("one-sided lights shine from their front, with next-event estimation o
   b.material(diffuseMaterial(vec3(0), vec3(3)));
   b.quad({-2, 2, 1}, {2, 2, 1}, {2, -2, 1}, {-2, -2, 1});  // its front is below
   lookDownAt(b, 3, 0);
-  RenderSettings settings = onePixel(16384);
+  render::RenderSettings settings = onePixel(16384);
   settings.oneSided = true;
-  settings.sampler = SamplerKind::independent;
-  const Estimate front = estimateOf(render(b.scene, settings).film);
+  settings.sampler = render::SamplerKind::independent;
+  const Estimate front = estimateOf(renderScene(b.scene, settings).film);
   settings.nextEventEstimation = false;
-  checkEqualMeans(front, estimateOf(render(b.scene, settings).film), 0.03);
+  checkEqualMeans(front, estimateOf(renderScene(b.scene, settings).film), 0.03);
 
-  for (Triangle& triangle : b.scene.triangles) std::swap(triangle.p[1], triangle.p[2]);
+  for (scene::Triangle& triangle : b.scene.triangles) std::swap(triangle.p[1], triangle.p[2]);
   for (const bool nextEvent : {true, false}) {
     settings.nextEventEstimation = nextEvent;
-    CHECK(estimateOf(render(b.scene, settings).film).mean == 0);
+    CHECK(estimateOf(renderScene(b.scene, settings).film).mean == 0);
   }
 }
 
 TEST_CASE("Russian roulette leaves the mean") {
   SceneBuilder b = closedBox(diffuseMaterial({0.8f, 0.7f, 0.6f}));
   b.material(diffuseMaterial(vec3(0.2f), vec3(5))).sphere({0, 0.3f, -0.3f}, 0.5f);
-  RenderSettings settings = settingsOf(16, 16, 100);
-  settings.sampler = SamplerKind::independent;
+  render::RenderSettings settings = settingsOf(16, 16, 100);
+  settings.sampler = render::SamplerKind::independent;
   settings.rouletteStart = 64;
-  const RenderResult without = render(b.scene, settings);
+  const render::RenderResult without = renderScene(b.scene, settings);
   settings.rouletteStart = 1;
   settings.seed = 1;
-  const RenderResult with = render(b.scene, settings);
+  const render::RenderResult with = renderScene(b.scene, settings);
   CHECK(with.statistics.vertices * 2 < without.statistics.vertices);
   checkEqualMeans(estimateOf(without.film), estimateOf(with.film), 0.01);
 }
 
 TEST_CASE("a path between two parallel mirrors goes on for 5000 rays") {
   SceneBuilder b;
-  Material material = mirrorMaterial(vec3(0.999f));
+  scene::Material material = mirrorMaterial(vec3(0.999f));
   material.emission = vec3(1);
   b.material(material).plane({0, 0, -1}, {1, 0, -1}, {0, 1, -1}).plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   b.view({0, 0, 0}, {0, 0.1f, 1}, {0, 1, 0}, 5);
-  RenderSettings settings = settingsOf(2, 2, 2);
+  render::RenderSettings settings = settingsOf(2, 2, 2);
   settings.maxDepth = 5000;
   settings.rouletteStart = 5000;
-  const RenderResult result = render(b.scene, settings);
+  const render::RenderResult result = renderScene(b.scene, settings);
   CHECK(result.statistics.vertices == 8 * 5000);
   const double a = double{0.999f};
   const double expected = (1 - std::pow(a, 5000)) / (1 - a);
@@ -270,10 +270,10 @@ TEST_CASE("emitters outside the table are found by paths, at full weight") {
     b.material(diffuseMaterial(vec3(0), vec3(1))).plane({0, 0, 5}, {0, 1, 5}, {1, 0, 5});
     b.sphere({900, 0, -900}, 1);  // a light in the table, below the floor
     lookDownAt(b, 0, 0);
-    RenderSettings settings = onePixel(16);
+    render::RenderSettings settings = onePixel(16);
     settings.nextEventEstimation = nextEvent;
     // All directions but those that run to infinity below the other plane's horizon: the whole half-space.
-    CHECK(render(b.scene, settings).film.mean(0, 0).x == Approx(0.5).epsilon(1e-9));
+    CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(0.5).epsilon(1e-9));
   }
 }
 
@@ -282,7 +282,7 @@ TEST_CASE("what is seen does not depend on the depth that is left once nothing m
   b.material(diffuseMaterial(vec3(0.5f), vec3(0.25f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.scene.background = {1, 2, 3};
   lookDownAt(b, 0, 0);
-  CHECK(render(b.scene, onePixel(4, 1)).film.mean(0, 0) == dvec3(0.25));
-  CHECK(render(b.scene, onePixel(4, 2)).film.mean(0, 0).z == Approx(0.25 + 1.5));
-  CHECK(render(b.scene, onePixel(4, 9)).film.mean(0, 0).z == Approx(0.25 + 1.5));
+  CHECK(renderScene(b.scene, onePixel(4, 1)).film.mean(0, 0) == dvec3(0.25));
+  CHECK(renderScene(b.scene, onePixel(4, 2)).film.mean(0, 0).z == Approx(0.25 + 1.5));
+  CHECK(renderScene(b.scene, onePixel(4, 9)).film.mean(0, 0).z == Approx(0.25 + 1.5));
 }

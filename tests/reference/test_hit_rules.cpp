@@ -34,8 +34,8 @@ TEST_CASE("one-sided rendering drops the backs of opaque triangles and planes, a
   b.plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});        // the same
   b.box({-1, -1, 2}, {1, 1, 3}).sphere({0, 0, 0}, 1);
   b.material(test::glassMaterial(vec3(1), 1.5f)).triangle({-9, -9, 1.2f}, {9, -9, 1.2f}, {0, 9, 1.2f});
-  RenderSettings settings;
-  settings.accel = AccelKind::bvh;
+  render::RenderSettings settings;
+  settings.accel = render::AccelKind::bvh;
   const Tracing twoSided(b.scene, settings);
   settings.oneSided = true;
   const Tracing oneSided(b.scene, settings);

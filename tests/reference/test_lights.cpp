@@ -34,8 +34,8 @@ double estimate(const LightTable& lights, const Surface& surface, const Function
   return sum / (kSide * kSide);
 }
 
-RenderSettings settingsWith(bool nextEvent, bool oneSided = false) {
-  RenderSettings settings;
+render::RenderSettings settingsWith(bool nextEvent, bool oneSided = false) {
+  render::RenderSettings settings;
   settings.nextEventEstimation = nextEvent;
   settings.oneSided = oneSided;
   return settings;
@@ -142,7 +142,7 @@ TEST_CASE("the density of a hit is that of sampling it") {
     REQUIRE(sample);
     CHECK(sample->primitive == entry);
     const Ray ray{from.position, sample->wi};
-    Scene alone = b.scene;
+    scene::Scene alone = b.scene;
     alone.primitives = {b.scene.primitives[entry]};
     const Hit hit = Tracing(alone, {}).closest(ray, counters);
     REQUIRE(hit);

@@ -20,93 +20,93 @@ SceneBuilder mirroredFloor() {
   return b.view({0, 0, 1}, {0, 0, -5}, {0, 1, 0}, 1e-3f);
 }
 
-PathRecord recordOf(const Scene& scene, std::uint32_t maxDepth) {
-  RenderSettings settings = settingsOf(1, 1, 1);
+render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
+  render::RenderSettings settings = settingsOf(1, 1, 1);
   settings.recordPaths = true;
   settings.maxDepth = maxDepth;
-  return render(scene, settings).paths.at(0);
+  return renderScene(scene, settings).paths.at(0);
 }
 
 }  // namespace
 
 TEST_CASE("neither threads nor tiles nor the structure change a byte of the film") {
-  Scene scene = cornellBox().scene;
+  scene::Scene scene = cornellBox().scene;
   for (int i = 0; i < 40; ++i) {  // enough for a hierarchy
     scene.spheres.push_back({vec3(-0.9f + 0.045f * static_cast<float>(i), -0.95f, 0.3f), 0.04f});
-    scene.primitives.push_back({PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size() - 1), 1});
+    scene.primitives.push_back({scene::PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size() - 1), 1});
   }
-  RenderSettings settings = settingsOf(24, 17, 4);
+  render::RenderSettings settings = settingsOf(24, 17, 4);
   settings.threads = 1;
-  const RenderResult first = render(scene, settings);
+  const render::RenderResult first = renderScene(scene, settings);
   const std::uint64_t hash = first.film.hash();
   CHECK(first.statistics.structure == "bvh");
   CHECK(first.statistics.bvhSplit == "median");
 
   settings.threads = 2;
-  CHECK(render(scene, settings).film.hash() == hash);
+  CHECK(renderScene(scene, settings).film.hash() == hash);
   settings.threads = 7;
-  settings.tile = Extent{5, 3};
-  CHECK(render(scene, settings).film.hash() == hash);
-  settings.accel = AccelKind::none;
-  const RenderResult brute = render(scene, settings);
+  settings.tile = render::Extent{5, 3};
+  CHECK(renderScene(scene, settings).film.hash() == hash);
+  settings.accel = render::AccelKind::none;
+  const render::RenderResult brute = renderScene(scene, settings);
   CHECK(brute.statistics.structure == "none");
   CHECK(brute.film.hash() == hash);
-  settings.accel = AccelKind::bvh;
-  settings.bvhSplit = BvhSplit::midpoint;
-  const RenderResult midpoint = render(scene, settings);
+  settings.accel = render::AccelKind::bvh;
+  settings.bvhSplit = render::BvhSplit::midpoint;
+  const render::RenderResult midpoint = renderScene(scene, settings);
   CHECK(midpoint.statistics.structure == "bvh");
   CHECK(midpoint.statistics.bvhSplit == "midpoint");
   CHECK(midpoint.film.hash() == hash);
-  settings.accel = AccelKind::grid;
-  const RenderResult grid = render(scene, settings);
+  settings.accel = render::AccelKind::grid;
+  const render::RenderResult grid = renderScene(scene, settings);
   CHECK(grid.statistics.structure == "grid");
   CHECK(grid.film.hash() == hash);
   CHECK(std::set{first.statistics.traversalSteps, brute.statistics.traversalSteps, midpoint.statistics.traversalSteps,
                  grid.statistics.traversalSteps}
             .size() == 4);
   settings.seed = 1;
-  CHECK(render(scene, settings).film.hash() != hash);
+  CHECK(renderScene(scene, settings).film.hash() != hash);
 }
 
 TEST_CASE("a lens of aperture 0 is a pinhole, bit for bit") {
-  Scene scene = cornellBox().scene;
-  RenderSettings settings = settingsOf(16, 16, 4);
-  const std::uint64_t pinhole = render(scene, settings).film.hash();
+  scene::Scene scene = cornellBox().scene;
+  render::RenderSettings settings = settingsOf(16, 16, 4);
+  const std::uint64_t pinhole = renderScene(scene, settings).film.hash();
   scene.camera->focal = 0.3f;
-  CHECK(render(scene, settings).film.hash() == pinhole);
-  settings.lens = LensKind::square;
-  CHECK(render(scene, settings).film.hash() == pinhole);
+  CHECK(renderScene(scene, settings).film.hash() == pinhole);
+  settings.lens = render::LensKind::square;
+  CHECK(renderScene(scene, settings).film.hash() == pinhole);
   scene.camera->aperture = 1;
-  CHECK(render(scene, settings).film.hash() != pinhole);
+  CHECK(renderScene(scene, settings).film.hash() != pinhole);
 }
 
 TEST_CASE("samplers, filters, lenses and sides each change the film") {
-  Scene scene = cornellBox().scene;
+  scene::Scene scene = cornellBox().scene;
   scene.camera->aperture = 4;
-  RenderSettings settings = settingsOf(16, 16, 4);
-  std::vector<std::uint64_t> hashes{render(scene, settings).film.hash()};
+  render::RenderSettings settings = settingsOf(16, 16, 4);
+  std::vector<std::uint64_t> hashes{renderScene(scene, settings).film.hash()};
   const auto add = [&](auto change) {
-    RenderSettings changed = settings;
+    render::RenderSettings changed = settings;
     change(changed);
-    hashes.push_back(render(scene, changed).film.hash());
+    hashes.push_back(renderScene(scene, changed).film.hash());
   };
-  add([](RenderSettings& s) { s.sampler = SamplerKind::independent; });
-  add([](RenderSettings& s) { s.sampler = SamplerKind::stratified; });
-  add([](RenderSettings& s) { s.filter = FilterKind::tent; });
-  add([](RenderSettings& s) { s.lens = LensKind::square; });
-  add([](RenderSettings& s) { s.oneSided = true; });
-  add([](RenderSettings& s) { s.nextEventEstimation = false; });
-  add([](RenderSettings& s) { s.rouletteStart = 1; });
-  add([](RenderSettings& s) { s.maxDepth = 3; });
-  add([](RenderSettings& s) { s.pixelOrigin = PixelOrigin::corner; });
+  add([](render::RenderSettings& s) { s.sampler = render::SamplerKind::independent; });
+  add([](render::RenderSettings& s) { s.sampler = render::SamplerKind::stratified; });
+  add([](render::RenderSettings& s) { s.filter = render::FilterKind::tent; });
+  add([](render::RenderSettings& s) { s.lens = render::LensKind::square; });
+  add([](render::RenderSettings& s) { s.oneSided = true; });
+  add([](render::RenderSettings& s) { s.nextEventEstimation = false; });
+  add([](render::RenderSettings& s) { s.rouletteStart = 1; });
+  add([](render::RenderSettings& s) { s.maxDepth = 3; });
+  add([](render::RenderSettings& s) { s.pixelOrigin = render::PixelOrigin::corner; });
   std::sort(hashes.begin(), hashes.end());
   CHECK(std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end());
 }
 
 TEST_CASE("statistics count what was done") {
-  RenderSettings settings = settingsOf(7, 5, 3);
+  render::RenderSettings settings = settingsOf(7, 5, 3);
   settings.threads = 2;
-  const RenderStatistics direct = render(mirroredFloor().scene, settings).statistics;
+  const render::RenderStatistics direct = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(direct.device == "cpu");
   CHECK(direct.kernel == "reference");
   CHECK(direct.structure == "none");
@@ -118,13 +118,13 @@ TEST_CASE("statistics count what was done") {
   CHECK(direct.badSamples == 0);
 
   settings.maxDepth = 2;  // mirror, floor, no light sample at the last vertex
-  const RenderStatistics two = render(mirroredFloor().scene, settings).statistics;
+  const render::RenderStatistics two = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(two.bounceRays == 105);
   CHECK(two.vertices == 210);
   CHECK(two.shadowRays == 0);
   CHECK(two.traversalSteps == 210 * 3);
   settings.maxDepth = 3;
-  const RenderStatistics three = render(mirroredFloor().scene, settings).statistics;
+  const render::RenderStatistics three = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(three.bounceRays == 210);
   CHECK(three.shadowRays == 105);
 }
@@ -132,64 +132,64 @@ TEST_CASE("statistics count what was done") {
 TEST_CASE("samples that are too bright are counted") {
   SceneBuilder b;
   b.scene.background = {2e6f, 0, 0};
-  CHECK(render(b.scene, settingsOf(2, 2, 3)).statistics.badSamples == 12);
+  CHECK(renderScene(b.scene, settingsOf(2, 2, 3)).statistics.badSamples == 12);
 }
 
 TEST_CASE("a record tells what a path decided") {
-  Scene scene = mirroredFloor().scene;
-  const PathRecord open = recordOf(scene, 64);
+  scene::Scene scene = mirroredFloor().scene;
+  const render::PathRecord open = recordOf(scene, 64);
   REQUIRE(open.vertexCount >= 3);
-  CHECK(open.vertices[0] == VertexRecord{0, Lobe::mirror, ShadowOutcome::notTraced, true});
+  CHECK(open.vertices[0] == render::VertexRecord{0, render::Lobe::mirror, render::ShadowOutcome::notTraced, true});
   CHECK((open.vertices[1].primitive == 1 || open.vertices[1].primitive == 2));
-  CHECK(open.vertices[1].lobe == Lobe::diffuse);
-  CHECK(open.vertices[1].shadow == ShadowOutcome::visible);
+  CHECK(open.vertices[1].lobe == render::Lobe::diffuse);
+  CHECK(open.vertices[1].shadow == render::ShadowOutcome::visible);
 
-  const PathRecord cut = recordOf(scene, 2);
+  const render::PathRecord cut = recordOf(scene, 2);
   REQUIRE(cut.vertexCount == 2);
-  CHECK(cut.vertices[1].lobe == Lobe::none);
-  CHECK(cut.vertices[1].shadow == ShadowOutcome::notTraced);
+  CHECK(cut.vertices[1].lobe == render::Lobe::none);
+  CHECK(cut.vertices[1].shadow == render::ShadowOutcome::notTraced);
 
   SceneBuilder screened = mirroredFloor();
   screened.sphere({0.9f, 0, 3}, 0.8f);  // leaves the view free and hides nothing yet
-  CHECK(recordOf(screened.scene, 64).vertices[1].shadow == ShadowOutcome::visible);
+  CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::visible);
   screened.scene.pointLights[0].position = {1.8f, 0, 1};
-  CHECK(recordOf(screened.scene, 64).vertices[1].shadow == ShadowOutcome::occluded);
+  CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::occluded);
 }
 
 TEST_CASE("a record ends with the miss, or where roulette ended the path") {
   SceneBuilder b;
-  const PathRecord miss = recordOf(b.scene, 64);
+  const render::PathRecord miss = recordOf(b.scene, 64);
   REQUIRE(miss.vertexCount == 1);
-  CHECK(miss.vertices[0] == VertexRecord{});
+  CHECK(miss.vertices[0] == render::VertexRecord{});
 
   b.material(mirrorMaterial(vec3(1e-6f))).plane({0, 0, -1}, {1, 0, -1}, {0, 1, -1});
-  RenderSettings settings = settingsOf(1, 1, 1);
+  render::RenderSettings settings = settingsOf(1, 1, 1);
   settings.recordPaths = true;
   settings.rouletteStart = 0;
-  const PathRecord ended = render(b.scene, settings).paths.at(0);
+  const render::PathRecord ended = renderScene(b.scene, settings).paths.at(0);
   REQUIRE(ended.vertexCount == 1);
-  CHECK(ended.vertices[0] == VertexRecord{0, Lobe::mirror, ShadowOutcome::notTraced, false});
+  CHECK(ended.vertices[0] == render::VertexRecord{0, render::Lobe::mirror, render::ShadowOutcome::notTraced, false});
 }
 
 TEST_CASE("a record keeps the first 32 vertices") {
   SceneBuilder b;
   b.material(mirrorMaterial(vec3(1))).sphere({0, 0, 0}, 3);
-  const PathRecord record = recordOf(b.scene, 100);
-  CHECK(record.vertexCount == PathRecord::kRecordedVertices);
-  CHECK(record.vertices.back().lobe == Lobe::mirror);
+  const render::PathRecord record = recordOf(b.scene, 100);
+  CHECK(record.vertexCount == render::PathRecord::kRecordedVertices);
+  CHECK(record.vertices.back().lobe == render::Lobe::mirror);
 }
 
 TEST_CASE("progress reaches the end, on the calling thread") {
   std::vector<double> fractions;
   std::uint64_t samples = 0;
-  RenderControl control;
+  render::RenderControl control;
   control.progress = [&](double fraction, std::uint64_t done) {
     fractions.push_back(fraction);
     samples = done;
   };
-  RenderSettings settings = settingsOf(40, 40, 2);
+  render::RenderSettings settings = settingsOf(40, 40, 2);
   settings.threads = 1;
-  makeReferenceRenderer()->render(cornellBox().scene, settings, control);
+  reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control);
   REQUIRE(fractions.size() == 9);
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.back() == 1);
@@ -198,28 +198,28 @@ TEST_CASE("progress reaches the end, on the calling thread") {
 
 TEST_CASE("a render that is stopped says so and keeps what was done") {
   std::atomic<bool> stop = false;
-  RenderControl control;
+  render::RenderControl control;
   control.stop = &stop;
   control.progress = [&](double, std::uint64_t) { stop = true; };
-  RenderSettings settings = settingsOf(64, 64, 2);
+  render::RenderSettings settings = settingsOf(64, 64, 2);
   settings.threads = 2;
-  const RenderResult result = makeReferenceRenderer()->render(cornellBox().scene, settings, control);
+  const render::RenderResult result = reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control);
   CHECK(result.interrupted);
   CHECK(result.statistics.samples >= 512);
   CHECK(result.statistics.samples < 64 * 64 * 2);
   std::uint64_t inFilm = 0;
-  for (const FilmPixel& pixel : result.film.pixels()) inFilm += pixel.sampleCount;
+  for (const image::FilmPixel& pixel : result.film.pixels()) inFilm += pixel.sampleCount;
   CHECK(inFilm == result.statistics.samples);
 
   stop = false;
   control.progress = {};
-  CHECK_FALSE(makeReferenceRenderer()->render(cornellBox().scene, settings, control).interrupted);
+  CHECK_FALSE(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control).interrupted);
 }
 
 TEST_CASE("what a progress callback throws ends the render") {
-  RenderControl control;
+  render::RenderControl control;
   control.progress = [](double, std::uint64_t) { throw std::runtime_error("enough"); };
-  RenderSettings settings = settingsOf(64, 64, 1);
+  render::RenderSettings settings = settingsOf(64, 64, 1);
   settings.threads = 2;
-  CHECK_THROWS_WITH(makeReferenceRenderer()->render(cornellBox().scene, settings, control), "enough");
+  CHECK_THROWS_WITH(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control), "enough");
 }

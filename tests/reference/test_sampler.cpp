@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kPixel = 3 + 65536 * 2;
 
-Sampler samplerOf(SamplerKind kind, std::uint32_t sampleCount) { return Sampler(kind, 7, sampleCount); }
+Sampler samplerOf(render::SamplerKind kind, std::uint32_t sampleCount) { return Sampler(kind, 7, sampleCount); }
 
 // Pearson's statistic of counts that should be equal.
 double chiSquare(const std::vector<int>& counts) {
@@ -35,13 +35,13 @@ TEST_CASE("pcg4d gives the vectors of an independent calculation") {
 }
 
 TEST_CASE("each kind of sampler gives the vectors of an independent calculation") {
-  CHECK(samplerOf(SamplerKind::independent, 9).group(kPixel, 5, 1) ==
+  CHECK(samplerOf(render::SamplerKind::independent, 9).group(kPixel, 5, 1) ==
         Words{0x39931ab3u, 0xc779ce87u, 0xe9f21e79u, 0x034b49cbu});
-  CHECK(samplerOf(SamplerKind::sobol, 9).group(kPixel, 5, 1) ==
+  CHECK(samplerOf(render::SamplerKind::sobol, 9).group(kPixel, 5, 1) ==
         Words{0xc1ab4811u, 0x4a016864u, 0x641e13afu, 0x44121275u});
-  CHECK(Sampler(SamplerKind::sobol, ~0u, 1).group(65534 + 65536u * 65534, 70000, 9999) ==
+  CHECK(Sampler(render::SamplerKind::sobol, ~0u, 1).group(65534 + 65536u * 65534, 70000, 9999) ==
         Words{0x0a0da4e2u, 0xad01e9bfu, 0xc00033e9u, 0x9f9cb2dau});
-  const Sampler stratified = samplerOf(SamplerKind::stratified, 9);
+  const Sampler stratified = samplerOf(render::SamplerKind::stratified, 9);
   CHECK(stratified.group(kPixel, 5, 0) == Words{0xc646e9ddu, 0xcc4324a2u, 0xcd3b224eu, 0x5857e3b1u});
   CHECK(stratified.group(kPixel, 5, 2) == Words{0x0c0fc945u, 0xd46a0f31u, 0xc7e262b9u, 0x6225f969u});
   CHECK(stratified.group(kPixel, 5, 3) == Words{0xaf808fc4u, 0x59bc937cu, 0xf1499debu, 0x873c20a5u});
@@ -66,7 +66,7 @@ TEST_CASE("Sobol points before scrambling are those that Joe and Kuo publish") {
 }
 
 TEST_CASE("any 2^k scrambled Sobol samples have one number in each interval of length 2^-k") {
-  const Sampler sampler(SamplerKind::sobol, 3, 64);
+  const Sampler sampler(render::SamplerKind::sobol, 3, 64);
   for (std::uint32_t slot = 0; slot < 4; ++slot) {
     std::set<std::uint32_t> intervals;
     for (std::uint32_t sample = 0; sample < 64; ++sample) intervals.insert(sampler.group(42, sample, 5)[slot] >> 26);
@@ -75,7 +75,7 @@ TEST_CASE("any 2^k scrambled Sobol samples have one number in each interval of l
 }
 
 TEST_CASE("2^k scrambled Sobol samples of the first two dimensions of a group fill every elementary interval once") {
-  const Sampler sampler(SamplerKind::sobol, 3, 64);
+  const Sampler sampler(render::SamplerKind::sobol, 3, 64);
   for (std::uint32_t bits = 0; bits <= 6; ++bits) {
     std::set<std::uint64_t> cells;
     for (std::uint32_t sample = 0; sample < 64; ++sample) {
@@ -126,7 +126,7 @@ TEST_CASE("stratified samples fill every stratum exactly once") {
                                          vertex + kDimensionBsdfU};
   const std::vector<std::uint32_t> singles{kDimensionTime, vertex + kDimensionLightChoice, vertex + kDimensionLobe,
                                            vertex + kDimensionRoulette};
-  const Sampler sampler(SamplerKind::stratified, 11, kSide * kSide);
+  const Sampler sampler(render::SamplerKind::stratified, 11, kSide * kSide);
   std::vector<std::set<double>> cells(pairs.size() + singles.size());
   for (std::uint32_t sample = 0; sample < kSide * kSide; ++sample) {
     SampleNumbers numbers(sampler, 12, 34, sample);
@@ -142,19 +142,20 @@ TEST_CASE("stratified samples fill every stratum exactly once") {
 }
 
 TEST_CASE("samples beyond the last full square of strata are independent ones") {
-  const Sampler stratified = samplerOf(SamplerKind::stratified, 11);  // n = 3
-  const Sampler independent = samplerOf(SamplerKind::independent, 11);
+  const Sampler stratified = samplerOf(render::SamplerKind::stratified, 11);  // n = 3
+  const Sampler independent = samplerOf(render::SamplerKind::independent, 11);
   CHECK(stratified.group(kPixel, 8, 0) != independent.group(kPixel, 8, 0));
   CHECK(stratified.group(kPixel, 9, 0) == independent.group(kPixel, 9, 0));
-  CHECK(samplerOf(SamplerKind::stratified, 3).group(kPixel, 0, 0) == independent.group(kPixel, 0, 0));
+  CHECK(samplerOf(render::SamplerKind::stratified, 3).group(kPixel, 0, 0) == independent.group(kPixel, 0, 0));
   // 257 x 257 samples: only 256 x 256 are stratified.
-  const Sampler large = samplerOf(SamplerKind::stratified, 66049);
+  const Sampler large = samplerOf(render::SamplerKind::stratified, 66049);
   CHECK(large.group(kPixel, 65535, 0) != independent.group(kPixel, 65535, 0));
   CHECK(large.group(kPixel, 65536, 0) == independent.group(kPixel, 65536, 0));
 }
 
 TEST_CASE("every sampler's numbers are uniform over pixels") {
-  for (const SamplerKind kind : {SamplerKind::independent, SamplerKind::sobol, SamplerKind::stratified}) {
+  for (const render::SamplerKind kind :
+       {render::SamplerKind::independent, render::SamplerKind::sobol, render::SamplerKind::stratified}) {
     const Sampler sampler(kind, 1, 16);
     std::vector<int> first(64), pair(256);
     for (std::uint32_t i = 0; i < 40000; ++i) {

@@ -13,27 +13,27 @@ using test::SceneBuilder;
 
 namespace {
 
-RenderSettings withAccel(AccelKind accel) {
-  RenderSettings settings;
+render::RenderSettings withAccel(render::AccelKind accel) {
+  render::RenderSettings settings;
   settings.accel = accel;
   return settings;
 }
 
-RenderSettings withMidpoints() {
-  RenderSettings settings;
-  settings.bvhSplit = BvhSplit::midpoint;
+render::RenderSettings withMidpoints() {
+  render::RenderSettings settings;
+  settings.bvhSplit = render::BvhSplit::midpoint;
   return settings;
 }
 
-RenderSettings withGrid(float density) {
-  RenderSettings settings = withAccel(AccelKind::grid);
+render::RenderSettings withGrid(float density) {
+  render::RenderSettings settings = withAccel(render::AccelKind::grid);
   settings.gridDensity = density;
   return settings;
 }
 
 class RandomScene {
  public:
-  Scene make(int perKind) {
+  scene::Scene make(int perKind) {
     b_.material(test::diffuseMaterial(vec3(0.5f)));
     for (int i = 0; i < perKind; ++i) {
       const vec3 p = 10.0f * point();
@@ -80,16 +80,16 @@ class RandomScene {
 
 TEST_CASE("every structure finds what brute force finds, in scenes of all kinds and with ties") {
   RandomScene random;
-  const Scene scene = random.make(100);
-  const Tracing brute(scene, withAccel(AccelKind::none));
+  const scene::Scene scene = random.make(100);
+  const Tracing brute(scene, withAccel(render::AccelKind::none));
   REQUIRE_FALSE(brute.hasHierarchy());
   REQUIRE_FALSE(brute.hasGrid());
   std::vector<Tracing> structures;
-  for (const RenderSettings& settings :
-       {withAccel(AccelKind::bvh), withMidpoints(), withGrid(1), withGrid(2), withGrid(5)}) {
+  for (const render::RenderSettings& settings :
+       {withAccel(render::AccelKind::bvh), withMidpoints(), withGrid(1), withGrid(2), withGrid(5)}) {
     structures.emplace_back(scene, settings);
-    REQUIRE(structures.back().hasHierarchy() == (settings.accel == AccelKind::bvh));
-    REQUIRE(structures.back().hasGrid() == (settings.accel == AccelKind::grid));
+    REQUIRE(structures.back().hasHierarchy() == (settings.accel == render::AccelKind::bvh));
+    REQUIRE(structures.back().hasGrid() == (settings.accel == render::AccelKind::grid));
   }
 
   Counters bruteWork, setupWork;
@@ -123,7 +123,7 @@ TEST_CASE("every structure finds what brute force finds, in scenes of all kinds 
 }
 
 TEST_CASE("every structure finds what brute force finds on the edges of what scenes can be") {
-  std::vector<Scene> scenes;
+  std::vector<scene::Scene> scenes;
   const auto add = [&](auto&& fill) {
     SceneBuilder b;
     b.material(test::diffuseMaterial(vec3(1)));
@@ -151,11 +151,12 @@ TEST_CASE("every structure finds what brute force finds on the edges of what sce
     b.sphere({0, 1e5f + 3, 0}, 1e5f).cone({0, 0, -1e4f}, 2, {0, 0, 1e4f}, 1);
   });
   int hits = 0;
-  for (const Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     RandomScene random;
     Counters work;
-    const Tracing brute(scene, withAccel(AccelKind::none));
-    for (const RenderSettings& settings : {withAccel(AccelKind::bvh), withMidpoints(), withGrid(2), withGrid(64)}) {
+    const Tracing brute(scene, withAccel(render::AccelKind::none));
+    for (const render::RenderSettings& settings :
+         {withAccel(render::AccelKind::bvh), withMidpoints(), withGrid(2), withGrid(64)}) {
       const Tracing structure(scene, settings);
       for (int i = 0; i < 2000; ++i) {
         const Ray ray = random.ray(i, brute, work);
@@ -171,16 +172,16 @@ TEST_CASE("every structure finds what brute force finds on the edges of what sce
 
 TEST_CASE("every primitive is in exactly one leaf, within the leaf's box") {
   RandomScene random;
-  const Scene scene = random.make(60);
+  const scene::Scene scene = random.make(60);
   std::vector<Bounds> boxes;
-  for (const Primitive& primitive : scene.primitives) {
+  for (const scene::Primitive& primitive : scene.primitives) {
     if (const auto bounds = boundsOf(scene, primitive)) boxes.push_back(*bounds);
   }
-  for (const BvhSplit split : {BvhSplit::sah, BvhSplit::midpoint}) {
+  for (const render::BvhSplit split : {render::BvhSplit::sah, render::BvhSplit::midpoint}) {
     const Hierarchy hierarchy = buildHierarchy(boxes, split);
     std::vector<int> seen(boxes.size());
     for (const Node& node : hierarchy.nodes) {
-      CHECK(node.count <= (split == BvhSplit::midpoint ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize));
+      CHECK(node.count <= (split == render::BvhSplit::midpoint ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize));
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const std::uint32_t item = hierarchy.order[i];
         ++seen[item];
@@ -203,21 +204,21 @@ TEST_CASE("the report's rule splits at the centre, else at the mean of the centr
     return items;
   };
   const std::vector<Bounds> centre{point(0), point(10), point(4.9), point(5.1)};
-  CHECK(leftLeaf(buildHierarchy(centre, BvhSplit::midpoint)) == std::vector<std::uint32_t>{0, 2});
+  CHECK(leftLeaf(buildHierarchy(centre, render::BvhSplit::midpoint)) == std::vector<std::uint32_t>{0, 2});
   // The last fills the node, so that no centre is left of 5; the mean is 7.5.
   const std::vector<Bounds> mean{point(10), point(9), point(6), Bounds{dvec3(0), dvec3(10, 0, 0)}};
-  CHECK(leftLeaf(buildHierarchy(mean, BvhSplit::midpoint)) == std::vector<std::uint32_t>{2, 3});
+  CHECK(leftLeaf(buildHierarchy(mean, render::BvhSplit::midpoint)) == std::vector<std::uint32_t>{2, 3});
   const std::vector<Bounds> coincident(100000, point(7));
-  const Hierarchy rest = buildHierarchy(coincident, BvhSplit::midpoint);
+  const Hierarchy rest = buildHierarchy(coincident, render::BvhSplit::midpoint);
   CHECK(leftLeaf(rest).size() == 2);
   CHECK(rest.nodes[rest.nodes[0].first + 1].count == 2);
 }
 
 TEST_CASE("a grid's cells hold what touches them, and its size keeps to the number of boxes") {
   RandomScene random;
-  const Scene scene = random.make(20);
+  const scene::Scene scene = random.make(20);
   std::vector<Bounds> boxes;
-  for (const Primitive& primitive : scene.primitives) {
+  for (const scene::Primitive& primitive : scene.primitives) {
     if (const auto bounds = boundsOf(scene, primitive)) boxes.push_back(*bounds);
   }
   for (const double density : {0.1, 2.0, 64.0}) {

@@ -8,9 +8,9 @@ using namespace candela::test;
 
 namespace {
 
-RenderSettings whittedSettings(std::uint32_t maxDepth) {
-  RenderSettings settings = settingsOf(1, 1, 1);
-  settings.integrator = Integrator::whitted;
+render::RenderSettings whittedSettings(std::uint32_t maxDepth) {
+  render::RenderSettings settings = settingsOf(1, 1, 1);
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = maxDepth;
   settings.recordPaths = true;
   return settings;
@@ -26,7 +26,7 @@ SceneBuilder paneBetweenWalls() {
   return b;
 }
 
-std::vector<std::uint32_t> primitivesOf(const PathRecord& record) {
+std::vector<std::uint32_t> primitivesOf(const render::PathRecord& record) {
   std::vector<std::uint32_t> primitives;
   for (std::uint32_t i = 0; i < record.vertexCount; ++i) primitives.push_back(record.vertices[i].primitive);
   return primitives;
@@ -35,11 +35,11 @@ std::vector<std::uint32_t> primitivesOf(const PathRecord& record) {
 }  // namespace
 
 TEST_CASE("a node comes first, then what it reflects, then what it refracts") {
-  const RenderResult result = render(paneBetweenWalls().scene, whittedSettings(4));
-  const PathRecord& record = result.paths.at(0);
+  const render::RenderResult result = renderScene(paneBetweenWalls().scene, whittedSettings(4));
+  const render::PathRecord& record = result.paths.at(0);
   CHECK(primitivesOf(record) == std::vector<std::uint32_t>{0, 2, 1});
-  CHECK(record.vertices[0].lobe == Lobe::refract);
-  CHECK(record.vertices[1].lobe == Lobe::none);
+  CHECK(record.vertices[0].lobe == render::Lobe::refract);
+  CHECK(record.vertices[1].lobe == render::Lobe::none);
   CHECK(result.film.mean(0, 0).x == Approx(0.04 * 10 + 0.96 * 2).epsilon(1e-6));
   CHECK(result.statistics.treeRays->reflected == 1);
   CHECK(result.statistics.treeRays->refracted == 1);
@@ -47,9 +47,9 @@ TEST_CASE("a node comes first, then what it reflects, then what it refracts") {
 }
 
 TEST_CASE("the camera's ray has depth 1, and no ray comes from the last depth") {
-  const RenderResult result = render(paneBetweenWalls().scene, whittedSettings(1));
+  const render::RenderResult result = renderScene(paneBetweenWalls().scene, whittedSettings(1));
   CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0});
-  CHECK(result.paths.at(0).vertices[0].lobe == Lobe::none);
+  CHECK(result.paths.at(0).vertices[0].lobe == render::Lobe::none);
   CHECK(result.film.mean(0, 0) == dvec3(0));
   CHECK(result.statistics.bounceRays == 0);
 }
@@ -57,7 +57,7 @@ TEST_CASE("the camera's ray has depth 1, and no ray comes from the last depth") 
 TEST_CASE("glass of index 1 reflects no ray") {
   SceneBuilder b = paneBetweenWalls();
   b.scene.materials[0].ior = 1;
-  const RenderResult result = render(b.scene, whittedSettings(4));
+  const render::RenderResult result = renderScene(b.scene, whittedSettings(4));
   CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0, 1});
   CHECK(result.film.mean(0, 0).x == 2);
 }
@@ -69,23 +69,23 @@ TEST_CASE("a mirror's ray that would go into its own surface is not traced") {
   b.view({-2, 0, 1}, {0, 0, 0}, {0, 0, 1}, 1e-3f);
   b.material(mirrorMaterial(vec3(1)));
   b.patch({-3, -3, 0}, {3, -3, 0}, {0, 3, 0}, {{leaning, leaning, leaning}});
-  const RenderStatistics away = render(b.scene, whittedSettings(4)).statistics;
+  const render::RenderStatistics away = renderScene(b.scene, whittedSettings(4)).statistics;
   CHECK(away.treeRays->cameraHits == 1);
   CHECK(away.treeRays->reflected == 0);
   b.scene.vertexNormals[0] = {{vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1)}};
-  CHECK(render(b.scene, whittedSettings(4)).statistics.treeRays->reflected == 1);
+  CHECK(renderScene(b.scene, whittedSettings(4)).statistics.treeRays->reflected == 1);
 }
 
 TEST_CASE("glass that no light can light asks for no light") {
   SceneBuilder b = paneBetweenWalls();
   b.pointLight({1, 0, 4}, vec3(1));
   // The walls are lit: one from each side of the pane, which throws a shadow.
-  const RenderResult result = render(b.scene, whittedSettings(4));
-  const PathRecord& record = result.paths.at(0);
-  CHECK(record.vertices[0].shadow == ShadowOutcome::notTraced);
-  CHECK(record.vertices[1].shadow == ShadowOutcome::visible);
+  const render::RenderResult result = renderScene(b.scene, whittedSettings(4));
+  const render::PathRecord& record = result.paths.at(0);
+  CHECK(record.vertices[0].shadow == render::ShadowOutcome::notTraced);
+  CHECK(record.vertices[1].shadow == render::ShadowOutcome::visible);
   CHECK(record.vertices[1].visibleLights == 1);
-  CHECK(record.vertices[2].shadow == ShadowOutcome::occluded);
+  CHECK(record.vertices[2].shadow == render::ShadowOutcome::occluded);
   CHECK(record.vertices[2].visibleLights == 0);
   CHECK(result.statistics.shadowRays == 2);
 }
@@ -94,15 +94,15 @@ TEST_CASE("with several samples pixels are jittered, with one they are not") {
   SceneBuilder b;
   b.view({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40);
   b.material(diffuseMaterial(vec3(0), vec3(1))).sphere({0, 0, 0}, 1);
-  RenderSettings settings = whittedSettings(1);
+  render::RenderSettings settings = whittedSettings(1);
   settings.size = {16, 16};
   settings.recordPaths = false;
   std::uint64_t seeds[2];
   for (settings.seed = 0; settings.seed < 2; ++settings.seed)
-    seeds[settings.seed] = render(b.scene, settings).film.hash();
+    seeds[settings.seed] = renderScene(b.scene, settings).film.hash();
   CHECK(seeds[0] == seeds[1]);
   settings.sampleCount = 2;
   for (settings.seed = 0; settings.seed < 2; ++settings.seed)
-    seeds[settings.seed] = render(b.scene, settings).film.hash();
+    seeds[settings.seed] = renderScene(b.scene, settings).film.hash();
   CHECK(seeds[0] != seeds[1]);
 }

@@ -1,5 +1,5 @@
 // The comparison names the decision in which two paths part.
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 
 #include <catch2/catch.hpp>
 
@@ -7,17 +7,17 @@ using namespace candela;
 
 namespace {
 
-PathRecord twoVertices() {
-  PathRecord record;
+render::PathRecord twoVertices() {
+  render::PathRecord record;
   record.vertexCount = 2;
-  record.vertices[0] = {.primitive = 3, .lobe = Lobe::diffuse, .shadow = ShadowOutcome::visible};
-  record.vertices[1] = {.primitive = 5, .lobe = Lobe::diffuse, .shadow = ShadowOutcome::occluded};
+  record.vertices[0] = {.primitive = 3, .lobe = render::Lobe::diffuse, .shadow = render::ShadowOutcome::visible};
+  record.vertices[1] = {.primitive = 5, .lobe = render::Lobe::diffuse, .shadow = render::ShadowOutcome::occluded};
   return record;
 }
 
-RenderResult picture(double first, double second) {
-  RenderResult result;
-  result.film = Film(2, 1);
+render::RenderResult picture(double first, double second) {
+  render::RenderResult result;
+  result.film = image::Film(2, 1);
   result.film.addSample(0, 0, glm::dvec3(first), 0);
   result.film.addSample(1, 0, glm::dvec3(second), 0);
   result.paths.assign(2, twoVertices());
@@ -27,44 +27,44 @@ RenderResult picture(double first, double second) {
 }  // namespace
 
 TEST_CASE("the first decision that differs is the cause") {
-  const PathRecord record = twoVertices();
-  PathRecord other = record;
-  CHECK(causeOf(record, other) == Cause::rounding);
+  const render::PathRecord record = twoVertices();
+  render::PathRecord other = record;
+  CHECK(verify::causeOf(record, other) == verify::Cause::rounding);
   other.vertices[0].visibleLights = 4;
-  CHECK(causeOf(record, other) == Cause::shadow);
+  CHECK(verify::causeOf(record, other) == verify::Cause::shadow);
   other = record;
   other.vertices[1].survivedRoulette = false;
-  CHECK(causeOf(record, other) == Cause::roulette);
-  other.vertices[1].lobe = Lobe::glossy;
-  CHECK(causeOf(record, other) == Cause::lobe);
-  other.vertices[1].shadow = ShadowOutcome::visible;
-  CHECK(causeOf(record, other) == Cause::shadow);
+  CHECK(verify::causeOf(record, other) == verify::Cause::roulette);
+  other.vertices[1].lobe = render::Lobe::glossy;
+  CHECK(verify::causeOf(record, other) == verify::Cause::lobe);
+  other.vertices[1].shadow = render::ShadowOutcome::visible;
+  CHECK(verify::causeOf(record, other) == verify::Cause::shadow);
   other.vertices[0].primitive = 4;
-  CHECK(causeOf(record, other) == Cause::primitive);
+  CHECK(verify::causeOf(record, other) == verify::Cause::primitive);
 }
 
 TEST_CASE("pixels that differ are counted among all and among the lit ones") {
-  RenderResult device = picture(0.5, 0);
-  const RenderResult reference = picture(0.5001, 0);
+  render::RenderResult device = picture(0.5, 0);
+  const render::RenderResult reference = picture(0.5001, 0);
   device.paths[0].vertices[0].primitive = 9;
-  const PixelAgreement result = comparePixels(device, reference);
+  const verify::PixelAgreement result = verify::comparePixels(device, reference);
   CHECK(result.pixels == 2);
   CHECK(result.equal == 1);
   CHECK(result.lit == 1);
   CHECK(result.litEqual == 0);
-  CHECK(result.causes[static_cast<std::size_t>(Cause::primitive)] == 1);
+  CHECK(result.causes[static_cast<std::size_t>(verify::Cause::primitive)] == 1);
   CHECK(result.worst == Approx(1e-4));
   CHECK(!result.agree());
 }
 
 TEST_CASE("channels within the tolerance are equal") {
-  CHECK(comparePixels(picture(1, 0), picture(1.00009, 0)).litShare() == 1);
-  CHECK(comparePixels(picture(0, 0), picture(0x1p-27, 0)).litShare() == 1);
+  CHECK(verify::comparePixels(picture(1, 0), picture(1.00009, 0)).litShare() == 1);
+  CHECK(verify::comparePixels(picture(0, 0), picture(0x1p-27, 0)).litShare() == 1);
 }
 
 TEST_CASE("means agree within a thousandth") {
-  CHECK(MeanAgreement{.samples = 64, .device = 1.0009, .reference = 1}.agree());
-  CHECK(!MeanAgreement{.samples = 64, .device = 1.0011, .reference = 1}.agree());
-  CHECK(MeanAgreement{.samples = 64, .device = 0, .reference = 0}.agree());
-  CHECK(!MeanAgreement{.samples = 64, .device = 0.1, .reference = 0}.agree());
+  CHECK(verify::MeanAgreement{.samples = 64, .device = 1.0009, .reference = 1}.agree());
+  CHECK(!verify::MeanAgreement{.samples = 64, .device = 1.0011, .reference = 1}.agree());
+  CHECK(verify::MeanAgreement{.samples = 64, .device = 0, .reference = 0}.agree());
+  CHECK(!verify::MeanAgreement{.samples = 64, .device = 0.1, .reference = 0}.agree());
 }

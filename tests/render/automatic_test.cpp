@@ -2,43 +2,44 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
-#include "host/render/device_scene.h"
-#include "host/render/flatten_hierarchy.h"
-#include "host/render/kernel.h"
+#include "host/device/device_scene.h"
+#include "host/device/kernel.h"
+#include "host/flatten/flatten_hierarchy.h"
 
-namespace candela {
+namespace candela::device {
 namespace {
 
 constexpr std::uint64_t kRowBytes = 16;
 
 // A device that binds so many rows, and what is in use there of a scene of 100.
-SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, SceneLoads asked, SceneLoads preferred) {
-  DeviceInfo info;
+render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, render::SceneLoads asked,
+                              render::SceneLoads preferred) {
+  vulkan::DeviceInfo info;
   info.maxTexelBufferElements = texels;
   info.maxStorageBufferRange = storageRows * kRowBytes;
-  FlatScene flat;
+  flatten::FlatScene flat;
   flat.rows.resize(100);
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.sceneLoads = asked;
   settings.automatic.sceneLoads = preferred;
   return loadsFor(info, flat, settings);
 }
 
 TEST_CASE("loads that are asked for are used, others as preferred, and where the scene does not fit so the other way") {
-  using enum SceneLoads;
-  for (const SceneLoads preferred : {texel, storage}) {
-    CHECK(loadsWhere(100, 100, texel, preferred) == texel);
+  using enum render::SceneLoads;
+  for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
+    CHECK(loadsWhere(100, 100, render::SceneLoads::texel, preferred) == render::SceneLoads::texel);
     CHECK(loadsWhere(100, 100, storage, preferred) == storage);
     CHECK(loadsWhere(100, 100, automatic, preferred) == preferred);
-    CHECK(loadsWhere(100, 99, automatic, preferred) == texel);
+    CHECK(loadsWhere(100, 99, automatic, preferred) == render::SceneLoads::texel);
     CHECK(loadsWhere(99, 100, automatic, preferred) == storage);
   }
 }
 
 TEST_CASE("loads that are asked for and do not fit are refused with the way that does, whatever is preferred") {
-  using enum SceneLoads;
-  for (const SceneLoads preferred : {texel, storage}) {
-    CHECK_THROWS_WITH(loadsWhere(99, 100, texel, preferred), Catch::Contains("use storage loads"));
+  using enum render::SceneLoads;
+  for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
+    CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred), Catch::Contains("use storage loads"));
     CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use texel loads"));
     CHECK_THROWS_WITH(loadsWhere(99, 99, automatic, preferred), Catch::Contains("make it smaller"));
     CHECK_THROWS_AS(loadsWhere(99, 99, storage, preferred), FileError);
@@ -46,44 +47,45 @@ TEST_CASE("loads that are asked for and do not fit are refused with the way that
 }
 
 TEST_CASE("a layout that is asked for is used, others as preferred, but midpoint splits have two-wide nodes") {
-  RenderSettings settings;
-  for (const BvhLayout preferred : {BvhLayout::bvh2, BvhLayout::cwbvh}) {
+  render::RenderSettings settings;
+  for (const render::BvhLayout preferred : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     settings.automatic.bvhLayout = preferred;
-    for (const BvhSplit split : {BvhSplit::sah, BvhSplit::midpoint}) {
+    for (const render::BvhSplit split : {render::BvhSplit::sah, render::BvhSplit::midpoint}) {
       settings.bvhSplit = split;
-      for (const BvhLayout asked : {BvhLayout::bvh2, BvhLayout::cwbvh}) {
+      for (const render::BvhLayout asked : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
         settings.bvhLayout = asked;
-        CHECK(layoutFor(settings) == asked);
+        CHECK(flatten::layoutFor(settings) == asked);
       }
-      settings.bvhLayout = BvhLayout::automatic;
-      CHECK(layoutFor(settings) == (split == BvhSplit::midpoint ? BvhLayout::bvh2 : preferred));
+      settings.bvhLayout = render::BvhLayout::automatic;
+      CHECK(flatten::layoutFor(settings) ==
+            (split == render::BvhSplit::midpoint ? render::BvhLayout::bvh2 : preferred));
     }
   }
 }
 
 TEST_CASE("a workgroup that is asked for is used, else the preferred one") {
-  RenderSettings settings;
+  render::RenderSettings settings;
   CHECK(extentText(settings.workgroupInUse()) == "8x8");
   settings.automatic.workgroup = {32, 1};
   CHECK(extentText(settings.workgroupInUse()) == "32x1");
-  settings.workgroup = Extent{4, 4};
+  settings.workgroup = render::Extent{4, 4};
   CHECK(extentText(settings.workgroupInUse()) == "4x4");
 }
 
 TEST_CASE("a kernel that is asked for is used, others as preferred, but integrators that have but one keep it") {
-  RenderSettings settings;
-  const auto nameOf = [&] { return std::string(kernelFor(FlatScene{}, settings).name); };
+  render::RenderSettings settings;
+  const auto nameOf = [&] { return std::string(kernelFor(flatten::FlatScene{}, settings).name); };
   CHECK(nameOf() == "megakernel");
-  settings.automatic.kernel = KernelKind::wavefront;
+  settings.automatic.kernel = render::KernelKind::wavefront;
   CHECK(nameOf() == "wavefront");
-  settings.kernel = KernelKind::megakernel;
+  settings.kernel = render::KernelKind::megakernel;
   CHECK(nameOf() == "megakernel");
-  settings.kernel = KernelKind::automatic;
-  settings.integrator = Integrator::whitted;
+  settings.kernel = render::KernelKind::automatic;
+  settings.integrator = render::Integrator::whitted;
   CHECK(nameOf() == "whitted");
-  settings.integrator = Integrator::depth;
+  settings.integrator = render::Integrator::depth;
   CHECK(nameOf() == "views");
 }
 
 }  // namespace
-}  // namespace candela
+}  // namespace candela::device

@@ -9,8 +9,8 @@ namespace {
 
 const glm::dvec3 kTooBright(1e9);
 
-RenderSettings settingsOf(std::uint32_t seed) {
-  RenderSettings settings;
+render::RenderSettings settingsOf(std::uint32_t seed) {
+  render::RenderSettings settings;
   settings.size = {4, 3};
   settings.seed = seed;
   settings.sampleCount = 8;
@@ -18,11 +18,12 @@ RenderSettings settingsOf(std::uint32_t seed) {
 }
 
 // Its film has one sample, which is bad.
-class BadRenderer final : public Renderer {
+class BadRenderer final : public render::Renderer {
  public:
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl&) override {
-    RenderResult result;
-    result.film = Film(settings.size.width, settings.size.height);
+  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
+                              const render::RenderControl&) override {
+    render::RenderResult result;
+    result.film = image::Film(settings.size.width, settings.size.height);
     result.film.addSample(3, 0, kTooBright, 6);
     result.statistics.device = "bad";
     return result;
@@ -32,8 +33,8 @@ class BadRenderer final : public Renderer {
 }  // namespace
 
 TEST_CASE("films without bad samples leave a tally empty") {
-  BadSampleTally tally;
-  Film film(4, 3);
+  render::BadSampleTally tally;
+  image::Film film(4, 3);
   film.addSample(0, 0, glm::dvec3(1), 0);
   tally.add(film, settingsOf(1));
   CHECK(tally.samples() == 0);
@@ -42,36 +43,36 @@ TEST_CASE("films without bad samples leave a tally empty") {
 }
 
 TEST_CASE("a tally adds the samples of all renders, and counts a pixel once with where it was bad first") {
-  BadSampleTally tally;
-  Film first(4, 3);
+  render::BadSampleTally tally;
+  image::Film first(4, 3);
   first.addSample(1, 2, kTooBright, 7);
   first.addSample(1, 2, glm::dvec3(-1), 5);
   tally.add(first, settingsOf(11));
-  Film second(4, 3);
+  image::Film second(4, 3);
   second.addSample(1, 2, kTooBright, 0);
   second.addSample(3, 0, kTooBright, 4);
   tally.add(second, settingsOf(12));
   CHECK(tally.samples() == 4);
   CHECK(tally.pixels() == 2);
-  CHECK(tally.firstPixels() == std::vector<BadPixel>{{1, 2, 2, 5, 11, 8}, {3, 0, 1, 4, 12, 8}});
+  CHECK(tally.firstPixels() == std::vector<render::BadPixel>{{1, 2, 2, 5, 11, 8}, {3, 0, 1, 4, 12, 8}});
 }
 
 TEST_CASE("of many pixels a tally keeps the first, and counts all") {
-  Film film(4, 3);
+  image::Film film(4, 3);
   for (std::uint32_t i = 0; i < 12; ++i) film.addSample(i % 4, i / 4, kTooBright, 0);
-  BadSampleTally tally;
+  render::BadSampleTally tally;
   tally.add(film, settingsOf(0));
   CHECK(tally.pixels() == 12);
-  REQUIRE(tally.firstPixels().size() == BadSampleTally::kPixelsKept);
+  REQUIRE(tally.firstPixels().size() == render::BadSampleTally::kPixelsKept);
   CHECK(tally.firstPixels().back().x == 0);
   CHECK(tally.firstPixels().back().y == 1);
 }
 
 TEST_CASE("a tallied renderer gives what the renderer gives, and tells the tally") {
   BadRenderer renderer;
-  BadSampleTally tally;
-  const RenderResult result = TalliedRenderer(renderer, tally).render({}, settingsOf(9), {});
+  render::BadSampleTally tally;
+  const render::RenderResult result = render::TalliedRenderer(renderer, tally).render({}, settingsOf(9), {});
   CHECK(result.statistics.device == "bad");
   CHECK(result.film.at(3, 0).badCount == 1);
-  CHECK(tally.firstPixels() == std::vector<BadPixel>{{3, 0, 1, 6, 9, 8}});
+  CHECK(tally.firstPixels() == std::vector<render::BadPixel>{{3, 0, 1, 6, 9, 8}});
 }

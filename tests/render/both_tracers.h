@@ -5,13 +5,13 @@
 
 #include "tests/render/render_support.h"
 
-namespace candela {
+namespace candela::device {
 
-using RenderFunction = std::function<RenderResult(const Scene&, const RenderSettings&)>;
+using RenderFunction = std::function<render::RenderResult(const scene::Scene&, const render::RenderSettings&)>;
 
 inline void onBothTracers(const std::function<void(const RenderFunction&)>& body) {
   SECTION("device") { body(renderOnDevice); }
   SECTION("reference") { body(renderOnReference); }
 }
 
-}  // namespace candela
+}  // namespace candela::device

@@ -4,26 +4,27 @@
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
-RenderSettings baseSettings() {
-  RenderSettings settings = squareSettings(72, 4);
+render::RenderSettings baseSettings() {
+  render::RenderSettings settings = squareSettings(72, 4);
   settings.size.height = 50;  // no multiple of any workgroup
   return settings;
 }
 
-std::uint64_t baseHash(const Scene& scene) { return renderOnDevice(scene, baseSettings()).film.hash(); }
+std::uint64_t baseHash(const scene::Scene& scene) { return renderOnDevice(scene, baseSettings()).film.hash(); }
 
 }  // namespace
 
 TEST_CASE("the workgroup does not change the image") {
-  const Scene scene = loadTestScene("primitives.p3f");
+  const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
-  for (const Extent workgroup : {Extent{16, 4}, Extent{64, 1}, Extent{1, 1}}) {
-    RenderSettings settings = baseSettings();
+  for (const render::Extent workgroup : {render::Extent{16, 4}, render::Extent{64, 1}, render::Extent{1, 1}}) {
+    render::RenderSettings settings = baseSettings();
     settings.workgroup = workgroup;
-    const RenderResult result = renderOnDevice(scene, settings);
+    const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.workgroup.width == workgroup.width);
     CHECK(result.statistics.workgroup.height == workgroup.height);
@@ -31,15 +32,15 @@ TEST_CASE("the workgroup does not change the image") {
 }
 
 TEST_CASE("the number of segments per dispatch does not change the image") {
-  const Scene scene = loadTestScene("primitives.p3f");
+  const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
   std::size_t fewerDispatches = ~std::size_t{0};
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
-    RenderSettings settings = baseSettings();
+    render::RenderSettings settings = baseSettings();
     settings.segmentsPerDispatch = segments;
-    settings.bvhLayout = BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
-    settings.tile = settings.size;          // so that the number of dispatches depends on nothing else
-    const RenderResult result = renderOnDevice(scene, settings);
+    settings.bvhLayout = render::BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
+    settings.tile = settings.size;                  // so that the number of dispatches depends on nothing else
+    const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.maxSegmentsPerDispatch == segments);
     CHECK(result.statistics.dispatchSeconds.size() <= fewerDispatches);
@@ -48,12 +49,13 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
 }
 
 TEST_CASE("the tile does not change the image") {
-  const Scene scene = loadTestScene("primitives.p3f");
+  const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
-  for (const Extent tile : {Extent{8, 8}, Extent{17, 5}, Extent{72, 1}, Extent{500, 500}}) {
-    RenderSettings settings = baseSettings();
+  for (const render::Extent tile :
+       {render::Extent{8, 8}, render::Extent{17, 5}, render::Extent{72, 1}, render::Extent{500, 500}}) {
+    render::RenderSettings settings = baseSettings();
     settings.tile = tile;
-    const RenderResult result = renderOnDevice(scene, settings);
+    const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.tile.width == std::min(tile.width, settings.size.width));
     CHECK(result.statistics.tile.height == std::min(tile.height, settings.size.height));
@@ -62,16 +64,16 @@ TEST_CASE("the tile does not change the image") {
 
 TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slow]") {
   for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
-    const Scene scene = loadTestScene(name);
-    RenderSettings settings = baseSettings();
-    settings.sceneLoads = SceneLoads::texel;
-    const RenderResult texel = renderOnDevice(scene, settings);
+    const scene::Scene scene = loadTestScene(name);
+    render::RenderSettings settings = baseSettings();
+    settings.sceneLoads = render::SceneLoads::texel;
+    const render::RenderResult texel = renderOnDevice(scene, settings);
     CHECK(texel.statistics.sceneLoads == "texel");
-    settings.sceneLoads = SceneLoads::storage;
-    const RenderResult storage = renderOnDevice(scene, settings);
+    settings.sceneLoads = render::SceneLoads::storage;
+    const render::RenderResult storage = renderOnDevice(scene, settings);
     CHECK(storage.statistics.sceneLoads == "storage");
-    settings.accel = AccelKind::none;
-    const RenderResult bruteForce = renderOnDevice(scene, settings);
+    settings.accel = render::AccelKind::none;
+    const render::RenderResult bruteForce = renderOnDevice(scene, settings);
     CHECK(bruteForce.statistics.structure == "none");
     CAPTURE(name);
     CHECK(storage.film.hash() == texel.film.hash());
@@ -80,20 +82,20 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
 }
 
 TEST_CASE("the reference's threads do not change its image") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  RenderSettings settings = baseSettings();
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  render::RenderSettings settings = baseSettings();
   settings.threads = 1;
-  const RenderResult one = renderOnReference(scene, settings);
+  const render::RenderResult one = renderOnReference(scene, settings);
   settings.threads = 2;
-  const RenderResult two = renderOnReference(scene, settings);
+  const render::RenderResult two = renderOnReference(scene, settings);
   CHECK(one.statistics.threads == 1);
   CHECK(two.statistics.threads == 2);
   CHECK(one.film.hash() == two.film.hash());
 }
 
 TEST_CASE("another seed gives another image") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  RenderSettings settings = baseSettings();
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  render::RenderSettings settings = baseSettings();
   settings.seed = 1;
   CHECK(renderOnDevice(scene, settings).film.hash() != baseHash(scene));
 }

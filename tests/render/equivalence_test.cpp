@@ -1,47 +1,49 @@
 // Device and reference draw the same numbers, so they give the same picture, sample by sample.
 #include <catch2/catch.hpp>
 
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
-RenderSettings settingsFor(const Scene& scene, std::uint32_t side, bool nextEventEstimation) {
-  RenderSettings settings = squareSettings(side, 1);
+render::RenderSettings settingsFor(const scene::Scene& scene, std::uint32_t side, bool nextEventEstimation) {
+  render::RenderSettings settings = squareSettings(side, 1);
   settings.nextEventEstimation = nextEventEstimation;
   settings.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
   return settings;
 }
 
 // Of pictures of one sample per pixel.
-void requireSamePixels(const Scene& scene, RenderSettings settings) {
+void requireSamePixels(const scene::Scene& scene, render::RenderSettings settings) {
   settings.recordPaths = true;
-  const PixelAgreement pixels = comparePixels(renderOnDevice(scene, settings), renderOnReference(scene, settings));
+  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
+                                                              renderOnReference(scene, settings));
   CAPTURE(scene.name, settings.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes,
           pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  CHECK(pixels.share() >= verify::kRequiredShare);
+  CHECK(pixels.litShare() >= verify::kRequiredLitShare);
 }
 
 void requireSameScenes(std::uint32_t side, bool nextEventEstimation) {
   for (const auto& file : sceneFiles()) {
-    const Scene scene = loadScene(file).scene;
+    const scene::Scene scene = scene::loadScene(file).scene;
     requireSamePixels(scene, settingsFor(scene, side, nextEventEstimation));
   }
 }
 
 void requireSameMeans(std::uint32_t side, std::uint32_t samples) {
   for (const auto& file : sceneFiles()) {
-    const Scene scene = loadScene(file).scene;
+    const scene::Scene scene = scene::loadScene(file).scene;
     for (const bool nextEventEstimation : {true, false}) {
-      RenderSettings settings = settingsFor(scene, side, nextEventEstimation);
+      render::RenderSettings settings = settingsFor(scene, side, nextEventEstimation);
       settings.sampleCount = samples;
       const double device = meanLuminance(renderOnDevice(scene, settings).film);
       const double reference = meanLuminance(renderOnReference(scene, settings).film);
       CAPTURE(scene.name, nextEventEstimation);
-      CHECK(device == Approx(reference).epsilon(kMeanTolerance));
+      CHECK(device == Approx(reference).epsilon(verify::kMeanTolerance));
     }
   }
 }
@@ -67,14 +69,17 @@ TEST_CASE("every scene has the reference's mean at 64 samples in images of 256 x
 }
 
 TEST_CASE("samplers, filters and lenses agree with the reference", "[swiftshader-slow]") {
-  using enum SamplerKind;
-  using enum FilterKind;
-  using enum LensKind;
+  using enum render::SamplerKind;
+  using enum render::FilterKind;
+  using enum render::LensKind;
   // Every filter with every lens, every sampler at least once.
-  const auto [sampler, filter, lens] = GENERATE(table<SamplerKind, FilterKind, LensKind>(
-      {{independent, box, square}, {stratified, tent, disc}, {sobol, box, disc}, {sobol, tent, square}}));
-  const Scene scene = loadTestScene("depth_of_field.p3f");
-  RenderSettings settings = squareSettings(64, 1);
+  const auto [sampler, filter, lens] = GENERATE(table<render::SamplerKind, render::FilterKind, render::LensKind>(
+      {{render::SamplerKind::independent, box, render::LensKind::square},
+       {render::SamplerKind::stratified, render::FilterKind::tent, render::LensKind::disc},
+       {render::SamplerKind::sobol, box, render::LensKind::disc},
+       {render::SamplerKind::sobol, render::FilterKind::tent, render::LensKind::square}}));
+  const scene::Scene scene = loadTestScene("depth_of_field.p3f");
+  render::RenderSettings settings = squareSettings(64, 1);
   settings.sampler = sampler;
   settings.filter = filter;
   settings.lens = lens;
@@ -82,8 +87,8 @@ TEST_CASE("samplers, filters and lenses agree with the reference", "[swiftshader
 }
 
 TEST_CASE("depth limit and roulette agree with the reference") {
-  const Scene scene = loadTestScene("cornell.p3f");
-  RenderSettings settings = squareSettings(64, 1);
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  render::RenderSettings settings = squareSettings(64, 1);
   settings.maxDepth = GENERATE(1u, 2u, 5u);
   settings.rouletteStart = GENERATE(0u, 2u);
   requireSamePixels(scene, settings);
@@ -126,8 +131,8 @@ pp 3
 )";
 
 TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshader-slow]") {
-  const Scene scene = sceneFromText(kSeldomMet);
-  RenderSettings settings = squareSettings(128, 1);
+  const scene::Scene scene = sceneFromText(kSeldomMet);
+  render::RenderSettings settings = squareSettings(128, 1);
   settings.nextEventEstimation = GENERATE(true, false);
   settings.oneSided = GENERATE(false, true);
   CAPTURE(settings.oneSided);
@@ -135,11 +140,11 @@ TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshade
 }
 
 TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
-  const Scene scene = loadTestScene("smallpt.p3f");
-  RenderSettings settings = squareSettings(96, 4);
+  const scene::Scene scene = loadTestScene("smallpt.p3f");
+  render::RenderSettings settings = squareSettings(96, 4);
   settings.nextEventEstimation = GENERATE(true, false);
-  const Film device = renderOnDevice(scene, settings).film;
-  const Film reference = renderOnReference(scene, settings).film;
+  const image::Film device = renderOnDevice(scene, settings).film;
+  const image::Film reference = renderOnReference(scene, settings).film;
   // Acne darkens and leaks brighten: pixel by pixel, with the same samples, next to nothing may differ.
   std::uint32_t different = 0;
   for (std::uint32_t y = 0; y < device.height(); ++y) {

@@ -5,11 +5,12 @@
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
 // A lamp brighter than the film can hold.
-Scene tooBright() {
+scene::Scene tooBright() {
   return sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 1\n");
@@ -17,7 +18,7 @@ Scene tooBright() {
 
 // Balls under a point light that nearly is the brightest a number can say: in single precision pi times it is infinite,
 // and a red ball's green is 0 times that.
-Scene overflowing() {
+scene::Scene overflowing() {
   return sceneFromText(
       "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"
       "l 0 10 9 1.1e38 1.1e38 1.1e38\n"
@@ -25,7 +26,7 @@ Scene overflowing() {
       "f .9 .9 .9 1 0 0 0 0 1 0 1\ns 1 0 0 1.2\n");
 }
 
-void requireEqualCounts(const Film& device, const Film& reference) {
+void requireEqualCounts(const image::Film& device, const image::Film& reference) {
   for (std::size_t i = 0; i < device.pixels().size(); ++i) {
     INFO("pixel " << i);
     REQUIRE(device.pixels()[i].badCount == reference.pixels()[i].badCount);
@@ -36,15 +37,15 @@ void requireEqualCounts(const Film& device, const Film& reference) {
 }  // namespace
 
 TEST_CASE("samples beyond the film's range are clamped and counted on both tracers") {
-  const Scene scene = tooBright();
-  const RenderSettings settings = squareSettings(8, 4);
-  const RenderResult device = renderOnDevice(scene, settings);
-  const RenderResult reference = renderOnReference(scene, settings);
+  const scene::Scene scene = tooBright();
+  const render::RenderSettings settings = squareSettings(8, 4);
+  const render::RenderResult device = renderOnDevice(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
   for (const auto& result : {device, reference}) {
-    const FilmPixel& middle = result.film.at(4, 4);
+    const image::FilmPixel& middle = result.film.at(4, 4);
     CHECK(middle.badCount == 4);
     CHECK(middle.firstBadSample == 1);
-    CHECK(result.film.mean(4, 4).x == kFilmMaximum);
+    CHECK(result.film.mean(4, 4).x == image::kFilmMaximum);
     CHECK(result.film.at(0, 0).badCount == 0);
     CHECK(result.statistics.badSamples > 0);
   }
@@ -52,10 +53,10 @@ TEST_CASE("samples beyond the film's range are clamped and counted on both trace
 }
 
 TEST_CASE("what overflows on a device is counted there as on the reference, which has the range to hold it") {
-  const Scene scene = overflowing();
-  const RenderSettings settings = squareSettings(8, 4);
-  const RenderResult device = renderOnDevice(scene, settings);
-  const RenderResult reference = renderOnReference(scene, settings);
+  const scene::Scene scene = overflowing();
+  const render::RenderSettings settings = squareSettings(8, 4);
+  const render::RenderResult device = renderOnDevice(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
   requireEqualCounts(device.film, reference.film);
   CHECK(device.statistics.badSamples == reference.statistics.badSamples);
   // Where every sample overflows: infinite there, which counts as nothing; too bright here.
@@ -64,8 +65,8 @@ TEST_CASE("what overflows on a device is counted there as on the reference, whic
     const auto x = static_cast<std::uint32_t>(i % 8), y = static_cast<std::uint32_t>(i / 8);
     if (device.film.at(x, y).badCount < 4 || device.film.mean(x, y).x != 0) continue;
     ++overflowed;
-    CHECK(reference.film.mean(x, y).x == kFilmMaximum);
+    CHECK(reference.film.mean(x, y).x == image::kFilmMaximum);
   }
   CHECK(overflowed > 0);
-  for (const FilmPixel& pixel : device.film.pixels()) REQUIRE(pixel.sampleCount == 4);
+  for (const image::FilmPixel& pixel : device.film.pixels()) REQUIRE(pixel.sampleCount == 4);
 }

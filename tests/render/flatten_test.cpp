@@ -5,7 +5,7 @@
 
 #include "host/accel/grid.h"
 #include "host/accel/primitive_bounds.h"
-#include "host/render/flat_scene.h"
+#include "host/flatten/flat_scene.h"
 #include "host/scene/load.h"
 #include "shaders/shared/scene_rows.h"
 
@@ -13,12 +13,12 @@ using namespace candela;
 
 namespace {
 
-Scene loadFixture(const char* name) {
-  return loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / name).scene;
+scene::Scene loadFixture(const char* name) {
+  return scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / name).scene;
 }
 
-RenderSettings smallSettings() {
-  RenderSettings settings;
+render::RenderSettings smallSettings() {
+  render::RenderSettings settings;
   settings.size = {64, 64};
   return settings;
 }
@@ -30,11 +30,11 @@ glm::dvec3 xyz(const gpu::uvec4& row) {
 }  // namespace
 
 TEST_CASE("every primitive has one slot, with infinite planes last") {
-  const Scene scene = loadFixture("primitives.p3f");
-  for (const AccelKind accel : {AccelKind::none, AccelKind::grid, AccelKind::bvh}) {
-    RenderSettings settings = smallSettings();
+  const scene::Scene scene = loadFixture("primitives.p3f");
+  for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
+    render::RenderSettings settings = smallSettings();
     settings.accel = accel;
-    const FlatScene flat = flatten(scene, settings);
+    const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
     REQUIRE(flat.slotCount == scene.primitives.size());
     std::set<std::uint32_t> seen;
     for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
@@ -51,13 +51,13 @@ TEST_CASE("every primitive has one slot, with infinite planes last") {
 }
 
 TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
-  const Scene scene = loadFixture("smallpt.p3f");
-  RenderSettings settings = smallSettings();
-  settings.accel = AccelKind::none;
-  const FlatScene flat = flatten(scene, settings);
+  const scene::Scene scene = loadFixture("smallpt.p3f");
+  render::RenderSettings settings = smallSettings();
+  settings.accel = render::AccelKind::none;
+  const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
     const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
-    const Sphere& sphere = scene.spheres[scene.primitives[flat.rows[row + 1].w].index];
+    const scene::Sphere& sphere = scene.spheres[scene.primitives[flat.rows[row + 1].w].index];
     const glm::dvec3 anchor = xyz(flat.rows[row]);
     const glm::dvec3 k = xyz(flat.rows[row + 1]);
     const double scale = std::max(glm::length(anchor), 1.0);
@@ -68,8 +68,8 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
 }
 
 TEST_CASE("a light's row leads to its primitive and back") {
-  const Scene scene = loadFixture("cornell.p3f");
-  const FlatScene flat = flatten(scene, smallSettings());
+  const scene::Scene scene = loadFixture("cornell.p3f");
+  const flatten::FlatScene flat = flatten::flattenScene(scene, smallSettings());
   REQUIRE(flat.constants.limits.z == 2);  // the lamp's two triangles
   for (std::uint32_t light = 0; light < 2; ++light) {
     const gpu::uvec4& head = flat.rows[flat.constants.sections.w + light * gpu::kLightRows];
@@ -80,40 +80,40 @@ TEST_CASE("a light's row leads to its primitive and back") {
 }
 
 TEST_CASE("what a scene does not use is not among its features") {
-  const FlatScene smallpt = flatten(loadFixture("smallpt.p3f"), smallSettings());
+  const flatten::FlatScene smallpt = flatten::flattenScene(loadFixture("smallpt.p3f"), smallSettings());
   CHECK(smallpt.features.spheres);
   CHECK(!smallpt.features.triangles);
   CHECK(smallpt.features.sphereLights);
   CHECK(!smallpt.features.pointLights);
   CHECK(!smallpt.features.glossy);
   CHECK(!smallpt.features.sky);
-  RenderSettings withoutLightSampling = smallSettings();
+  render::RenderSettings withoutLightSampling = smallSettings();
   withoutLightSampling.nextEventEstimation = false;
-  CHECK(!flatten(loadFixture("smallpt.p3f"), withoutLightSampling).features.sphereLights);
-  CHECK(flatten(loadFixture("sky.p3f"), smallSettings()).features.sky);
+  CHECK(!flatten::flattenScene(loadFixture("smallpt.p3f"), withoutLightSampling).features.sphereLights);
+  CHECK(flatten::flattenScene(loadFixture("sky.p3f"), smallSettings()).features.sky);
 }
 
 TEST_CASE("a scene without primitives has no structure and no slots") {
-  Scene scene;
-  scene.camera = Camera{};
-  for (const AccelKind accel : {AccelKind::none, AccelKind::grid, AccelKind::bvh}) {
-    RenderSettings settings = smallSettings();
+  scene::Scene scene;
+  scene.camera = scene::Camera{};
+  for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
+    render::RenderSettings settings = smallSettings();
     settings.accel = accel;
-    const FlatScene flat = flatten(scene, settings);
+    const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
     CHECK(flat.slotCount == 0);
     CHECK(flat.structure == gpu::kStructureNone);
   }
 }
 
 TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to a row") {
-  const Scene scene = loadFixture("primitives.p3f");
-  RenderSettings settings = smallSettings();
-  settings.accel = AccelKind::grid;
+  const scene::Scene scene = loadFixture("primitives.p3f");
+  render::RenderSettings settings = smallSettings();
+  settings.accel = render::AccelKind::grid;
   settings.gridDensity = 3;
-  const FlatScene flat = flatten(scene, settings);
+  const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   REQUIRE(flat.structure == gpu::kStructureGrid);
-  const SceneBounds bounds = boundPrimitives(scene);
-  const Grid grid = buildGrid(bounds.bounds, {.density = 3});
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene);
+  const accel::Grid grid = buildGrid(bounds.bounds, {.density = 3});
   REQUIRE(glm::uvec3(flat.constants.gridSides) == grid.shape.sides);
   CHECK(glm::uvec3(flat.constants.gridStrides) == grid.shape.strides);
   CHECK(glm::vec3(flat.constants.gridScale) == grid.shape.scale);
@@ -134,11 +134,11 @@ TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to 
 }
 
 TEST_CASE("a grid has no more cells along an axis than flatten is told") {
-  RenderSettings settings = smallSettings();
-  settings.accel = AccelKind::grid;
-  const Scene scene = loadFixture("primitives.p3f");
-  const FlatScene free = flatten(scene, settings);
-  const FlatScene limited = flatten(scene, settings, {.maxGridSide = 4, .smallScene = {}});
+  render::RenderSettings settings = smallSettings();
+  settings.accel = render::AccelKind::grid;
+  const scene::Scene scene = loadFixture("primitives.p3f");
+  const flatten::FlatScene free = flatten::flattenScene(scene, settings);
+  const flatten::FlatScene limited = flatten::flattenScene(scene, settings, {.maxGridSide = 4, .smallScene = {}});
   CHECK(free.constants.gridSides.x > 4);
   CHECK(glm::all(glm::lessThanEqual(glm::uvec3(limited.constants.gridSides), glm::uvec3(4))));
   CHECK(free.structureQuality.at("density") == 2);
@@ -146,13 +146,13 @@ TEST_CASE("a grid has no more cells along an axis than flatten is told") {
 }
 
 TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
-  Scene scene = loadFixture("point_light.p3f");
+  scene::Scene scene = loadFixture("point_light.p3f");
   scene.pointLights.push_back({scene.camera->at, glm::vec3(1)});  // faces z
-  RenderSettings settings = smallSettings();
-  settings.integrator = Integrator::whitted;
+  render::RenderSettings settings = smallSettings();
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = 4;
   settings.lightSize = 0.5f;
-  const FlatScene flat = flatten(scene, settings);
+  const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   REQUIRE(flat.constants.limits.z == scene.pointLights.size());
   for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
     const std::size_t row = flat.constants.sections.w + i * gpu::kPointLightRows;
@@ -168,9 +168,10 @@ TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
 }
 
 TEST_CASE("room for rays that wait is made where there is glass, one for each depth but the first") {
-  RenderSettings settings = smallSettings();
-  settings.integrator = Integrator::whitted;
+  render::RenderSettings settings = smallSettings();
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = 5;
-  CHECK(flatten(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
-  CHECK(flatten(loadFixture("primitives.p3f"), settings).constants.limits.w == gpu::kTreeRows + 4 * gpu::kWaitingRows);
+  CHECK(flatten::flattenScene(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
+  CHECK(flatten::flattenScene(loadFixture("primitives.p3f"), settings).constants.limits.w ==
+        gpu::kTreeRows + 4 * gpu::kWaitingRows);
 }

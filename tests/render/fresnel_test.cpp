@@ -14,6 +14,7 @@
 #include "tests/render/run_leaf.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The governor keeps dispatches short on devices that are made up: slow, fast, noisy, changing.
-#include "host/render/governor.h"
+#include "host/device/governor.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 

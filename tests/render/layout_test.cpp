@@ -129,26 +129,26 @@ TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C
 }
 
 TEST_CASE("the film's pixel is what the device writes") {
-  CHECK(sizeof(gpu::FilmRows) == sizeof(FilmPixel));
-  CHECK(offsetof(FilmPixel, red) == offsetof(gpu::FilmRows, red));
-  CHECK(offsetof(FilmPixel, sampleCount) == offsetof(gpu::FilmRows, red) + 12);
-  CHECK(offsetof(FilmPixel, green) == offsetof(gpu::FilmRows, green));
-  CHECK(offsetof(FilmPixel, badCount) == offsetof(gpu::FilmRows, green) + 12);
-  CHECK(offsetof(FilmPixel, blue) == offsetof(gpu::FilmRows, blue));
-  CHECK(offsetof(FilmPixel, firstBadSample) == offsetof(gpu::FilmRows, blue) + 12);
-  CHECK(offsetof(FilmPixel, luminanceSquared) == offsetof(gpu::FilmRows, luminanceSquared));
+  CHECK(sizeof(gpu::FilmRows) == sizeof(image::FilmPixel));
+  CHECK(offsetof(image::FilmPixel, red) == offsetof(gpu::FilmRows, red));
+  CHECK(offsetof(image::FilmPixel, sampleCount) == offsetof(gpu::FilmRows, red) + 12);
+  CHECK(offsetof(image::FilmPixel, green) == offsetof(gpu::FilmRows, green));
+  CHECK(offsetof(image::FilmPixel, badCount) == offsetof(gpu::FilmRows, green) + 12);
+  CHECK(offsetof(image::FilmPixel, blue) == offsetof(gpu::FilmRows, blue));
+  CHECK(offsetof(image::FilmPixel, firstBadSample) == offsetof(gpu::FilmRows, blue) + 12);
+  CHECK(offsetof(image::FilmPixel, luminanceSquared) == offsetof(gpu::FilmRows, luminanceSquared));
 }
 
 TEST_CASE("path records have the same vocabulary on both sides") {
-  CHECK(PathRecord::kRecordedVertices == gpu::kRecordedVertices);
-  CHECK(VertexRecord::kMiss == gpu::kRecordMiss);
-  CHECK(static_cast<std::uint32_t>(Lobe::none) == gpu::kLobeNone);
-  CHECK(static_cast<std::uint32_t>(Lobe::diffuse) == gpu::kLobeDiffuse);
-  CHECK(static_cast<std::uint32_t>(Lobe::glossy) == gpu::kLobeGlossy);
-  CHECK(static_cast<std::uint32_t>(Lobe::mirror) == gpu::kLobeMirror);
-  CHECK(static_cast<std::uint32_t>(Lobe::reflect) == gpu::kLobeReflect);
-  CHECK(static_cast<std::uint32_t>(Lobe::refract) == gpu::kLobeRefract);
-  CHECK(static_cast<std::uint32_t>(ShadowOutcome::notTraced) == gpu::kShadowNotTraced);
-  CHECK(static_cast<std::uint32_t>(ShadowOutcome::visible) == gpu::kShadowVisible);
-  CHECK(static_cast<std::uint32_t>(ShadowOutcome::occluded) == gpu::kShadowOccluded);
+  CHECK(render::PathRecord::kRecordedVertices == gpu::kRecordedVertices);
+  CHECK(render::VertexRecord::kMiss == gpu::kRecordMiss);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::none) == gpu::kLobeNone);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::diffuse) == gpu::kLobeDiffuse);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::glossy) == gpu::kLobeGlossy);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::mirror) == gpu::kLobeMirror);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::reflect) == gpu::kLobeReflect);
+  CHECK(static_cast<std::uint32_t>(render::Lobe::refract) == gpu::kLobeRefract);
+  CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::notTraced) == gpu::kShadowNotTraced);
+  CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::visible) == gpu::kShadowVisible);
+  CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::occluded) == gpu::kShadowOccluded);
 }

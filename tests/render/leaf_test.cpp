@@ -16,6 +16,7 @@
 #include "tests/render/run_leaf.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
@@ -35,10 +36,10 @@ bool isNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) { return
 }  // namespace
 
 TEST_CASE("the samplers agree with the reference bit for bit") {
-  const auto [kind,
-              id] = GENERATE(table<SamplerKind, std::uint32_t>({{SamplerKind::independent, gpu::kSamplerIndependent},
-                                                                {SamplerKind::stratified, gpu::kSamplerStratified},
-                                                                {SamplerKind::sobol, gpu::kSamplerSobol}}));
+  const auto [kind, id] = GENERATE(
+      table<render::SamplerKind, std::uint32_t>({{render::SamplerKind::independent, gpu::kSamplerIndependent},
+                                                 {render::SamplerKind::stratified, gpu::kSamplerStratified},
+                                                 {render::SamplerKind::sobol, gpu::kSamplerSobol}}));
   const std::uint32_t samples = GENERATE(1u, 16u, 225u, 1000u);
   constexpr std::uint32_t kSeed = 12345;
   std::mt19937 engine(5);
@@ -100,13 +101,13 @@ TEST_CASE("the device's film adds up to the host's") {
     };
     samples.push_back({value(), value(), value(), 0});
   }
-  const auto films = runLeaf<FilmPixel>(spirv::film_leaf, samples, kLanes, {kLanes, kPerLane});
-  Film expected(kLanes, 1);
+  const auto films = runLeaf<image::FilmPixel>(spirv::film_leaf, samples, kLanes, {kLanes, kPerLane});
+  image::Film expected(kLanes, 1);
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     expected.addSample(i / kPerLane, 0, glm::dvec3(samples[i]), i % kPerLane);
   }
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    const FilmPixel& host = expected.at(lane, 0);
+    const image::FilmPixel& host = expected.at(lane, 0);
     CAPTURE(lane);
     REQUIRE(films[lane].red == host.red);
     REQUIRE(films[lane].green == host.green);
@@ -114,7 +115,9 @@ TEST_CASE("the device's film adds up to the host's") {
     REQUIRE(films[lane].sampleCount == kPerLane);
     REQUIRE(films[lane].badCount == host.badCount);
     REQUIRE(films[lane].firstBadSample == host.firstBadSample);
-    const auto high = [](const FixedSum& sum) { return std::ldexp(sum[2], 64) + std::ldexp(sum[1], 32) + sum[0]; };
+    const auto high = [](const image::FixedSum& sum) {
+      return std::ldexp(sum[2], 64) + std::ldexp(sum[1], 32) + sum[0];
+    };
     REQUIRE(high(films[lane].luminanceSquared) == Approx(high(host.luminanceSquared)).epsilon(1e-6).margin(kPerLane));
   }
 }
@@ -124,7 +127,7 @@ TEST_CASE("a carry of the device's film runs through a word that is full") {
   std::vector<glm::vec4> samples(15, glm::vec4(0x1p20f));
   for (const float value : {0x1p20f - 0x1p-4f, 0x1p-4f - 0x1p-9f, 0x1p-9f}) samples.emplace_back(value);
   const auto perLane = static_cast<std::uint32_t>(samples.size());
-  const auto films = runLeaf<FilmPixel>(spirv::film_leaf, samples, 1, {1, perLane});
-  CHECK(films.at(0).red == FixedSum{0, 0, 1});
-  CHECK(films.at(0).blue == FixedSum{0, 0, 1});
+  const auto films = runLeaf<image::FilmPixel>(spirv::film_leaf, samples, 1, {1, perLane});
+  CHECK(films.at(0).red == image::FixedSum{0, 0, 1});
+  CHECK(films.at(0).blue == image::FixedSum{0, 0, 1});
 }

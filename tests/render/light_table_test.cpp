@@ -1,5 +1,5 @@
 // Light probabilities against values worked out by hand.
-#include "host/render/light_table.h"
+#include "host/flatten/light_table.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,21 +8,22 @@ using namespace candela;
 namespace {
 
 // Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
-Scene lamps() {
-  Scene scene;
-  Material lamp;
+scene::Scene lamps() {
+  scene::Scene scene;
+  scene::Material lamp;
   lamp.emission = {2, 2, 2};
-  scene.materials = {Material{}, lamp};
+  scene.materials = {scene::Material{}, lamp};
   scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
-  scene.primitives = {
-      {PrimitiveKind::triangle, 0, 0}, {PrimitiveKind::triangle, 0, 1}, {PrimitiveKind::triangle, 1, 1}};
+  scene.primitives = {{scene::PrimitiveKind::triangle, 0, 0},
+                      {scene::PrimitiveKind::triangle, 0, 1},
+                      {scene::PrimitiveKind::triangle, 1, 1}};
   return scene;
 }
 
 }  // namespace
 
 TEST_CASE("emitters are chosen in proportion to area times emission") {
-  const auto table = buildLightTable(lamps(), true);
+  const auto table = flatten::buildLightTable(lamps(), true);
   REQUIRE(table.size() == 2);
   CHECK(table[0].index == 1);
   CHECK(table[0].probability == 0.25f);
@@ -32,32 +33,32 @@ TEST_CASE("emitters are chosen in proportion to area times emission") {
 }
 
 TEST_CASE("point lights get half of the probability beside emitters, and all of it alone") {
-  Scene scene = lamps();
+  scene::Scene scene = lamps();
   scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}, {{0, 0, 6}, {3, 3, 3}}};
-  const auto both = buildLightTable(scene, true);
+  const auto both = flatten::buildLightTable(scene, true);
   REQUIRE(both.size() == 4);
   CHECK(both[0].probability == 0.125f);
   CHECK(both[2].probability == 0.125f);
   CHECK(both[3].probability == 0.375f);
-  const auto pointsOnly = buildLightTable(scene, false);
+  const auto pointsOnly = flatten::buildLightTable(scene, false);
   REQUIRE(pointsOnly.size() == 2);
   CHECK(pointsOnly[0].isPoint);
   CHECK(pointsOnly[0].probability == 0.25f);
 }
 
 TEST_CASE("what cannot be sampled by area is not in the table") {
-  Scene scene = lamps();
+  scene::Scene scene = lamps();
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
-  scene.primitives.push_back({PrimitiveKind::cone, 0, 1});
+  scene.primitives.push_back({scene::PrimitiveKind::cone, 0, 1});
   scene.triangles.push_back({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});  // no area
-  scene.primitives.push_back({PrimitiveKind::triangle, 2, 1});
-  CHECK(buildLightTable(scene, true).size() == 2);
+  scene.primitives.push_back({scene::PrimitiveKind::triangle, 2, 1});
+  CHECK(flatten::buildLightTable(scene, true).size() == 2);
 }
 
 TEST_CASE("thresholds rise and end at 2^24 however many lights there are") {
-  Scene scene = lamps();
-  for (std::uint32_t i = 0; i < 999; ++i) scene.primitives.push_back({PrimitiveKind::triangle, i % 2, 1});
-  const auto table = buildLightTable(scene, true);
+  scene::Scene scene = lamps();
+  for (std::uint32_t i = 0; i < 999; ++i) scene.primitives.push_back({scene::PrimitiveKind::triangle, i % 2, 1});
+  const auto table = flatten::buildLightTable(scene, true);
   double sum = 0;
   for (std::size_t i = 0; i < table.size(); ++i) {
     sum += table[i].probability;

@@ -6,19 +6,20 @@
 #include <random>
 
 #include "host/core/errors.h"
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 #include "host/vulkan/loop_limit.h"
 #include "tests/render/render_support.h"
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
 // A rough height field under a lamp: `cells` x `cells` x 2 triangles and a sphere.
-Scene heightField(std::uint32_t cells) {
+scene::Scene heightField(std::uint32_t cells) {
   std::mt19937 random(7);
-  Scene scene = sceneFromText(
+  scene::Scene scene = sceneFromText(
       "b 0.2 0.3 0.5\nv\nfrom 0.5 -1.2 1.2\nat 0.5 0.5 0\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
       "f 1 1 1 1 0 0 0 0 1 0 1 9 9 9\ns 0.7 0.6 1 0.2\nf 0.8 0.7 0.6 1 0 0 0 0 1 0 1 0 0 0\ns 0.2 0.2 0.1 0.05\n");
   const float size = 1.0f / static_cast<float>(cells);
@@ -28,7 +29,7 @@ Scene heightField(std::uint32_t cells) {
     points.push_back({static_cast<float>(i % (cells + 1)) * size, static_cast<float>(i / (cells + 1)) * size, height});
   }
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    scene.primitives.push_back({PrimitiveKind::triangle, static_cast<std::uint32_t>(scene.triangles.size()), 1});
+    scene.primitives.push_back({scene::PrimitiveKind::triangle, static_cast<std::uint32_t>(scene.triangles.size()), 1});
     scene.triangles.push_back({{points[a], points[b], points[c]}});
   };
   for (std::uint32_t y = 0; y < cells; ++y) {
@@ -52,39 +53,39 @@ std::uint64_t residentBytes() {
 
 TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the segments per dispatch",
           "[swiftshader-slow]") {
-  const Scene scene = heightField(64);
+  const scene::Scene scene = heightField(64);
   REQUIRE(scene.primitives.size() > 8000);
-  RenderSettings settings = squareSettings(32, 1);
-  settings.accel = AccelKind::none;
+  render::RenderSettings settings = squareSettings(32, 1);
+  settings.accel = render::AccelKind::none;
   settings.maxDepth = 8;
   settings.recordPaths = true;
-  const RenderResult free = renderOnDevice(scene, settings);
+  const render::RenderResult free = renderOnDevice(scene, settings);
   CHECK(free.statistics.structure == "none");
-  const PixelAgreement pixels = comparePixels(free, renderOnReference(scene, settings));
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  const verify::PixelAgreement pixels = verify::comparePixels(free, renderOnReference(scene, settings));
+  CHECK(pixels.share() >= verify::kRequiredShare);
+  CHECK(pixels.litShare() >= verify::kRequiredLitShare);
   settings.segmentsPerDispatch = 1;
   CHECK(renderOnDevice(scene, settings).film.hash() == free.film.hash());
-  settings.accel = AccelKind::bvh;
-  const RenderResult hierarchy = renderOnDevice(scene, settings);
+  settings.accel = render::AccelKind::bvh;
+  const render::RenderResult hierarchy = renderOnDevice(scene, settings);
   CHECK(hierarchy.film.hash() == free.film.hash());
   CHECK(hierarchy.statistics.traversalSteps < free.statistics.traversalSteps / 10);
 }
 
 TEST_CASE("paths of thousands of segments equal the reference, whatever the segments per dispatch") {
-  const Scene scene = loadTestScene("mirrors.p3f");
-  RenderSettings settings = squareSettings(16, 1);
+  const scene::Scene scene = loadTestScene("mirrors.p3f");
+  render::RenderSettings settings = squareSettings(16, 1);
   settings.maxDepth = 5000;
   settings.recordPaths = true;
-  const RenderResult reference = renderOnReference(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
   CHECK(reference.statistics.vertices > 1000 * reference.statistics.samples);
   std::uint64_t hash = 0;
   for (const std::uint32_t segments : {1000u, 7u}) {
     settings.segmentsPerDispatch = segments;
-    const RenderResult device = renderOnDevice(scene, settings);
-    const PixelAgreement pixels = comparePixels(device, reference);
-    CHECK(pixels.share() >= kRequiredShare);
-    CHECK(pixels.litShare() >= kRequiredLitShare);
+    const render::RenderResult device = renderOnDevice(scene, settings);
+    const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
+    CHECK(pixels.share() >= verify::kRequiredShare);
+    CHECK(pixels.litShare() >= verify::kRequiredLitShare);
     CHECK((hash == 0 || hash == device.film.hash()));
     hash = device.film.hash();
   }
@@ -95,11 +96,11 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
-  RenderSettings settings = squareSettings(8, 1);
+  render::RenderSettings settings = squareSettings(8, 1);
   settings.maxDepth = limited ? 100000 : 100;
   settings.segmentsPerDispatch = 100000;
-  const Scene scene = loadTestScene("mirrors.p3f");
-  const RenderResult result = careless->render(scene, settings, {});
+  const scene::Scene scene = loadTestScene("mirrors.p3f");
+  const render::RenderResult result = careless->render(scene, settings, {});
   if (limited) {
     CHECK(result.statistics.truncated > 0);
   } else {
@@ -111,62 +112,62 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
 TEST_CASE("dispatches leave no memory behind") {
   // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or
   // has a loop with such bounds, as the second scene's over its infinite plane.
-  const Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
-  RenderSettings settings = squareSettings(16, 1);
+  const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
+  render::RenderSettings settings = squareSettings(16, 1);
   settings.oneSided = true;
   settings.segmentsPerDispatch = 1;
   settings.tile = settings.size;
   renderOnDevice(scene, settings);
   const std::uint64_t before = residentBytes();
   settings.sampleCount = 64;
-  const RenderResult result = renderOnDevice(scene, settings);
+  const render::RenderResult result = renderOnDevice(scene, settings);
   REQUIRE(result.statistics.dispatchSeconds.size() >= 100);
   CHECK(residentBytes() < before + (std::uint64_t{64} << 20));
 }
 
 TEST_CASE("brute force beyond the device's loop limit is refused with a message") {
   const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 65535});
-  RenderSettings settings = squareSettings(8, 1);
-  settings.accel = AccelKind::none;
+  render::RenderSettings settings = squareSettings(8, 1);
+  settings.accel = render::AccelKind::none;
   CHECK_THROWS_WITH(renderer->render(heightField(129), settings, {}), Catch::Contains("use --accel bvh"));
 }
 
 TEST_CASE("brute force is refused the sooner, the more lights a ray asks") {
   const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 65535});
-  Scene scene = heightField(64);
+  scene::Scene scene = heightField(64);
   for (int i = 0; i < 20; ++i) scene.pointLights.push_back({glm::vec3(0.5f, 0.5f, 3), glm::vec3(0.1f)});
-  RenderSettings settings = squareSettings(8, 1);
-  settings.accel = AccelKind::none;
-  settings.integrator = Integrator::whitted;
+  render::RenderSettings settings = squareSettings(8, 1);
+  settings.accel = render::AccelKind::none;
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = 4;
   CHECK_THROWS_WITH(renderer->render(scene, settings, {}), Catch::Contains("at most 3633 primitives"));
 }
 
 TEST_CASE("a workgroup that the device does not have is refused with a message") {
-  RenderSettings settings = squareSettings(8, 1);
+  render::RenderSettings settings = squareSettings(8, 1);
   settings.workgroup = {1024, 1024};
   CHECK_THROWS_AS(testRenderer().render(loadTestScene("balls.p3f"), settings, {}), UsageError);
 }
 
 TEST_CASE("a stopped render returns what was done") {
   std::atomic<bool> stop = false;
-  RenderControl control;
+  render::RenderControl control;
   control.stop = &stop;
   control.progress = [&](double, std::uint64_t done) { stop = done > 0; };
-  RenderSettings settings = squareSettings(64, 4096);
-  const RenderResult result = testRenderer().render(loadTestScene("balls.p3f"), settings, control);
+  render::RenderSettings settings = squareSettings(64, 4096);
+  const render::RenderResult result = testRenderer().render(loadTestScene("balls.p3f"), settings, control);
   CHECK(result.interrupted);
   CHECK(result.statistics.samples > 0);
   CHECK(result.statistics.samples < std::uint64_t{64} * 64 * 4096);
 }
 
 TEST_CASE("an image of 4096 x 2160 renders in bands that do not show", "[slow]") {
-  const Scene scene = loadTestScene("lamp_over_plane.p3f");
-  RenderSettings settings = squareSettings(1, 1);
+  const scene::Scene scene = loadTestScene("lamp_over_plane.p3f");
+  render::RenderSettings settings = squareSettings(1, 1);
   settings.size = {4096, 2160};
   settings.maxDepth = 3;
-  const RenderResult result = renderOnDevice(scene, settings);
+  const render::RenderResult result = renderOnDevice(scene, settings);
   CHECK(result.statistics.samples == std::uint64_t{4096} * 2160);
-  for (const FilmPixel& pixel : result.film.pixels()) REQUIRE(pixel.sampleCount == 1);
+  for (const image::FilmPixel& pixel : result.film.pixels()) REQUIRE(pixel.sampleCount == 1);
   CHECK(meanLuminance(result.film) == Approx(meanLuminance(renderOnReference(scene, settings).film)).epsilon(1e-4));
 }

@@ -1,5 +1,5 @@
 // Rays alone find the same hits through every layout of a tree, however it is read, and by brute force.
-#include "host/render/ray_caster.h"
+#include "host/device/ray_caster.h"
 
 #include <array>
 #include <bit>
@@ -11,13 +11,14 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
 struct Layout {
-  AccelKind accel;
-  BvhLayout layout;
-  SceneLoads loads;
+  render::AccelKind accel;
+  render::BvhLayout layout;
+  render::SceneLoads loads;
 };
 
 using Words = std::vector<std::array<std::uint32_t, 2>>;
@@ -31,8 +32,8 @@ Words wordsOf(RayCaster& caster, const RaySets& sets, std::uint32_t kind) {
   return words;
 }
 
-Scene scaledTriangles(Scene scene, float factor) {
-  for (Triangle& triangle : scene.triangles) {
+scene::Scene scaledTriangles(scene::Scene scene, float factor) {
+  for (scene::Triangle& triangle : scene.triangles) {
     for (glm::vec3& vertex : triangle.p) vertex *= factor;
   }
   return scene;
@@ -48,17 +49,18 @@ std::vector<gpu::CastRay> scaledRays(std::vector<gpu::CastRay> rays, float facto
 TEST_CASE("rays alone find the same hits through every layout, however it is read, and by brute force") {
   vulkan::Device device = openTestDevice();
   // Of the second scene most rays miss.
-  const Scene scene = GENERATE(true, false) ? loadTestScene("primitives.p3f") : loadSpdScene("balls_2.nff");
-  RenderSettings settings = squareSettings(48, 1);
+  const scene::Scene scene = GENERATE(true, false) ? loadTestScene("primitives.p3f") : loadSpdScene("balls_2.nff");
+  render::RenderSettings settings = squareSettings(48, 1);
   std::optional<RaySets> sets;
   std::array<Words, gpu::kRayKindCount> expected;
-  for (const Layout& layout : {Layout{AccelKind::none, BvhLayout::automatic, SceneLoads::storage},
-                               Layout{AccelKind::bvh, BvhLayout::cwbvh, SceneLoads::texel},
-                               Layout{AccelKind::bvh, BvhLayout::cwbvh, SceneLoads::storage}}) {
+  for (const Layout& layout :
+       {Layout{render::AccelKind::none, render::BvhLayout::automatic, render::SceneLoads::storage},
+        Layout{render::AccelKind::bvh, render::BvhLayout::cwbvh, render::SceneLoads::texel},
+        Layout{render::AccelKind::bvh, render::BvhLayout::cwbvh, render::SceneLoads::storage}}) {
     settings.accel = layout.accel;
     settings.bvhLayout = layout.layout;
     settings.sceneLoads = layout.loads;
-    RayCaster caster(device, flatten(scene, settings), settings);
+    RayCaster caster(device, flatten::flattenScene(scene, settings), settings);
     if (!sets) sets = caster.makeRays();
     REQUIRE((*sets)[gpu::kPrimaryRay].size() == 48 * 48);
     for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
@@ -77,12 +79,12 @@ TEST_CASE("rays alone find the same hits through every layout, however it is rea
 TEST_CASE("a terrain scaled into a unit cube has the same hits") {
   vulkan::Device device = openTestDevice();
   const float factor = 0x1p-7f;  // the terrain's side is 100: no rounding, so that hits agree to the last bit
-  const Scene scene = generatedScene("terrain", 40).scene;
+  const scene::Scene scene = generatedScene("terrain", 40).scene;
   REQUIRE(scene.primitives.size() == scene.triangles.size());
-  RenderSettings settings = squareSettings(64, 1);
-  settings.bvhLayout = GENERATE(BvhLayout::bvh2, BvhLayout::cwbvh);
-  RayCaster large(device, flatten(scene, settings), settings);
-  RayCaster small(device, flatten(scaledTriangles(scene, factor), settings), settings);
+  render::RenderSettings settings = squareSettings(64, 1);
+  settings.bvhLayout = GENERATE(render::BvhLayout::bvh2, render::BvhLayout::cwbvh);
+  RayCaster large(device, flatten::flattenScene(scene, settings), settings);
+  RayCaster small(device, flatten::flattenScene(scaledTriangles(scene, factor), settings), settings);
   const RaySets sets = large.makeRays();
   for (const std::uint32_t kind : {gpu::kPrimaryRay, gpu::kDiffuseRay}) {
     REQUIRE(sets[kind].size() > 1000);

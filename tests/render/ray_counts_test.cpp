@@ -7,6 +7,7 @@
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
@@ -27,10 +28,10 @@ const std::vector<PublishedCounts> kPublished{{"balls", 4, 263169, 175095, 0, 95
                                               {"tree", 11, 169836, 0, 0, 1097419},
                                               {"teapot", 6, 161120, 225248, 0, 407656}};
 
-RenderSettings hainesSettings() {
-  RenderSettings settings = squareSettings(513, 1);
-  settings.integrator = Integrator::whitted;
-  settings.pixelOrigin = PixelOrigin::corner;
+render::RenderSettings hainesSettings() {
+  render::RenderSettings settings = squareSettings(513, 1);
+  settings.integrator = render::Integrator::whitted;
+  settings.pixelOrigin = render::PixelOrigin::corner;
   settings.maxDepth = 5;
   return settings;
 }
@@ -39,7 +40,7 @@ void requireNear(std::uint64_t count, std::uint64_t published) {
   CHECK(static_cast<double>(count) == Approx(static_cast<double>(published)).epsilon(0.04));
 }
 
-void requirePublishedCounts(const RenderStatistics& statistics, const PublishedCounts& published) {
+void requirePublishedCounts(const render::RenderStatistics& statistics, const PublishedCounts& published) {
   CAPTURE(published.kind, statistics.device);
   requireNear(statistics.treeRays->cameraHits, published.eyeHits);
   requireNear(statistics.treeRays->reflected, published.reflected);
@@ -50,16 +51,16 @@ void requirePublishedCounts(const RenderStatistics& statistics, const PublishedC
 }  // namespace
 
 TEST_CASE("the tetrahedron takes the rays that Haines published, on both tracers") {
-  const Scene scene = generatedScene(kPublished[2].kind, kPublished[2].size).scene;
+  const scene::Scene scene = generatedScene(kPublished[2].kind, kPublished[2].size).scene;
   requirePublishedCounts(renderOnDevice(scene, hainesSettings()).statistics, kPublished[2]);
   requirePublishedCounts(renderOnReference(scene, hainesSettings()).statistics, kPublished[2]);
 }
 
 TEST_CASE("every database takes the rays that Haines published, on both tracers", "[slow]") {
   for (const PublishedCounts& published : kPublished) {
-    const Scene scene = generatedScene(published.kind, published.size).scene;
-    const RenderStatistics device = renderOnDevice(scene, hainesSettings()).statistics;
-    const RenderStatistics reference = renderOnReference(scene, hainesSettings()).statistics;
+    const scene::Scene scene = generatedScene(published.kind, published.size).scene;
+    const render::RenderStatistics device = renderOnDevice(scene, hainesSettings()).statistics;
+    const render::RenderStatistics reference = renderOnReference(scene, hainesSettings()).statistics;
     requirePublishedCounts(device, published);
     requirePublishedCounts(reference, published);
     CHECK(static_cast<double>(device.bounceRays) == Approx(static_cast<double>(reference.bounceRays)).epsilon(1e-3));

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-namespace candela {
+namespace candela::device {
 namespace {
 
 const std::filesystem::path kScenes = std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes";
@@ -21,10 +21,10 @@ std::vector<std::filesystem::path> sceneFiles() {
   return files;
 }
 
-Scene loadTestScene(const std::string& fileName) { return loadScene(kScenes / fileName).scene; }
+scene::Scene loadTestScene(const std::string& fileName) { return scene::loadScene(kScenes / fileName).scene; }
 
-Scene primitivesUnderLights() {
-  Scene scene = loadTestScene("primitives.p3f");
+scene::Scene primitivesUnderLights() {
+  scene::Scene scene = loadTestScene("primitives.p3f");
   for (int i = 0; i < 11; ++i) {
     const auto step = static_cast<float>(i);
     scene.pointLights.push_back({{step - 5, -6 + 0.7f * step, 3 + 0.3f * step}, glm::vec3(0.05f + 0.02f * step)});
@@ -32,12 +32,12 @@ Scene primitivesUnderLights() {
   return scene;
 }
 
-Scene loadSpdScene(const std::string& fileName) { return loadScene(kSpd / fileName).scene; }
+scene::Scene loadSpdScene(const std::string& fileName) { return scene::loadScene(kSpd / fileName).scene; }
 
-Scene sceneFromText(const std::string& text) { return parseScene(text, "test.p3f", kScenes).scene; }
+scene::Scene sceneFromText(const std::string& text) { return scene::parseScene(text, "test.p3f", kScenes).scene; }
 
-RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples) {
-  RenderSettings settings;
+render::RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples) {
+  render::RenderSettings settings;
   settings.size = {side, side};
   settings.sampleCount = samples;
   return settings;
@@ -48,22 +48,22 @@ std::string testDevice() {
   return selector == nullptr ? "" : selector;
 }
 
-Renderer& testRenderer() {
-  static const std::unique_ptr<Renderer> renderer = makeGpuRenderer(testDevice());
+render::Renderer& testRenderer() {
+  static const std::unique_ptr<render::Renderer> renderer = makeGpuRenderer(testDevice());
   return *renderer;
 }
 
-RenderResult renderOnDevice(const Scene& scene, const RenderSettings& settings) {
-  RenderResult result = testRenderer().render(scene, settings, {});
+render::RenderResult renderOnDevice(const scene::Scene& scene, const render::RenderSettings& settings) {
+  render::RenderResult result = testRenderer().render(scene, settings, {});
   REQUIRE(result.statistics.truncated == 0);
   return result;
 }
 
-RenderResult renderOnReference(const Scene& scene, const RenderSettings& settings) {
-  return makeReferenceRenderer()->render(scene, settings, {});
+render::RenderResult renderOnReference(const scene::Scene& scene, const render::RenderSettings& settings) {
+  return reference::makeReferenceRenderer()->render(scene, settings, {});
 }
 
-double meanLuminance(const Film& film) {
+double meanLuminance(const image::Film& film) {
   double sum = 0;
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) sum += pixelLuminance(film, x, y);
@@ -71,6 +71,8 @@ double meanLuminance(const Film& film) {
   return sum / (static_cast<double>(film.width()) * film.height());
 }
 
-double pixelLuminance(const Film& film, std::uint32_t x, std::uint32_t y) { return luminance(film.mean(x, y)); }
+double pixelLuminance(const image::Film& film, std::uint32_t x, std::uint32_t y) {
+  return image::luminance(film.mean(x, y));
+}
 
-}  // namespace candela
+}  // namespace candela::device

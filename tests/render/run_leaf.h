@@ -9,7 +9,7 @@
 #include "host/vulkan/compute_pipeline.h"
 #include "tests/vulkan_support/test_device.h"
 
-namespace candela {
+namespace candela::device {
 
 /// Runs push[0] lanes, 64 a workgroup, on `inputs`; both push constants are given. Returns what they wrote.
 template <typename Output, typename Input>
@@ -33,4 +33,4 @@ std::vector<Output> runLeaf(std::span<const std::uint32_t> spirv, const std::vec
   return result;
 }
 
-}  // namespace candela
+}  // namespace candela::device

@@ -4,22 +4,23 @@
 #include <span>
 #include <vector>
 
-#include "host/render/device_scene.h"
-#include "host/render/specialise.h"
+#include "host/device/device_scene.h"
+#include "host/device/specialise.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/compute_pipeline.h"
 #include "tests/vulkan_support/test_device.h"
 
-namespace candela {
+namespace candela::device {
 
 /// The shader has the product's scene bindings, specialised as the product does it; in the places of path states and
 /// film it has its inputs and outputs.
 class SceneLeaf {
  public:
-  SceneLeaf(std::span<const std::uint32_t> spirv, const Scene& scene, const RenderSettings& settings = {})
+  SceneLeaf(std::span<const std::uint32_t> spirv, const scene::Scene& scene,
+            const render::RenderSettings& settings = {})
       : device_(openTestDevice()),
-        flat_(flatten(scene, settings)),
-        scene_(device_, flat_, SceneLoads::storage),
+        flat_(flatten::flattenScene(scene, settings)),
+        scene_(device_, flat_, render::SceneLoads::storage),
         pipeline_(device_, spirv, optionsFor(flat_, settings)) {}
 
   /// Runs `lanes` lanes on `inputs`; the push constants are `lanes` and `task`. Returns `outputs` values that they
@@ -42,14 +43,14 @@ class SceneLeaf {
   }
 
  private:
-  static vulkan::PipelineOptions optionsFor(const FlatScene& flat, const RenderSettings& settings) {
+  static vulkan::PipelineOptions optionsFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
     return kernelOptions(flat, settings, false, 2 * sizeof(std::uint32_t));
   }
 
   vulkan::Device device_;
-  FlatScene flat_;
+  flatten::FlatScene flat_;
   DeviceScene scene_;
   vulkan::ComputePipeline pipeline_;
 };
 
-}  // namespace candela
+}  // namespace candela::device

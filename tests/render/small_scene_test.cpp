@@ -1,27 +1,27 @@
 // Which scenes are traced in a row, without a structure.
-#include "host/render/small_scene.h"
+#include "host/flatten/small_scene.h"
 
 #include <catch2/catch.hpp>
 
-#include "host/render/flat_scene.h"
+#include "host/flatten/flat_scene.h"
 #include "host/scene/load.h"
 #include "shaders/shared/scene_rows.h"
 
-namespace candela {
+namespace candela::device {
 namespace {
 
-Scene scattered(const char* statement, int count) {
+scene::Scene scattered(const char* statement, int count) {
   std::string text = "v from 0 -6 1 at 0 0 0 up 0 0 1 angle 40 hither 0 resolution 8 8\nf 1 1 1 1 0 0 0 0 1\n";
   for (int i = 0; i < count; ++i) text += statement;
-  return parseScene(text, "test", ".").scene;
+  return scene::parseScene(text, "test", ".").scene;
 }
 
 constexpr const char* kSphere = "s 0 0 0 1\n";
 constexpr const char* kCone = "c 0 0 0 1 0 0 1 0\n";
 constexpr const char* kTriangle = "p 3\n0 0 0\n1 0 0\n0 1 0\n";
 
-DeviceInfo deviceWith(const char* driver) {
-  DeviceInfo info;
+vulkan::DeviceInfo deviceWith(const char* driver) {
+  vulkan::DeviceInfo info;
   info.driver = driver;
   return info;
 }
@@ -29,7 +29,7 @@ DeviceInfo deviceWith(const char* driver) {
 }  // namespace
 
 TEST_CASE("a scene is small by what its primitives cost, not by their number alone") {
-  const SmallSceneRule rule{.mostCost = 48, .rowsAhead = false};
+  const flatten::SmallSceneRule rule{.mostCost = 48, .rowsAhead = false};
   CHECK(isSmall(scattered(kTriangle, 16), rule));
   CHECK(!isSmall(scattered(kTriangle, 17), rule));
   CHECK(isSmall(scattered(kSphere, 24), rule));
@@ -40,14 +40,14 @@ TEST_CASE("a scene is small by what its primitives cost, not by their number alo
 }
 
 TEST_CASE("no scene with more primitives than the uniform buffer holds is small") {
-  const SmallSceneRule all{.mostCost = 1000, .rowsAhead = false};
+  const flatten::SmallSceneRule all{.mostCost = 1000, .rowsAhead = false};
   CHECK(isSmall(scattered(kSphere, gpu::kMaxUniformSlots), all));
   CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), all));
 }
 
 TEST_CASE("lavapipe traces larger scenes in a row than other devices, and reads them ahead") {
-  const SmallSceneRule lavapipe = smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
-  const SmallSceneRule other = smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
+  const flatten::SmallSceneRule lavapipe = flatten::smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
+  const flatten::SmallSceneRule other = flatten::smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
   CHECK(isSmall(scattered(kTriangle, 40), lavapipe));
   CHECK(!isSmall(scattered(kTriangle, 40), other));
   CHECK(lavapipe.rowsAhead);
@@ -55,23 +55,26 @@ TEST_CASE("lavapipe traces larger scenes in a row than other devices, and reads 
 }
 
 TEST_CASE("a small scene has its rows in the uniform buffer too, unless a structure is asked for by name") {
-  const Scene scene = loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f").scene;
-  const FlattenLimits limits{.maxGridSide = kAnyGridSide, .smallScene = {.mostCost = 128, .rowsAhead = false}};
-  RenderSettings settings;
+  const scene::Scene scene = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f")
+                                 .scene;
+  const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,
+                                      .smallScene = {.mostCost = 128, .rowsAhead = false}};
+  render::RenderSettings settings;
   settings.size = {8, 8};
-  const FlatScene row = flatten(scene, settings, limits);
+  const flatten::FlatScene row = flatten::flattenScene(scene, settings, limits);
   REQUIRE(row.uniformSlots == scene.primitives.size());
   CHECK(row.structure == gpu::kStructureNone);
   for (std::uint32_t i = 0; i < row.uniformSlots * gpu::kPrimitiveRows; ++i) {
     CHECK(row.slotRows[i] == row.rows[row.constants.sections.y + i]);
   }
-  settings.bvhLayout = BvhLayout::cwbvh;
-  CHECK(flatten(scene, settings, limits).structure == gpu::kStructureWideBvh);
-  settings.bvhLayout = BvhLayout::automatic;
-  settings.accel = AccelKind::grid;
-  CHECK(flatten(scene, settings, limits).uniformSlots == 0);
-  settings.accel = AccelKind::bvh;
-  CHECK(flatten(scene, settings).structure == gpu::kStructureWideBvh);  // by the other rule it is not small
+  settings.bvhLayout = render::BvhLayout::cwbvh;
+  CHECK(flatten::flattenScene(scene, settings, limits).structure == gpu::kStructureWideBvh);
+  settings.bvhLayout = render::BvhLayout::automatic;
+  settings.accel = render::AccelKind::grid;
+  CHECK(flatten::flattenScene(scene, settings, limits).uniformSlots == 0);
+  settings.accel = render::AccelKind::bvh;
+  CHECK(flatten::flattenScene(scene, settings).structure ==
+        gpu::kStructureWideBvh);  // by the other rule it is not small
 }
 
-}  // namespace candela
+}  // namespace candela::device

@@ -12,29 +12,31 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
 struct Way {
   std::string structure;
   std::string bvhSplit;
-  AccelKind accel;
-  BvhSplit split = BvhSplit::sah;
+  render::AccelKind accel;
+  render::BvhSplit split = render::BvhSplit::sah;
   float density = 2;
-  BvhLayout layout = BvhLayout::bvh2;
-  BuildQuality quality = BuildQuality::standard;
+  render::BvhLayout layout = render::BvhLayout::bvh2;
+  render::BuildQuality quality = render::BuildQuality::standard;
 };
 
-const std::vector<Way> kWays{{"none", "", AccelKind::none},
-                             {"bvh", "sah", AccelKind::bvh},
-                             {"bvh", "midpoint", AccelKind::bvh, BvhSplit::midpoint},
-                             {"grid", "", AccelKind::grid},
-                             {"grid", "", AccelKind::grid, BvhSplit::sah, 1},
-                             {"grid", "", AccelKind::grid, BvhSplit::sah, 5},
-                             {"bvh", "sah", AccelKind::bvh, BvhSplit::sah, 2, BvhLayout::cwbvh},
-                             {"bvh", "midpoint", AccelKind::bvh, BvhSplit::midpoint, 2, BvhLayout::cwbvh}};
+const std::vector<Way> kWays{
+    {"none", "", render::AccelKind::none},
+    {"bvh", "sah", render::AccelKind::bvh},
+    {"bvh", "midpoint", render::AccelKind::bvh, render::BvhSplit::midpoint},
+    {"grid", "", render::AccelKind::grid},
+    {"grid", "", render::AccelKind::grid, render::BvhSplit::sah, 1},
+    {"grid", "", render::AccelKind::grid, render::BvhSplit::sah, 5},
+    {"bvh", "sah", render::AccelKind::bvh, render::BvhSplit::sah, 2, render::BvhLayout::cwbvh},
+    {"bvh", "midpoint", render::AccelKind::bvh, render::BvhSplit::midpoint, 2, render::BvhLayout::cwbvh}};
 
-RenderSettings along(const Way& way, RenderSettings settings) {
+render::RenderSettings along(const Way& way, render::RenderSettings settings) {
   settings.accel = way.accel;
   settings.bvhSplit = way.split;
   settings.bvhLayout = way.layout;
@@ -46,21 +48,21 @@ RenderSettings along(const Way& way, RenderSettings settings) {
 constexpr const char* kView = "v from 0 -6 1.5 at 0 0 .5 up 0 0 1 angle 40 hither 0 resolution 24 24\nb .3 .4 .5\n";
 
 // Spheres that scatter and refract, all of one material, so that scenes of them share kernels.
-Scene spheres(const std::vector<glm::vec4>& all) {
+scene::Scene spheres(const std::vector<glm::vec4>& all) {
   std::string text = std::string(kView) + "f .8 .7 .6 .5 0 0 0 0 1 .5 1.3 0 0 0\n";
   for (const glm::vec4& s : all) text += fmt::format("s {} {} {} {}\n", s.x, s.y, s.z, s.w);
   return sceneFromText(text);
 }
 
 // The camera is in the first of them; many others are behind it and beside the view.
-Scene spheresAroundTheCamera() {
+scene::Scene spheresAroundTheCamera() {
   std::vector<glm::vec4> all{{0, -6, 1.5, 1}};
   for (int i = 0; i < 25; ++i) all.emplace_back(i - 12, i % 5 * 5 - 15, 0, 0.8f);
   return spheres(all);
 }
 
 // So many spheres of all sizes that the larger part of a tree's nodes lies below its trunk.
-Scene cloud() {
+scene::Scene cloud() {
   std::mt19937 random(11);
   const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-32f - 0.5f; };
   std::vector<glm::vec4> all;
@@ -72,7 +74,7 @@ Scene cloud() {
 }
 
 // Triangles, and boxes of zero thickness, all in the plane z = 0.
-Scene flatScene() {
+scene::Scene flatScene() {
   std::string text = std::string(kView) + "f .8 .7 .6 1 0 0 0 0 1 0 1 0 0 0\n";
   for (int i = 0; i < 30; ++i) {
     const double x = 0.2 * i - 3, y = 0.4 * (i % 7) - 1;
@@ -82,7 +84,7 @@ Scene flatScene() {
 }
 
 // Rays from the plane, up to far beyond what single precision tells apart, towards a lamp among small spheres.
-Scene clusterOnPlane() {
+scene::Scene clusterOnPlane() {
   std::mt19937 random(5);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
   std::string text =
@@ -93,10 +95,10 @@ Scene clusterOnPlane() {
 }
 
 // 70,000 spheres at one place and one far away, so that a grid has nearly all of them in one cell.
-Scene crowdedCell() {
-  Scene scene = sceneFromText(std::string(kView) + "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns 1000 1000 1000 1\n");
+scene::Scene crowdedCell() {
+  scene::Scene scene = sceneFromText(std::string(kView) + "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns 1000 1000 1000 1\n");
   for (int i = 0; i < 70000; ++i) {
-    scene.primitives.push_back({PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size()), 0});
+    scene.primitives.push_back({scene::PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size()), 0});
     scene.spheres.push_back({{0, 0, 0.5f + 1e-5f * static_cast<float>(i)}, 0.5f});
   }
   return scene;
@@ -104,7 +106,7 @@ Scene crowdedCell() {
 
 // Around one point, at 36 distances that double, three clusters of spheres each: a deep tree, of whose nodes several
 // children are nodes.
-Scene clustersOfAllSizes() {
+scene::Scene clustersOfAllSizes() {
   std::mt19937 random(7);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
   std::string text = std::string(kView) + "f .8 .7 .6 .5 0 0 0 0 1 .5 1.3 0 0 0\n";
@@ -122,7 +124,7 @@ Scene clustersOfAllSizes() {
 }
 
 // Red spheres, and green ones of higher numbers in the same places.
-Scene coincidentSpheres() {
+scene::Scene coincidentSpheres() {
   std::string text = kView;
   for (const char* const colour : {"1 0 0", "0 1 0"}) {
     text += fmt::format("f 0 0 0 1 0 0 0 0 1 0 1 {}\n", colour);
@@ -132,7 +134,7 @@ Scene coincidentSpheres() {
 }
 
 // Triples of spheres that overlap so much that no split is worth it; a band of each is seen.
-Scene triples() {
+scene::Scene triples() {
   std::string text = kView;
   int third = 0;
   for (const char* const colour : {"1 0 0", "0 1 0", "0 0 1"}) {
@@ -143,18 +145,19 @@ Scene triples() {
   return sceneFromText(text + "l 0 -9 5\n");
 }
 
-RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
-  RenderSettings settings = squareSettings(side, samples);
+render::RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
+  render::RenderSettings settings = squareSettings(side, samples);
   settings.maxDepth = 6;
   return settings;
 }
 
 // Renders all scenes one way before the next, since a renderer keeps its last kernel.
-void requireSameFilms(const std::vector<Scene>& scenes, const RenderSettings& settings, const std::vector<Way>& ways) {
+void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::RenderSettings& settings,
+                      const std::vector<Way>& ways) {
   std::vector<std::set<std::uint64_t>> hashes(scenes.size());
   for (const Way& way : ways) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      const RenderResult result = renderOnDevice(scenes[i], along(way, settings));
+      const render::RenderResult result = renderOnDevice(scenes[i], along(way, settings));
       CHECK(result.statistics.structure == way.structure);
       hashes[i].insert(result.film.hash());
     }
@@ -165,10 +168,10 @@ void requireSameFilms(const std::vector<Scene>& scenes, const RenderSettings& se
 }  // namespace
 
 TEST_CASE("every structure gives brute force's film, in its own number of steps") {
-  const Scene scene = loadTestScene("primitives.p3f");
+  const scene::Scene scene = loadTestScene("primitives.p3f");
   std::set<std::uint64_t> hashes, steps;
   for (const Way& way : kWays) {
-    const RenderResult result = renderOnDevice(scene, along(way, squareSettings(40, 2)));
+    const render::RenderResult result = renderOnDevice(scene, along(way, squareSettings(40, 2)));
     CHECK(result.statistics.structure == way.structure);
     CHECK(result.statistics.bvhSplit == way.bvhSplit);
     hashes.insert(result.film.hash());
@@ -179,13 +182,14 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
 }
 
 TEST_CASE("every quality of a BVH gives the same film in its own number of steps, and is named", "[swiftshader-slow]") {
-  const Scene scene = cloud();
-  for (const BvhLayout layout : {BvhLayout::bvh2, BvhLayout::cwbvh}) {
+  const scene::Scene scene = cloud();
+  for (const render::BvhLayout layout : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     std::set<std::uint64_t> hashes, steps;
     std::vector<std::string> names;
-    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::standard, BuildQuality::high}) {
-      const Way way{"bvh", "sah", AccelKind::bvh, BvhSplit::sah, 2, layout, quality};
-      const RenderResult result = renderOnDevice(scene, along(way, shortPaths(24, 2)));
+    for (const render::BuildQuality quality :
+         {render::BuildQuality::fast, render::BuildQuality::standard, render::BuildQuality::high}) {
+      const Way way{"bvh", "sah", render::AccelKind::bvh, render::BvhSplit::sah, 2, layout, quality};
+      const render::RenderResult result = renderOnDevice(scene, along(way, shortPaths(24, 2)));
       hashes.insert(result.film.hash());
       steps.insert(result.statistics.traversalSteps);
       names.push_back(result.statistics.bvhQuality);
@@ -197,9 +201,9 @@ TEST_CASE("every quality of a BVH gives the same film in its own number of steps
 }
 
 TEST_CASE("of equal distances the lower primitive wins, through every structure") {
-  const Scene scene = coincidentSpheres();
+  const scene::Scene scene = coincidentSpheres();
   for (const Way& way : kWays) {
-    const Film film = renderOnDevice(scene, along(way, shortPaths(24, 1))).film;
+    const image::Film film = renderOnDevice(scene, along(way, shortPaths(24, 1))).film;
     int red = 0, green = 0;
     for (std::uint32_t i = 0; i < 24 * 24; ++i) {
       red += film.mean(i % 24, i / 24).x > 0.9;
@@ -212,15 +216,15 @@ TEST_CASE("of equal distances the lower primitive wins, through every structure"
 }
 
 TEST_CASE("a wide tree's leaves of three primitives, the most that there are, are tested whole") {
-  const Scene scene = triples();
-  const RenderSettings settings = shortPaths(48, 1);
+  const scene::Scene scene = triples();
+  const render::RenderSettings settings = shortPaths(48, 1);
   REQUIRE(renderOnDevice(scene, along(kWays[6], settings)).statistics.structureQuality.at("maxLeafSize") == 3);
   requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
 TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
-  const Scene scene = clustersOfAllSizes();
-  const RenderSettings settings = shortPaths(24, 2);
+  const scene::Scene scene = clustersOfAllSizes();
+  const render::RenderSettings settings = shortPaths(24, 2);
   constexpr double kWordsKept = 12;  // wide_bvh.glsl
   REQUIRE(renderOnDevice(scene, along(kWays[6], settings)).statistics.structureQuality.at("depth") > kWordsKept);
   requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
@@ -228,25 +232,25 @@ TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
 
 TEST_CASE("a structure that is asked for by name is used even where a few tests in a row would be faster",
           "[swiftshader-slow]") {
-  const Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
+  const scene::Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
-  const RenderSettings settings = shortPaths(16, 1);
-  const RenderResult row = renderOnDevice(scene, settings);
+  const render::RenderSettings settings = shortPaths(16, 1);
+  const render::RenderResult row = renderOnDevice(scene, settings);
   CHECK(row.statistics.layout == "row");
-  const RenderResult midpoint = renderOnDevice(scene, along(kWays[2], settings));
+  const render::RenderResult midpoint = renderOnDevice(scene, along(kWays[2], settings));
   CHECK(midpoint.statistics.structureQuality.at("nodes") > 1);
-  const RenderResult grid = renderOnDevice(scene, along(kWays[3], settings));
+  const render::RenderResult grid = renderOnDevice(scene, along(kWays[3], settings));
   CHECK(grid.statistics.structureQuality.at("cells") > 1);
-  const RenderResult wide = renderOnDevice(scene, along(kWays[6], settings));
+  const render::RenderResult wide = renderOnDevice(scene, along(kWays[6], settings));
   CHECK(wide.statistics.layout == "cwbvh");
-  for (const RenderResult& other : {midpoint, grid, wide}) {
+  for (const render::RenderResult& other : {midpoint, grid, wide}) {
     CHECK(other.statistics.traversalSteps != row.statistics.traversalSteps);
     CHECK(other.film.hash() == row.film.hash());
   }
 }
 
 TEST_CASE("rays that come to a grid from very far away miss nothing", "[swiftshader-slow]") {
-  RenderSettings settings = squareSettings(48, 4);
+  render::RenderSettings settings = squareSettings(48, 4);
   settings.maxDepth = 4;
   requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});
 }
@@ -262,12 +266,12 @@ TEST_CASE("a flat scene looks the same through a grid", "[swiftshader-slow]") {
 
 TEST_CASE("overlapping shells look the same through a grid, and through the coarser one of a device that limits loops",
           "[swiftshader-slow]") {
-  const Scene scene = loadSpdScene("shells_1.nff");
-  const RenderSettings settings = squareSettings(40, 2);
+  const scene::Scene scene = loadSpdScene("shells_1.nff");
+  const render::RenderSettings settings = squareSettings(40, 2);
   requireSameFilms({scene}, settings, {kWays[0], kWays[4], kWays[5]});
-  const RenderResult free = renderOnDevice(scene, along(kWays[3], settings));
+  const render::RenderResult free = renderOnDevice(scene, along(kWays[3], settings));
   const auto limited = makeGpuRenderer(testDevice(), {.loopLimit = 512});
-  const RenderResult coarse = limited->render(scene, along(kWays[3], settings), {});
+  const render::RenderResult coarse = limited->render(scene, along(kWays[3], settings), {});
   CHECK(coarse.statistics.structureQuality.at("cells") < free.statistics.structureQuality.at("cells"));
   CHECK(coarse.statistics.structureQuality.at("density") < 2);
   CHECK(coarse.statistics.traversalSteps != free.statistics.traversalSteps);
@@ -280,11 +284,11 @@ TEST_CASE("a segment too long for the device's loop limit is caught, whatever th
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
   // The renderer is told that there is no limit, so that it takes brute force on.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
-  const Scene scene = crowdedCell();
+  const scene::Scene scene = crowdedCell();
   for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {
-    RenderSettings settings = along(way, squareSettings(8, 1));
+    render::RenderSettings settings = along(way, squareSettings(8, 1));
     settings.maxDepth = 2;
-    const RenderResult result = careless->render(scene, settings, {});
+    const render::RenderResult result = careless->render(scene, settings, {});
     CAPTURE(way.structure);
     CHECK((result.statistics.truncated > 0) == limited);
   }

@@ -1,5 +1,5 @@
 // Every sweep covers every pixel once, whatever sizes are asked for.
-#include "host/render/tile_cursor.h"
+#include "host/device/tile_cursor.h"
 
 #include <catch2/catch.hpp>
 #include <functional>
@@ -7,12 +7,13 @@
 #include <vector>
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
 /// How often each pixel was in a piece of one sweep. Fails on a piece that is empty or leaves the image.
 std::vector<int> sweep(
-    TileCursor& cursor, Extent image, const std::function<std::uint64_t()>& wanted,
+    TileCursor& cursor, render::Extent image, const std::function<std::uint64_t()>& wanted,
     const std::function<void(std::uint64_t, const Rect&)>& check = [](std::uint64_t, const Rect&) {}) {
   std::vector<int> visits(std::size_t{image.width} * image.height);
   do {
@@ -30,7 +31,7 @@ std::vector<int> sweep(
   return visits;
 }
 
-std::vector<int> once(Extent image) { return std::vector<int>(std::size_t{image.width} * image.height, 1); }
+std::vector<int> once(render::Extent image) { return std::vector<int>(std::size_t{image.width} * image.height, 1); }
 
 std::vector<Rect> pieces(TileCursor cursor, std::uint64_t wanted) {
   std::vector<Rect> rects;
@@ -50,8 +51,8 @@ TEST_CASE("each sweep covers each pixel once for random sizes of image, workgrou
   std::mt19937 random(7);
   const auto upTo = [&](std::uint32_t most) { return std::uniform_int_distribution<std::uint32_t>(1, most)(random); };
   for (int round = 0; round < 200; ++round) {
-    const Extent image{upTo(100), upTo(100)};
-    const Extent workgroup{upTo(20), upTo(20)};
+    const render::Extent image{upTo(100), upTo(100)};
+    const render::Extent workgroup{upTo(20), upTo(20)};
     const std::uint32_t most = upTo(3 * image.width * image.height);
     TileCursor cursor(image, workgroup);
     const auto check = [&](std::uint64_t wanted, const Rect& rect) {

@@ -1,9 +1,10 @@
 // Where work is left is known well enough to size the next dispatch.
-#include "host/render/unfinished_rows.h"
+#include "host/device/unfinished_rows.h"
 
 #include <catch2/catch.hpp>
 
 using namespace candela;
+using namespace candela::device;
 
 TEST_CASE("at first every pixel has work left") {
   const UnfinishedRows rows({100, 50});

@@ -5,22 +5,23 @@
 #include <set>
 #include <vector>
 
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 #include "tests/render/both_tracers.h"
 
 using namespace candela;
+using namespace candela::device;
 using glm::dvec3;
 using glm::vec3;
 
 namespace {
 
-constexpr std::array kViews{Integrator::ao,    Integrator::normal, Integrator::albedo,
-                            Integrator::depth, Integrator::id,     Integrator::cost};
+constexpr std::array kViews{render::Integrator::ao,    render::Integrator::normal, render::Integrator::albedo,
+                            render::Integrator::depth, render::Integrator::id,     render::Integrator::cost};
 
 // A floor z = 0 and a wall y = 0 whose normal points away from the cameras, and far from both, 20 apart: a ball of each
 // material and a triangle whose vertex normals lean.
-const Scene& exhibition() {
-  static const Scene scene = sceneFromText(
+const scene::Scene& exhibition() {
+  static const scene::Scene scene = sceneFromText(
       "v\nfrom 40 -160 30\nat 40 -60 3\nup 0 0 1\nangle 50\nhither 0\nresolution 64 64\n"
       "f .8 .5 .25 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\npl 0 0 0 0 0 1 1 0 0\n"
       "f .8 .5 .25 .6 1 .5 .2 .5 20 .3 1.5 0 0 0\ns 0 -100 5 1\n"
@@ -39,8 +40,8 @@ const vec3 kMixedBall(0, -100, 5), kMirrorBall(20, -100, 5), kBlackBall(40, -100
 const vec3 kAway(0, -600, 200), kOutside(0, -500, 100);  // a target with nothing behind, as seen from outside
 
 // Through a field of view of a hundredth of a degree.
-Scene lookingAt(const vec3& at, const vec3& from) {
-  Scene scene = exhibition();
+scene::Scene lookingAt(const vec3& at, const vec3& from) {
+  scene::Scene scene = exhibition();
   scene.camera->from = from;
   scene.camera->at = at;
   scene.camera->up = vec3(0.1f, 1, 0.2f);
@@ -48,19 +49,19 @@ Scene lookingAt(const vec3& at, const vec3& from) {
   return scene;
 }
 
-RenderSettings viewSettings(Integrator integrator, std::uint32_t side, std::uint32_t samples) {
-  RenderSettings settings = squareSettings(side, samples);
+render::RenderSettings viewSettings(render::Integrator integrator, std::uint32_t side, std::uint32_t samples) {
+  render::RenderSettings settings = squareSettings(side, samples);
   settings.integrator = integrator;
   settings.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
   return settings;
 }
 
-dvec3 seen(const RenderFunction& render, Integrator integrator, const vec3& at, const vec3& from) {
-  return render(lookingAt(at, from), viewSettings(integrator, 4, 1)).film.mean(2, 2);
+dvec3 seen(const RenderFunction& renderScene, render::Integrator integrator, const vec3& at, const vec3& from) {
+  return renderScene(lookingAt(at, from), viewSettings(integrator, 4, 1)).film.mean(2, 2);
 }
 
-dvec3 seenFromAbove(const RenderFunction& render, Integrator integrator, const vec3& at) {
-  return seen(render, integrator, at, at + vec3(0, 0, 3));
+dvec3 seenFromAbove(const RenderFunction& renderScene, render::Integrator integrator, const vec3& at) {
+  return seen(renderScene, integrator, at, at + vec3(0, 0, 3));
 }
 
 void checkClose(const dvec3& value, const dvec3& expected) {
@@ -68,17 +69,17 @@ void checkClose(const dvec3& value, const dvec3& expected) {
   CHECK(glm::distance(value, expected) < 2e-4);
 }
 
-double samePrimitiveShare(const RenderResult& a, const RenderResult& b) {
+double samePrimitiveShare(const render::RenderResult& a, const render::RenderResult& b) {
   std::size_t same = 0;
   for (std::size_t i = 0; i < a.paths.size(); ++i) same += a.paths[i].vertices[0] == b.paths[i].vertices[0];
   return static_cast<double>(same) / static_cast<double>(a.paths.size());
 }
 
-void requireReferencesPixels(const Scene& scene, Integrator integrator) {
-  const RenderSettings settings = viewSettings(integrator, 64, 1);
-  const RenderResult device = renderOnDevice(scene, settings);
-  const RenderResult reference = renderOnReference(scene, settings);
-  const PixelAgreement pixels = comparePixels(device, reference);
+void requireReferencesPixels(const scene::Scene& scene, render::Integrator integrator) {
+  const render::RenderSettings settings = viewSettings(integrator, 64, 1);
+  const render::RenderResult device = renderOnDevice(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
+  const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
   CAPTURE(scene.name, static_cast<int>(integrator), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
   CHECK(pixels.share() >= 0.999);
   CHECK(pixels.lit > pixels.pixels / 2);
@@ -88,7 +89,7 @@ void requireReferencesPixels(const Scene& scene, Integrator integrator) {
   CHECK(device.statistics.bounceRays == 0);
 }
 
-double mean(const Film& film) {
+double mean(const image::Film& film) {
   dvec3 sum(0);
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) sum += film.mean(x, y);
@@ -99,49 +100,49 @@ double mean(const Film& film) {
 }  // namespace
 
 TEST_CASE("normals keep the primitive's orientation, whichever side is seen") {
-  constexpr Integrator kNormal = Integrator::normal;
-  onBothTracers([&](const RenderFunction& render) {
+  constexpr render::Integrator kNormal = render::Integrator::normal;
+  onBothTracers([&](const RenderFunction& renderScene) {
     const vec3 towards(2 / 3.f, -1 / 3.f, 2 / 3.f);
-    checkClose(seen(render, kNormal, kMixedBall, kMixedBall + 5.f * towards), {5 / 6., 1 / 3., 5 / 6.});
-    checkClose(seen(render, kNormal, kMixedBall + 5.f * towards, kMixedBall), {5 / 6., 1 / 3., 5 / 6.});
-    checkClose(seen(render, kNormal, {0, 0, 50}, {0, -9, 50}), {0.5, 1, 0.5});
+    checkClose(seen(renderScene, kNormal, kMixedBall, kMixedBall + 5.f * towards), {5 / 6., 1 / 3., 5 / 6.});
+    checkClose(seen(renderScene, kNormal, kMixedBall + 5.f * towards, kMixedBall), {5 / 6., 1 / 3., 5 / 6.});
+    checkClose(seen(renderScene, kNormal, {0, 0, 50}, {0, -9, 50}), {0.5, 1, 0.5});
     const double lean = 0.5 + std::sqrt(0.125);
-    checkClose(seenFromAbove(render, kNormal, kLeaningTriangle), {lean, 0.5, lean});
-    checkClose(seen(render, kNormal, kLeaningTriangle, kLeaningTriangle - vec3(0, 0, 3)), {lean, 0.5, lean});
-    CHECK(seen(render, kNormal, kAway, kOutside) == dvec3(0));
+    checkClose(seenFromAbove(renderScene, kNormal, kLeaningTriangle), {lean, 0.5, lean});
+    checkClose(seen(renderScene, kNormal, kLeaningTriangle, kLeaningTriangle - vec3(0, 0, 3)), {lean, 0.5, lean});
+    CHECK(seen(renderScene, kNormal, kAway, kOutside) == dvec3(0));
   });
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kNormal); }
 }
 
 TEST_CASE("albedos are the file's colours, weighted as the lobes are") {
-  constexpr Integrator kAlbedo = Integrator::albedo;
-  onBothTracers([&](const RenderFunction& render) {
-    checkClose(seenFromAbove(render, kAlbedo, {0, -50, 0}), {0.8, 0.5, 0.25});
+  constexpr render::Integrator kAlbedo = render::Integrator::albedo;
+  onBothTracers([&](const RenderFunction& renderScene) {
+    checkClose(seenFromAbove(renderScene, kAlbedo, {0, -50, 0}), {0.8, 0.5, 0.25});
     // Kd 0.6, Ks 0.5 and T 0.3 are scaled to the sum 1.
     const dvec3 mixed = (0.9 * dvec3(0.8, 0.5, 0.25) + 0.5 * dvec3(1, 0.5, 0.2)) / 1.4;
-    checkClose(seenFromAbove(render, kAlbedo, kMixedBall), mixed);
-    checkClose(seenFromAbove(render, kAlbedo, kMirrorBall), {0.9, 0.8, 0.7});
-    checkClose(seenFromAbove(render, kAlbedo, kGlassBall), {0.98, 0.9, 0.95});
-    checkClose(seenFromAbove(render, kAlbedo, kLamp), {0.1, 0.2, 0.3});
-    CHECK(seenFromAbove(render, kAlbedo, kBlackBall) == dvec3(0));
-    CHECK(seen(render, kAlbedo, kAway, kOutside) == dvec3(0));
+    checkClose(seenFromAbove(renderScene, kAlbedo, kMixedBall), mixed);
+    checkClose(seenFromAbove(renderScene, kAlbedo, kMirrorBall), {0.9, 0.8, 0.7});
+    checkClose(seenFromAbove(renderScene, kAlbedo, kGlassBall), {0.98, 0.9, 0.95});
+    checkClose(seenFromAbove(renderScene, kAlbedo, kLamp), {0.1, 0.2, 0.3});
+    CHECK(seenFromAbove(renderScene, kAlbedo, kBlackBall) == dvec3(0));
+    CHECK(seen(renderScene, kAlbedo, kAway, kOutside) == dvec3(0));
   });
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kAlbedo); }
 }
 
 TEST_CASE("depth is the distance along the ray") {
-  constexpr Integrator kDepth = Integrator::depth;
-  onBothTracers([&](const RenderFunction& render) {
-    CHECK(seenFromAbove(render, kDepth, {0, -50, 0}).x == Approx(3).epsilon(1e-5));
-    CHECK(seen(render, kDepth, {0, -50, 0}, {0, -54, 3}).y == Approx(5).epsilon(1e-3));
-    CHECK(seen(render, kDepth, kMixedBall, kMixedBall + vec3(0, 3, 4)).z == Approx(4).epsilon(1e-4));
-    CHECK(seen(render, kDepth, kAway, kOutside) == dvec3(0));
+  constexpr render::Integrator kDepth = render::Integrator::depth;
+  onBothTracers([&](const RenderFunction& renderScene) {
+    CHECK(seenFromAbove(renderScene, kDepth, {0, -50, 0}).x == Approx(3).epsilon(1e-5));
+    CHECK(seen(renderScene, kDepth, {0, -50, 0}, {0, -54, 3}).y == Approx(5).epsilon(1e-3));
+    CHECK(seen(renderScene, kDepth, kMixedBall, kMixedBall + vec3(0, 3, 4)).z == Approx(4).epsilon(1e-4));
+    CHECK(seen(renderScene, kDepth, kAway, kOutside) == dvec3(0));
   });
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kDepth); }
 }
 
 TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
-  constexpr Integrator kId = Integrator::id;
+  constexpr render::Integrator kId = render::Integrator::id;
   const vec3 kFloor(0, -50, 0);
   const std::vector<vec3> objects{kFloor, kMixedBall, kMirrorBall, kBlackBall, kLamp, kGlassBall, kLeaningTriangle};
   std::set<std::array<double, 3>> colours;
@@ -161,26 +162,26 @@ TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
 }
 
 TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are free within reach") {
-  constexpr Integrator kAo = Integrator::ao;
-  onBothTracers([&](const RenderFunction& render) {
-    RenderSettings settings = viewSettings(kAo, 8, 256);
+  constexpr render::Integrator kAo = render::Integrator::ao;
+  onBothTracers([&](const RenderFunction& renderScene) {
+    render::RenderSettings settings = viewSettings(kAo, 8, 256);
     settings.aoDistance = 8.f;
     const auto above = [](double distance, float height) {
       const vec3 foot(0, -static_cast<float>(distance), 0);
       return lookingAt(foot, foot + vec3(0, 0, height));
     };
-    CHECK(mean(render(above(50, 4), settings).film) == 1);
+    CHECK(mean(renderScene(above(50, 4), settings).film) == 1);
     // In the corner half of the directions meet the wall. 16384 samples: a standard deviation of 0.004.
-    CHECK(mean(render(above(1e-3, 4), settings).film) == Approx(0.5).margin(0.016));
+    CHECK(mean(renderScene(above(1e-3, 4), settings).film) == Approx(0.5).margin(0.016));
     // At distance d < D those do whose component towards the wall exceeds a = d/D, cosine-weighted a coordinate of the
     // unit disc: 1 - (acos a - a sqrt(1 - a^2)) / pi.
     const double a = 0.25;
     const double expected = 1 - (std::acos(a) - a * std::sqrt(1 - a * a)) / 3.14159265358979;
-    CHECK(mean(render(above(2, 4), settings).film) == Approx(expected).margin(0.016));
+    CHECK(mean(renderScene(above(2, 4), settings).film) == Approx(expected).margin(0.016));
     settings.aoDistance.reset();  // a quarter of the way from eye to target
-    CHECK(mean(render(above(2, 32), settings).film) == Approx(expected).margin(0.016));
-    CHECK(mean(render(above(2, 4), settings).film) == 1);
-    const RenderResult missed = render(lookingAt(kAway, kOutside), settings);
+    CHECK(mean(renderScene(above(2, 32), settings).film) == Approx(expected).margin(0.016));
+    CHECK(mean(renderScene(above(2, 4), settings).film) == 1);
+    const render::RenderResult missed = renderScene(lookingAt(kAway, kOutside), settings);
     CHECK(mean(missed.film) == 1);
     CHECK(missed.statistics.shadowRays == 0);
   });
@@ -188,17 +189,17 @@ TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are
 }
 
 TEST_CASE("cost is what the statistics count, pixel by pixel") {
-  const Scene scene = loadTestScene("primitives.p3f");
+  const scene::Scene scene = loadTestScene("primitives.p3f");
   const auto primitives = static_cast<double>(scene.primitives.size());
   // Mean cost with a tree.
-  const auto meanCost = [&](const RenderFunction& render) {
-    RenderSettings settings = viewSettings(Integrator::cost, 64, 4);
-    settings.accel = AccelKind::none;
-    const Film all = render(scene, settings).film;
+  const auto meanCost = [&](const RenderFunction& renderScene) {
+    render::RenderSettings settings = viewSettings(render::Integrator::cost, 64, 4);
+    settings.accel = render::AccelKind::none;
+    const image::Film all = renderScene(scene, settings).film;
     for (std::uint32_t i = 0; i < 64; ++i) CHECK(all.mean(i, 63 - i) == dvec3(primitives));
-    settings.accel = AccelKind::bvh;
-    settings.bvhLayout = BvhLayout::cwbvh;  // the device would else test so few in a row
-    const RenderResult tree = render(scene, settings);
+    settings.accel = render::AccelKind::bvh;
+    settings.bvhLayout = render::BvhLayout::cwbvh;  // the device would else test so few in a row
+    const render::RenderResult tree = renderScene(scene, settings);
     CHECK(mean(tree.film) * 4 * 64 * 64 == static_cast<double>(tree.statistics.traversalSteps));
     return mean(tree.film);
   };
@@ -207,32 +208,32 @@ TEST_CASE("cost is what the statistics count, pixel by pixel") {
 }
 
 TEST_CASE("every view of all kinds of primitives has the reference's pixels") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  for (const Integrator view : kViews) {
-    if (view != Integrator::cost) requireReferencesPixels(scene, view);
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  for (const render::Integrator view : kViews) {
+    if (view != render::Integrator::cost) requireReferencesPixels(scene, view);
   }
 }
 
 TEST_CASE("neither work's division, nor its structure, nor what concerns paths alone changes a view",
           "[swiftshader-slow]") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  RenderSettings settings = viewSettings(Integrator::ao, 64, 4);
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  render::RenderSettings settings = viewSettings(render::Integrator::ao, 64, 4);
   settings.size.height = 50;  // no multiple of any workgroup
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
   const auto check = [&](auto change) {
-    RenderSettings changed = settings;
+    render::RenderSettings changed = settings;
     change(changed);
     CHECK(renderOnDevice(scene, changed).film.hash() == expected);
   };
-  check([](RenderSettings& s) { s.segmentsPerDispatch = 1; });
-  check([](RenderSettings& s) { s.tile = Extent{17, 5}; });
-  check([](RenderSettings& s) { s.maxDepth = 1; });
-  check([](RenderSettings& s) { s.rouletteStart = 0; });
-  check([](RenderSettings& s) { s.nextEventEstimation = false; });
-  check([](RenderSettings& s) { s.accel = AccelKind::grid; });
-  check([](RenderSettings& s) { s.accel = AccelKind::none; });
-  check([](RenderSettings& s) { s.workgroup = {16, 4}; });
-  RenderSettings reseeded = settings;
+  check([](render::RenderSettings& s) { s.segmentsPerDispatch = 1; });
+  check([](render::RenderSettings& s) { s.tile = render::Extent{17, 5}; });
+  check([](render::RenderSettings& s) { s.maxDepth = 1; });
+  check([](render::RenderSettings& s) { s.rouletteStart = 0; });
+  check([](render::RenderSettings& s) { s.nextEventEstimation = false; });
+  check([](render::RenderSettings& s) { s.accel = render::AccelKind::grid; });
+  check([](render::RenderSettings& s) { s.accel = render::AccelKind::none; });
+  check([](render::RenderSettings& s) { s.workgroup = {16, 4}; });
+  render::RenderSettings reseeded = settings;
   reseeded.seed = 1;
   CHECK(renderOnDevice(scene, reseeded).film.hash() != expected);
 }

@@ -7,22 +7,23 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
-RenderSettings baseSettings() {
-  RenderSettings settings = squareSettings(44, 3);
+render::RenderSettings baseSettings() {
+  render::RenderSettings settings = squareSettings(44, 3);
   settings.size.height = 29;  // no multiple of any workgroup
   settings.maxDepth = 9;
   return settings;
 }
 
-RenderResult renderWith(KernelKind kernel, const Scene& scene, RenderSettings settings) {
+render::RenderResult renderWith(render::KernelKind kernel, const scene::Scene& scene, render::RenderSettings settings) {
   settings.kernel = kernel;
   return renderOnDevice(scene, settings);
 }
 
-void requireSameCounts(const RenderStatistics& waves, const RenderStatistics& mega) {
+void requireSameCounts(const render::RenderStatistics& waves, const render::RenderStatistics& mega) {
   CHECK(waves.samples == mega.samples);
   CHECK(waves.badSamples == mega.badSamples);
   CHECK(waves.cameraRays == mega.cameraRays);
@@ -32,23 +33,23 @@ void requireSameCounts(const RenderStatistics& waves, const RenderStatistics& me
   CHECK(waves.traversalSteps == mega.traversalSteps);
 }
 
-void requireSameAs(const RenderResult& mega, const RenderResult& waves) {
+void requireSameAs(const render::RenderResult& mega, const render::RenderResult& waves) {
   CHECK(mega.statistics.kernel == "megakernel");
   CHECK(waves.statistics.kernel == "wavefront");
   CHECK(waves.film.hash() == mega.film.hash());
   requireSameCounts(waves.statistics, mega.statistics);
 }
 
-RenderResult requireSame(const Scene& scene, const RenderSettings& settings) {
-  RenderResult waves = renderWith(KernelKind::wavefront, scene, settings);
-  requireSameAs(renderWith(KernelKind::megakernel, scene, settings), waves);
+render::RenderResult requireSame(const scene::Scene& scene, const render::RenderSettings& settings) {
+  render::RenderResult waves = renderWith(render::KernelKind::wavefront, scene, settings);
+  requireSameAs(renderWith(render::KernelKind::megakernel, scene, settings), waves);
   return waves;
 }
 
 }  // namespace
 
 TEST_CASE("the wavefront gives the megakernel's film and counts: every primitive, mirrors, glass and mixtures") {
-  const RenderResult waves = requireSame(loadTestScene("primitives.p3f"), baseSettings());
+  const render::RenderResult waves = requireSame(loadTestScene("primitives.p3f"), baseSettings());
   CHECK(waves.statistics.shadowRays > 0);
   CHECK(waves.statistics.bounceRays > 0);
 }
@@ -66,7 +67,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
   for (const std::filesystem::path& file : sceneFiles()) {
     for (const bool samplesLights : {true, false}) {
       CAPTURE(file.filename(), samplesLights);
-      RenderSettings settings = baseSettings();
+      render::RenderSettings settings = baseSettings();
       settings.nextEventEstimation = samplesLights;
       requireSame(loadTestScene(file.filename()), settings);
     }
@@ -75,46 +76,47 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
 
 TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples",
           "[swiftshader-slow]") {
-  RenderSettings settings = baseSettings();
+  render::RenderSettings settings = baseSettings();
   settings.nextEventEstimation = false;
   settings.oneSided = true;
-  settings.filter = FilterKind::tent;
-  settings.sampler = SamplerKind::stratified;
+  settings.filter = render::FilterKind::tent;
+  settings.sampler = render::SamplerKind::stratified;
   settings.sampleCount = 4;
   settings.rouletteStart = 1;
   requireSame(primitivesUnderLights(), settings);
 }
 
 TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]") {
-  const Scene scene = primitivesUnderLights();
-  for (const AccelKind accel : {AccelKind::none, AccelKind::grid, AccelKind::bvh}) {
+  const scene::Scene scene = primitivesUnderLights();
+  for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     CAPTURE(static_cast<int>(accel));
-    RenderSettings settings = baseSettings();
+    render::RenderSettings settings = baseSettings();
     settings.accel = accel;
-    settings.sceneLoads = SceneLoads::storage;
+    settings.sceneLoads = render::SceneLoads::storage;
     requireSame(scene, settings);
   }
 }
 
 TEST_CASE("neither workgroup nor segments nor tile change what the wavefront gives", "[swiftshader-slow]") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  const RenderResult mega = renderWith(KernelKind::megakernel, scene, baseSettings());
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, baseSettings());
   const auto requireSameWith = [&](auto&& change) {
-    RenderSettings settings = baseSettings();
+    render::RenderSettings settings = baseSettings();
     change(settings);
-    requireSameAs(mega, renderWith(KernelKind::wavefront, scene, settings));
+    requireSameAs(mega, renderWith(render::KernelKind::wavefront, scene, settings));
   };
-  for (const Extent workgroup : {Extent{1, 1}, Extent{3, 1}, Extent{16, 16}}) {
+  for (const render::Extent workgroup : {render::Extent{1, 1}, render::Extent{3, 1}, render::Extent{16, 16}}) {
     CAPTURE(workgroup.width, workgroup.height);
-    requireSameWith([&](RenderSettings& settings) { settings.workgroup = workgroup; });
+    requireSameWith([&](render::RenderSettings& settings) { settings.workgroup = workgroup; });
   }
   for (const std::uint32_t segments : {1u, 2u, 3u, 1000u}) {
     CAPTURE(segments);
-    requireSameWith([&](RenderSettings& settings) { settings.segmentsPerDispatch = segments; });
+    requireSameWith([&](render::RenderSettings& settings) { settings.segmentsPerDispatch = segments; });
   }
-  for (const Extent tile : {Extent{8, 8}, Extent{17, 5}, Extent{44, 1}, Extent{500, 500}}) {
+  for (const render::Extent tile :
+       {render::Extent{8, 8}, render::Extent{17, 5}, render::Extent{44, 1}, render::Extent{500, 500}}) {
     CAPTURE(tile.width, tile.height);
-    requireSameWith([&](RenderSettings& settings) {
+    requireSameWith([&](render::RenderSettings& settings) {
       settings.tile = tile;
       settings.segmentsPerDispatch = 2;
     });
@@ -122,11 +124,11 @@ TEST_CASE("neither workgroup nor segments nor tile change what the wavefront giv
 }
 
 TEST_CASE("the wavefront gives the megakernel's film and counts at every size and depth", "[swiftshader-slow]") {
-  const Scene scene = loadTestScene("primitives.p3f");
-  for (const Extent size : {Extent{1, 1}, Extent{1, 31}, Extent{33, 1}}) {
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  for (const render::Extent size : {render::Extent{1, 1}, render::Extent{1, 31}, render::Extent{33, 1}}) {
     for (const std::uint32_t depth : {1u, 9u}) {
       CAPTURE(size.width, size.height, depth);
-      RenderSettings settings = baseSettings();
+      render::RenderSettings settings = baseSettings();
       settings.size = size;
       settings.maxDepth = depth;
       requireSame(scene, settings);
@@ -135,7 +137,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
 }
 
 TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftshader-slow]") {
-  RenderSettings settings = squareSettings(1, 1);
+  render::RenderSettings settings = squareSettings(1, 1);
   settings.size = {520, 130};
   REQUIRE(settings.size.width * settings.size.height > 65535);
   settings.workgroup = {1, 1};
@@ -145,16 +147,16 @@ TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftsh
 }
 
 TEST_CASE("the wavefront records the megakernel's paths") {
-  RenderSettings settings = baseSettings();
+  render::RenderSettings settings = baseSettings();
   settings.sampleCount = 1;
   settings.recordPaths = true;
   settings.maxDepth = 40;  // longer than what is recorded
   settings.rouletteStart = 3;
   for (const char* name : {"primitives.p3f", "mirrors.p3f"}) {
     CAPTURE(name);
-    const Scene scene = loadTestScene(name);
-    const RenderResult mega = renderWith(KernelKind::megakernel, scene, settings);
-    const RenderResult waves = renderWith(KernelKind::wavefront, scene, settings);
+    const scene::Scene scene = loadTestScene(name);
+    const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, settings);
+    const render::RenderResult waves = renderWith(render::KernelKind::wavefront, scene, settings);
     CHECK(waves.film.hash() == mega.film.hash());
     REQUIRE(waves.paths.size() == mega.paths.size());
     for (std::size_t pixel = 0; pixel < mega.paths.size(); ++pixel) {
@@ -168,7 +170,7 @@ TEST_CASE("the wavefront records the megakernel's paths") {
 }
 
 TEST_CASE("the wavefront counts the megakernel's bad samples", "[swiftshader-slow]") {
-  const Scene scene = sceneFromText(
+  const scene::Scene scene = sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
   CHECK(requireSame(scene, baseSettings()).statistics.badSamples > 0);
@@ -176,12 +178,12 @@ TEST_CASE("the wavefront counts the megakernel's bad samples", "[swiftshader-slo
 
 TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slow]") {
   std::atomic<bool> stop = false;
-  RenderControl control;
+  render::RenderControl control;
   control.stop = &stop;
   control.progress = [&](double, std::uint64_t done) { stop = done > 0; };
-  RenderSettings settings = squareSettings(64, 4096);
-  settings.kernel = KernelKind::wavefront;
-  const RenderResult result = testRenderer().render(loadTestScene("balls.p3f"), settings, control);
+  render::RenderSettings settings = squareSettings(64, 4096);
+  settings.kernel = render::KernelKind::wavefront;
+  const render::RenderResult result = testRenderer().render(loadTestScene("balls.p3f"), settings, control);
   CHECK(result.interrupted);
   CHECK(result.statistics.samples > 0);
   CHECK(result.statistics.samples < std::uint64_t{64} * 64 * 4096);
@@ -195,24 +197,24 @@ TEST_CASE("segments add up towards a device's loop limit in the megakernel, and 
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
-  const Scene scene = generatedScene("balls", 4).scene;
-  RenderSettings settings = squareSettings(8, 8);
-  settings.accel = AccelKind::none;
+  const scene::Scene scene = generatedScene("balls", 4).scene;
+  render::RenderSettings settings = squareSettings(8, 8);
+  settings.accel = render::AccelKind::none;
   settings.maxDepth = 4;
   settings.segmentsPerDispatch = 1000;
-  settings.kernel = KernelKind::megakernel;
+  settings.kernel = render::KernelKind::megakernel;
   CHECK((careless->render(scene, settings, {}).statistics.truncated > 0) == limited);
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
-  settings.kernel = KernelKind::wavefront;
-  const RenderResult waves = careless->render(scene, settings, {});
+  settings.kernel = render::KernelKind::wavefront;
+  const render::RenderResult waves = careless->render(scene, settings, {});
   CHECK(waves.statistics.truncated == 0);
   CHECK(waves.film.hash() == expected);
 }
 
 TEST_CASE("an integrator that traces no paths has no wavefront") {
-  RenderSettings settings = baseSettings();
-  settings.kernel = KernelKind::wavefront;
-  for (const Integrator integrator : {Integrator::whitted, Integrator::normal}) {
+  render::RenderSettings settings = baseSettings();
+  settings.kernel = render::KernelKind::wavefront;
+  for (const render::Integrator integrator : {render::Integrator::whitted, render::Integrator::normal}) {
     settings.integrator = integrator;
     settings.maxDepth = 4;
     CHECK_THROWS_WITH(testRenderer().render(loadTestScene("balls.p3f"), settings, {}),

@@ -1,22 +1,23 @@
 // Whitted's tracer on the device against the reference's: pixels, primitives and numbers of rays.
 #include <catch2/catch.hpp>
 
-#include "host/render/agreement.h"
+#include "host/verify/agreement.h"
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
-RenderSettings whittedSettings(std::uint32_t side) {
-  RenderSettings settings = squareSettings(side, 1);
-  settings.integrator = Integrator::whitted;
+render::RenderSettings whittedSettings(std::uint32_t side) {
+  render::RenderSettings settings = squareSettings(side, 1);
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = 5;
   settings.recordPaths = true;
   return settings;
 }
 
-double shareOfEqualFirstPrimitives(const PathRecords& a, const PathRecords& b) {
+double shareOfEqualFirstPrimitives(const render::PathRecords& a, const render::PathRecords& b) {
   std::size_t equal = 0;
   for (std::size_t i = 0; i < a.size(); ++i) equal += a[i].vertices[0].primitive == b[i].vertices[0].primitive;
   return static_cast<double>(equal) / static_cast<double>(a.size());
@@ -26,15 +27,15 @@ void requireSameCount(std::uint64_t device, std::uint64_t reference) {
   CHECK(static_cast<double>(device) == Approx(static_cast<double>(reference)).epsilon(1e-3));
 }
 
-void requireAgreement(const Scene& scene, const RenderSettings& settings, double share) {
-  const RenderResult device = renderOnDevice(scene, settings);
-  const RenderResult reference = renderOnReference(scene, settings);
-  const PixelAgreement pixels = comparePixels(device, reference);
+void requireAgreement(const scene::Scene& scene, const render::RenderSettings& settings, double share) {
+  const render::RenderResult device = renderOnDevice(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
+  const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
   CAPTURE(scene.name, pixels.share(), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
   CHECK(pixels.share() >= share);
   CHECK(shareOfEqualFirstPrimitives(device.paths, reference.paths) >= 0.999);
-  const RenderStatistics& a = device.statistics;
-  const RenderStatistics& b = reference.statistics;
+  const render::RenderStatistics& a = device.statistics;
+  const render::RenderStatistics& b = reference.statistics;
   requireSameCount(a.cameraRays, b.cameraRays);
   requireSameCount(a.treeRays->cameraHits, b.treeRays->cameraHits);
   requireSameCount(a.treeRays->reflected, b.treeRays->reflected);
@@ -46,14 +47,14 @@ void requireAgreement(const Scene& scene, const RenderSettings& settings, double
 // Curved mirrors amplify the rounding of a direction at every bounce.
 constexpr double kFlat = 0.999, kCurvedMirrors = 0.9;
 
-Scene loadDatabase(const char* file) {
-  return loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd" / file).scene;
+scene::Scene loadDatabase(const char* file) {
+  return scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd" / file).scene;
 }
 
 }  // namespace
 
 TEST_CASE("lights, mirrors, glass and every primitive look as in the reference") {
-  Scene scene = primitivesUnderLights();
+  scene::Scene scene = primitivesUnderLights();
   scene.materials[2].ka = 0.2f;
   requireAgreement(scene, whittedSettings(256), kFlat);
 }
@@ -72,33 +73,33 @@ TEST_CASE("the other scenes and databases look as in the reference", "[slow]") {
     requireAgreement(loadDatabase(file), whittedSettings(256), kFlat);
   }
   for (const auto& file : sceneFiles()) {
-    RenderSettings settings = whittedSettings(256);
-    const Scene scene = loadScene(file).scene;
+    render::RenderSettings settings = whittedSettings(256);
+    const scene::Scene scene = scene::loadScene(file).scene;
     settings.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
     requireAgreement(scene, settings, kFlat);
   }
 }
 
 TEST_CASE("corners of pixels, lenses and lights with a size agree with the reference") {
-  Scene scene = loadTestScene("point_light.p3f");
+  scene::Scene scene = loadTestScene("point_light.p3f");
   scene.camera->aperture = 4;
-  RenderSettings settings = whittedSettings(96);
+  render::RenderSettings settings = whittedSettings(96);
   settings.size.height = 64;
   settings.lightSize = 2;
-  settings.pixelOrigin = GENERATE(PixelOrigin::centre, PixelOrigin::corner);
+  settings.pixelOrigin = GENERATE(render::PixelOrigin::centre, render::PixelOrigin::corner);
   requireAgreement(scene, settings, kFlat);
 }
 
 TEST_CASE("several samples, jittered about corners, agree with the reference") {
-  const Scene scene = loadTestScene("point_light.p3f");
-  RenderSettings settings = whittedSettings(48);
+  const scene::Scene scene = loadTestScene("point_light.p3f");
+  render::RenderSettings settings = whittedSettings(48);
   settings.recordPaths = false;
   settings.sampleCount = 4;
   settings.lightSize = 1;
-  settings.filter = FilterKind::tent;
-  settings.pixelOrigin = PixelOrigin::corner;
-  const RenderResult device = renderOnDevice(scene, settings);
-  const RenderResult reference = renderOnReference(scene, settings);
+  settings.filter = render::FilterKind::tent;
+  settings.pixelOrigin = render::PixelOrigin::corner;
+  const render::RenderResult device = renderOnDevice(scene, settings);
+  const render::RenderResult reference = renderOnReference(scene, settings);
   CHECK(meanLuminance(device.film) == Approx(meanLuminance(reference.film)).epsilon(1e-5));
   requireSameCount(device.statistics.shadowRays, reference.statistics.shadowRays);
 }

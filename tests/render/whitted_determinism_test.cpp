@@ -4,13 +4,14 @@
 #include "tests/render/render_support.h"
 
 using namespace candela;
+using namespace candela::device;
 
 namespace {
 
-RenderSettings baseSettings() {
-  RenderSettings settings = squareSettings(72, 2);
+render::RenderSettings baseSettings() {
+  render::RenderSettings settings = squareSettings(72, 2);
   settings.size.height = 50;  // no multiple of any workgroup
-  settings.integrator = Integrator::whitted;
+  settings.integrator = render::Integrator::whitted;
   settings.maxDepth = 8;
   settings.lightSize = 0.5f;
   return settings;
@@ -19,12 +20,12 @@ RenderSettings baseSettings() {
 }  // namespace
 
 TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader-slow]") {
-  const Scene scene = primitivesUnderLights();
-  const RenderResult base = renderOnDevice(scene, baseSettings());
+  const scene::Scene scene = primitivesUnderLights();
+  const render::RenderResult base = renderOnDevice(scene, baseSettings());
   CHECK(base.statistics.kernel == "whitted");
   CHECK(base.statistics.treeRays->refracted > 0);
-  const auto requireSame = [&](const RenderSettings& settings) {
-    const RenderResult result = renderOnDevice(scene, settings);
+  const auto requireSame = [&](const render::RenderSettings& settings) {
+    const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == base.film.hash());
     CHECK(result.statistics.bounceRays == base.statistics.bounceRays);
     CHECK(result.statistics.shadowRays == base.statistics.shadowRays);
@@ -32,31 +33,31 @@ TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader
     CHECK(result.statistics.treeRays->cameraHits == base.statistics.treeRays->cameraHits);
   };
   for (const std::uint32_t segments : {1u, 4u, 1000u}) {
-    RenderSettings settings = baseSettings();
+    render::RenderSettings settings = baseSettings();
     settings.segmentsPerDispatch = segments;
     requireSame(settings);
   }
-  for (const Extent tile : {Extent{8, 8}, Extent{17, 5}}) {
-    RenderSettings settings = baseSettings();
+  for (const render::Extent tile : {render::Extent{8, 8}, render::Extent{17, 5}}) {
+    render::RenderSettings settings = baseSettings();
     settings.tile = tile;
     settings.segmentsPerDispatch = 3;
     requireSame(settings);
   }
-  RenderSettings settings = baseSettings();
+  render::RenderSettings settings = baseSettings();
   settings.workgroup = {16, 2};
   requireSame(settings);
 }
 
 TEST_CASE("the depth of the tree changes what is seen, and the segments do not, at any depth") {
-  const Scene scene = primitivesUnderLights();
+  const scene::Scene scene = primitivesUnderLights();
   std::vector<std::uint64_t> bounceRays;
-  for (const std::uint32_t depth : {1u, 2u, 8u, kMaxTreeDepth}) {
-    RenderSettings settings = baseSettings();
+  for (const std::uint32_t depth : {1u, 2u, 8u, render::kMaxTreeDepth}) {
+    render::RenderSettings settings = baseSettings();
     settings.size = {36, 25};
     settings.maxDepth = depth;
-    const RenderResult free = renderOnDevice(scene, settings);
+    const render::RenderResult free = renderOnDevice(scene, settings);
     settings.segmentsPerDispatch = 1;
-    const RenderResult stepped = renderOnDevice(scene, settings);
+    const render::RenderResult stepped = renderOnDevice(scene, settings);
     CAPTURE(depth);
     CHECK(stepped.film.hash() == free.film.hash());
     CHECK(stepped.statistics.bounceRays == free.statistics.bounceRays);
@@ -69,25 +70,25 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
 }
 
 TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]") {
-  const Scene scene = primitivesUnderLights();
-  RenderSettings settings = baseSettings();
-  settings.sceneLoads = SceneLoads::texel;
+  const scene::Scene scene = primitivesUnderLights();
+  render::RenderSettings settings = baseSettings();
+  settings.sceneLoads = render::SceneLoads::texel;
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
-  settings.accel = AccelKind::grid;
-  const RenderResult grid = renderOnDevice(scene, settings);
+  settings.accel = render::AccelKind::grid;
+  const render::RenderResult grid = renderOnDevice(scene, settings);
   CHECK(grid.statistics.structure == "grid");
   CHECK(grid.film.hash() == expected);
-  settings.sceneLoads = SceneLoads::storage;
+  settings.sceneLoads = render::SceneLoads::storage;
   CHECK(renderOnDevice(scene, settings).film.hash() == expected);
 }
 
 TEST_CASE("the reference's threads do not change a tree") {
-  const Scene scene = primitivesUnderLights();
-  RenderSettings settings = baseSettings();
+  const scene::Scene scene = primitivesUnderLights();
+  render::RenderSettings settings = baseSettings();
   settings.threads = 1;
-  const RenderResult one = renderOnReference(scene, settings);
+  const render::RenderResult one = renderOnReference(scene, settings);
   settings.threads = 2;
-  const RenderResult two = renderOnReference(scene, settings);
+  const render::RenderResult two = renderOnReference(scene, settings);
   CHECK(one.film.hash() == two.film.hash());
   CHECK(one.statistics.treeRays->reflected == two.statistics.treeRays->reflected);
 }

@@ -9,8 +9,8 @@
 namespace candela::report {
 namespace {
 
-Image greys(const std::vector<float>& values, std::uint32_t width) {
-  Image image;
+image::Image greys(const std::vector<float>& values, std::uint32_t width) {
+  image::Image image;
   image.width = width;
   image.height = static_cast<std::uint32_t>(values.size()) / width;
   for (const float value : values) image.rgb.emplace_back(value);
@@ -55,7 +55,7 @@ TEST_CASE("pictures are reduced by the smallest whole factor that fits, to means
   CHECK(reductionOf(1024, 1024) == 1);
   CHECK(reductionOf(1025, 1024) == 2);
   CHECK(reductionOf(65535, 4096) == 16);
-  const Image small = reduced(greys({1, 3, 5, 7, 9, 11}, 3), 2);
+  const image::Image small = reduced(greys({1, 3, 5, 7, 9, 11}, 3), 2);
   REQUIRE(small.width == 2);
   REQUIRE(small.height == 1);
   CHECK(small.rgb[0].r == (1 + 3 + 7 + 9) / 4.0f);

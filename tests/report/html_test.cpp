@@ -35,7 +35,7 @@ TEST_CASE("base64 gives the vectors of RFC 4648") {
 }
 
 TEST_CASE("values are binary32, little-endian") {
-  Image image;
+  image::Image image;
   image.width = image.height = 1;
   image.rgb = {glm::vec3(1, -2, 0.5f)};  // 3f800000 c0000000 3f000000
   CHECK(floatText(image) == "AACAPwAAAMAAAAA/");

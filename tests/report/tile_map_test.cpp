@@ -21,14 +21,14 @@ RegionResult tile(std::uint32_t column, double difference, double timesCritical)
   return result;
 }
 
-glm::ivec3 pixelOf(const Pixels8& pixels, std::uint32_t x, std::uint32_t y) {
+glm::ivec3 pixelOf(const image::Pixels8& pixels, std::uint32_t x, std::uint32_t y) {
   const std::uint8_t* first = &pixels.rgb[3 * (std::size_t{y} * pixels.width + x)];
   return {first[0], first[1], first[2]};
 }
 
 TEST_CASE("tiles are orange where A is brighter, blue where it is darker, by their t, and framed where they differ") {
   const std::vector<RegionResult> results{tile(0, 1, 0), tile(1, 1, 0.5), tile(2, -1, 0.5), tile(3, -1, 2)};
-  const Pixels8 map = tileMap(results, 8, 1e-6, 32, 8);
+  const image::Pixels8 map = tileMap(results, 8, 1e-6, 32, 8);
   CHECK(pixelOf(map, 4, 4) == glm::ivec3(0));
   CHECK(pixelOf(map, 12, 4) == glm::ivec3(128, 70, 13));
   CHECK(pixelOf(map, 8, 0) == glm::ivec3(128, 70, 13));

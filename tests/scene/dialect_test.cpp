@@ -3,7 +3,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 Material materialOf(const std::string& line) { return sceneOf(line + "\n").materials.at(0); }
@@ -240,4 +240,4 @@ TEST_CASE("a scene without a view loads, and the lack is an error only where a v
   CHECK_NOTHROW(requireCamera(sceneOf("v from 0 0 1 at 0 0 0 up 0 1 0 angle 45 hither 0 resolution 1 1")));
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -3,7 +3,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 TEST_CASE("a scene may state its mean, of the whole image or of a part") {
@@ -30,4 +30,4 @@ TEST_CASE("an answer that cannot be read is an error with its place, not a comme
 }
 
 }  // namespace
-}  // namespace candela
+}  // namespace candela::scene

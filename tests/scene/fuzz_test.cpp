@@ -6,7 +6,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 std::string readText(const std::filesystem::path& file) {
@@ -92,4 +92,4 @@ TEST_CASE("absurd counts are refused before anything is allocated") {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

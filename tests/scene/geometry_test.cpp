@@ -6,7 +6,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 constexpr const char* kLamp = "f 0 0 0 1 0 0 0 0 1 0 1 1 1 1\n";
@@ -105,4 +105,4 @@ TEST_CASE("a plane in Hessian form holds the points with n . p + d = 0 and faces
 
 TEST_CASE("a sphere of negative radius is kept as such") { CHECK(sceneOf("s 0 0 0 -2\n").spheres[0].radius == -2); }
 
-}  // namespace candela
+}  // namespace candela::scene

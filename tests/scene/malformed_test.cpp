@@ -5,7 +5,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 struct Malformed {
@@ -243,4 +243,4 @@ TEST_CASE("a missing file is an error that names it") {
   CHECK_THROWS_AS(loadScene("/"), FileError);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -12,7 +12,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 
 TEST_CASE("decimals are rounded once to binary32") {
   // Halfway cases of 24-bit significands: a detour through binary64 would round the second one to even, downwards.
@@ -77,4 +77,4 @@ TEST_CASE("numbers written with nine digits come back bit for bit") {
   }
 }
 
-}  // namespace candela
+}  // namespace candela::scene

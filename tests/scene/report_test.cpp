@@ -6,7 +6,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 const std::string kScene =
@@ -87,4 +87,4 @@ TEST_CASE("the hash is FNV-1a of the file's bytes") {
   CHECK(load("b 1 1 1\n").scene.hash != load("b 1 1 1 \n").scene.hash);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

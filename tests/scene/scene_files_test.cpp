@@ -5,7 +5,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 LoadedScene loadFile(const std::string& path) { return loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / path); }
@@ -94,4 +94,4 @@ TEST_CASE("a million triangles load in seconds", "[slow]") {
   CHECK(sceneOf(text).triangles.size() == 1'000'000);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

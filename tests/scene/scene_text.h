@@ -8,7 +8,7 @@
 
 #include "host/scene/load.h"
 
-namespace candela {
+namespace candela::scene {
 
 inline LoadedScene load(const std::string& text) { return parseScene(text, "test", "."); }
 inline LoadedScene loadLenient(const std::string& text) { return parseScene(text, "test", ".", {.lenient = true}); }
@@ -44,4 +44,4 @@ inline std::vector<std::filesystem::path> filesIn(const std::string& folder) {
   return files;
 }
 
-}  // namespace candela
+}  // namespace candela::scene

@@ -4,7 +4,7 @@
 
 #include "tests/scene/scene_text.h"
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST_CASE("a control character in a sky's name is refused") {
   CHECK(contains(errorIn(kScenes, std::string("env sky\0/etc\n", 13)), "control character"));
 }
 
-}  // namespace candela
+}  // namespace candela::scene

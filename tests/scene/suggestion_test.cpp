@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace candela {
+namespace candela::scene {
 
 TEST_CASE("edit distance counts inserts, deletes, replacements and swaps, in any case") {
   CHECK(editDistance("", "") == 0);
@@ -28,4 +28,4 @@ TEST_CASE("only near words are suggested, the nearest first") {
   CHECK_FALSE(suggest(std::string(5000, 's'), spellings));
 }
 
-}  // namespace candela
+}  // namespace candela::scene

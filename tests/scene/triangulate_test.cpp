@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace candela {
+namespace candela::scene {
 namespace {
 
 using Polygon = std::vector<glm::vec3>;
@@ -161,4 +161,4 @@ TEST_CASE("the deviation from the plane is measured against the extent") {
   CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {1, 1, .5f}, {0, 1, 0}}).planeDeviation > 0.1);
 }
 
-}  // namespace candela
+}  // namespace candela::scene

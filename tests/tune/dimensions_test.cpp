@@ -10,11 +10,11 @@ namespace candela::tune {
 namespace {
 
 TEST_CASE("the first value of every dimension is what is built in") {
-  const AutomaticChoices choices = choicesOf(builtIn());
-  CHECK(choices.bvhLayout == AutomaticChoices{}.bvhLayout);
-  CHECK(choices.sceneLoads == AutomaticChoices{}.sceneLoads);
-  CHECK(extentText(choices.workgroup) == extentText(AutomaticChoices{}.workgroup));
-  CHECK(choices.kernel == AutomaticChoices{}.kernel);
+  const render::AutomaticChoices choices = choicesOf(builtIn());
+  CHECK(choices.bvhLayout == render::AutomaticChoices{}.bvhLayout);
+  CHECK(choices.sceneLoads == render::AutomaticChoices{}.sceneLoads);
+  CHECK(extentText(choices.workgroup) == extentText(render::AutomaticChoices{}.workgroup));
+  CHECK(choices.kernel == render::AutomaticChoices{}.kernel);
   CHECK(choices.origin == "built-in");
 }
 
@@ -22,11 +22,11 @@ TEST_CASE("a candidate is named by its values, and chooses them") {
   const Candidate candidate = candidateWith(
       {{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x4"}, {"kernel", "wavefront"}});
   CHECK(nameOf(candidate) == "layout=bvh2 loads=storage workgroup=16x4 kernel=wavefront");
-  const AutomaticChoices choices = choicesOf(candidate);
-  CHECK(choices.bvhLayout == BvhLayout::bvh2);
-  CHECK(choices.sceneLoads == SceneLoads::storage);
+  const render::AutomaticChoices choices = choicesOf(candidate);
+  CHECK(choices.bvhLayout == render::BvhLayout::bvh2);
+  CHECK(choices.sceneLoads == render::SceneLoads::storage);
   CHECK(extentText(choices.workgroup) == "16x4");
-  CHECK(choices.kernel == KernelKind::wavefront);
+  CHECK(choices.kernel == render::KernelKind::wavefront);
 }
 
 TEST_CASE("every value of a dimension chooses something else, and is found by its name") {
@@ -45,7 +45,7 @@ TEST_CASE("every value of a dimension chooses something else, and is found by it
 }
 
 TEST_CASE("workgroups that a device does not have are not feasible there, and the built-in one always is") {
-  DeviceInfo least = roomyDevice();  // what Vulkan promises
+  vulkan::DeviceInfo least = roomyDevice();  // what Vulkan promises
   least.maxWorkgroupInvocations = 128;
   for (std::uint32_t& side : least.maxWorkgroupSize) side = 128;
   CHECK(isFeasible(builtIn(), least));

@@ -40,8 +40,8 @@ inline Candidate candidateWith(const std::vector<std::pair<std::string, std::str
 }
 
 /// Which has all workgroups that are tried.
-inline DeviceInfo roomyDevice() {
-  DeviceInfo info;
+inline vulkan::DeviceInfo roomyDevice() {
+  vulkan::DeviceInfo info;
   info.name = "made device";
   info.driver = "made driver 1.2";
   info.maxWorkgroupInvocations = 1024;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "host/render/pipeline_store.h"
+#include "host/device/pipeline_store.h"
 #include "tests/tune/made_rows.h"
 
 namespace candela::tune {
@@ -21,7 +21,7 @@ class MadeDevice {
  public:
   explicit MadeDevice(Times times) : times_(std::move(times)) {}
 
-  SearchResult search(const DeviceInfo& info = roomyDevice()) {
+  SearchResult search(const vulkan::DeviceInfo& info = roomyDevice()) {
     return tune::search(info, 3, [this](std::span<const Candidate> candidates, std::uint32_t repeats) {
       repeatsOfRounds.push_back(repeats);
       std::vector<Row> rows;
@@ -141,7 +141,7 @@ TEST_CASE("where the built-in image differs nothing is chosen and nothing else i
 }
 
 TEST_CASE("workgroups that the device does not have are not tried") {
-  DeviceInfo small = roomyDevice();
+  vulkan::DeviceInfo small = roomyDevice();
   small.maxWorkgroupInvocations = 64;
   std::size_t shapes = 0;
   for (const Round& round : MadeDevice(Times{}).search(small).rounds) {
@@ -157,7 +157,7 @@ TEST_CASE("no round has more candidates than a renderer keeps pipelines for") {
   const std::string found = named({{"layout", "bvh2"}, {"loads", "storage"}});
   const SearchResult result = MadeDevice(Times{{found, {{0.5}, {0.5}}}}).search();
   REQUIRE(result.rounds.size() == 4);
-  for (const Round& round : result.rounds) CHECK(round.rows.size() <= PipelineStore::kCapacity);
+  for (const Round& round : result.rounds) CHECK(round.rows.size() <= device::PipelineStore::kCapacity);
 }
 
 }  // namespace

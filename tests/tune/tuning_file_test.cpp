@@ -81,7 +81,7 @@ TEST_CASE("another device, driver or set of kernels has another file, and the fi
 }
 
 TEST_CASE("the key has what the device says of itself, and the kernels of this program") {
-  DeviceInfo info = roomyDevice();
+  vulkan::DeviceInfo info = roomyDevice();
   info.driverVersion = 5;
   info.pipelineCacheUuid = "00ff";
   const TuningKey key = keyOf(info);
@@ -184,7 +184,7 @@ TEST_CASE("folders, pipes and devices in the place of the file are ignored, with
 TEST_CASE("a workgroup that the device does not have is ignored") {
   const TemporaryFolder folder;
   writeTuning(folder / "a.json", kKey, {someChoice(), kDate});
-  DeviceInfo small = roomyDevice();
+  vulkan::DeviceInfo small = roomyDevice();
   small.maxWorkgroupInvocations = 128;
   const TuningLookup found = readTuning(folder / "a.json", kKey, small);
   CHECK_FALSE(found.tuning);
@@ -206,15 +206,15 @@ TEST_CASE("a place that cannot be written to is refused, before and when it is w
 }
 
 TEST_CASE("the folder is Candela's own variable's, else the user's cache, else in the home") {
-  const EnvironmentGuard home("HOME", "/home/a");
-  const EnvironmentGuard caches("XDG_CACHE_HOME", "/caches");
-  const EnvironmentGuard own("CANDELA_CACHE_DIR", "own");
+  const vulkan::EnvironmentGuard home("HOME", "/home/a");
+  const vulkan::EnvironmentGuard caches("XDG_CACHE_HOME", "/caches");
+  const vulkan::EnvironmentGuard own("CANDELA_CACHE_DIR", "own");
   CHECK(cacheFolder() == "own");
-  const EnvironmentGuard noOwn("CANDELA_CACHE_DIR", "");
+  const vulkan::EnvironmentGuard noOwn("CANDELA_CACHE_DIR", "");
   CHECK(cacheFolder() == "/caches/candela");
-  const EnvironmentGuard relative("XDG_CACHE_HOME", "caches");
+  const vulkan::EnvironmentGuard relative("XDG_CACHE_HOME", "caches");
   CHECK(cacheFolder() == "/home/a/.cache/candela");
-  const EnvironmentGuard noHome("HOME", "");
+  const vulkan::EnvironmentGuard noHome("HOME", "");
   CHECK_FALSE(cacheFolder());
 }
 

@@ -10,33 +10,34 @@ namespace candela::tune {
 namespace {
 
 // Takes as long as its speed says, and some time for each render.
-class MadeRenderer final : public Renderer {
+class MadeRenderer final : public render::Renderer {
  public:
   explicit MadeRenderer(double samplesPerSecond, std::uint32_t stopAfter = 1000)
       : samplesPerSecond_(samplesPerSecond), stopAfter_(stopAfter) {}
 
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
     renders.push_back(settings);
-    RenderResult result;
-    result.film = Film(1, 1);
+    render::RenderResult result;
+    result.film = image::Film(1, 1);
     result.statistics.seconds["trace"] = secondsOf(settings);
     result.statistics.samples = 10;
     if (control.progress) control.progress(1, 10);
     result.interrupted = renders.size() > stopAfter_;
     return result;
   }
-  double secondsOf(const RenderSettings& s) const {
+  double secondsOf(const render::RenderSettings& s) const {
     return 1e-4 + static_cast<double>(s.size.width) * s.size.height * s.sampleCount / samplesPerSecond_;
   }
 
-  std::vector<RenderSettings> renders;
+  std::vector<render::RenderSettings> renders;
 
  private:
   double samplesPerSecond_;
   std::uint32_t stopAfter_;
 };
 
-Work workOf(Extent size) {
+Work workOf(render::Extent size) {
   Work work;
   work.scene.name = "made";
   work.settings.size = size;
@@ -72,11 +73,11 @@ TEST_CASE("the image grows to the scene's size before it gets more than one samp
 TEST_CASE("size and samples that were asked for stay") {
   MadeRenderer renderer(1e6);
   Work work = workOf({640, 400});
-  fitToDevice(renderer, {Extent{8, 6}, 3}, {}, work);
+  fitToDevice(renderer, {render::Extent{8, 6}, 3}, {}, work);
   CHECK(extentText(work.settings.size) == "8x6");
   CHECK(work.settings.sampleCount == 3);
   CHECK(renderer.renders.empty());
-  fitToDevice(renderer, {Extent{64, 60}, {}}, {}, work);
+  fitToDevice(renderer, {render::Extent{64, 60}, {}}, {}, work);
   CHECK(extentText(work.settings.size) == "64x60");
   CHECK(work.settings.sampleCount > 10);
   work = workOf({640, 400});
@@ -99,11 +100,11 @@ TEST_CASE("every candidate renders every scene with its own choices and no other
   }
   REQUIRE(renderer.renders.size() == 8);
   for (std::size_t i = 0; i < renderer.renders.size(); ++i) {
-    const RenderSettings& settings = renderer.renders[i];
+    const render::RenderSettings& settings = renderer.renders[i];
     CHECK(settings.size.width == (i < 4 ? 8 : 16));
     CHECK(extentText(settings.workgroupInUse()) == (i % 2 == 0 ? "8x8" : "32x1"));
-    CHECK(settings.automatic.bvhLayout == (i % 2 == 0 ? BvhLayout::cwbvh : BvhLayout::bvh2));
-    CHECK(settings.bvhLayout == BvhLayout::automatic);
+    CHECK(settings.automatic.bvhLayout == (i % 2 == 0 ? render::BvhLayout::cwbvh : render::BvhLayout::bvh2));
+    CHECK(settings.bvhLayout == render::BvhLayout::automatic);
     CHECK_FALSE(settings.workgroup);
   }
 }
@@ -113,7 +114,7 @@ TEST_CASE("progress goes once from nothing to everything, whatever the number of
   const std::vector<Work> works{workOf({8, 8}), workOf({16, 16})};
   std::vector<double> fractions;
   std::vector<std::uint64_t> samples;
-  RenderControl control;
+  render::RenderControl control;
   control.progress = [&](double fraction, std::uint64_t done) {
     fractions.push_back(fraction);
     samples.push_back(done);
@@ -136,13 +137,13 @@ TEST_CASE("Ctrl-C ends the measuring as an interruption, wherever it comes") {
 }
 
 TEST_CASE("the built-in scenes are a small box and a mesh of some hundred thousand triangles, both lit") {
-  const std::vector<Scene> scenes = builtInScenes();
+  const std::vector<scene::Scene> scenes = builtInScenes();
   REQUIRE(scenes.size() == 2);
   CHECK(scenes[0].primitives.size() == 68);
   CHECK(scenes[1].primitives.size() == 99392);
-  for (const Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     CHECK(scene.camera);
-    CHECK(std::ranges::any_of(scene.materials, [](const Material& m) { return m.emission != glm::vec3(0); }));
+    CHECK(std::ranges::any_of(scene.materials, [](const scene::Material& m) { return m.emission != glm::vec3(0); }));
   }
 }
 

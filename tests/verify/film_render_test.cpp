@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "host/render/make_renderer.h"
+#include "host/reference/reference_renderer.h"
 #include "host/scene/load.h"
 #include "host/verify/film_test.h"
 
@@ -11,9 +11,9 @@ namespace candela::verify {
 namespace {
 
 // A mirror ball and a floor under a lamp of this strength; rare paths by the mirror find the lamp: fireflies.
-Scene ballUnderLamp(double strength) {
+scene::Scene ballUnderLamp(double strength) {
   const std::string lamp = std::to_string(strength);
-  return parseScene(
+  return scene::parseScene(
              "v\nfrom 0 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 16\n"
              "b 0.1 0.2 0.3\n"
              "f 0.9 0.9 0.9 0 1 1 1 1 1 0 1\ns 0 0 0 0.5\n"
@@ -24,14 +24,14 @@ Scene ballUnderLamp(double strength) {
       .scene;
 }
 
-Image render(const Scene& scene, SamplerKind sampler, std::uint32_t seed) {
-  static const std::unique_ptr<Renderer> reference = makeReferenceRenderer();
-  RenderSettings settings;
+image::Image render(const scene::Scene& scene, render::SamplerKind sampler, std::uint32_t seed) {
+  static const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
+  render::RenderSettings settings;
   settings.size = {16, 16};
   settings.sampleCount = 16;
   settings.sampler = sampler;
   settings.seed = seed;
-  Image image = toImage(reference->render(scene, settings, {}).film);
+  image::Image image = toImage(reference->render(scene, settings, {}).film);
   image.metadata[kSeedMetadata] = std::to_string(seed);
   return image;
 }
@@ -41,9 +41,9 @@ struct Alarms {
   double deviation = 0;  ///< root mean square of the image means' z
 };
 
-Alarms alarmsOf(int pairs, SamplerKind sampler, double strength, double alpha) {
-  const Scene a = ballUnderLamp(strength);
-  const Scene b = ballUnderLamp(4);
+Alarms alarmsOf(int pairs, render::SamplerKind sampler, double strength, double alpha) {
+  const scene::Scene a = ballUnderLamp(strength);
+  const scene::Scene b = ballUnderLamp(4);
   Alarms alarms;
   for (int i = 0; i < pairs; ++i) {
     const auto seed = static_cast<std::uint32_t>(2 * i);
@@ -57,7 +57,7 @@ Alarms alarmsOf(int pairs, SamplerKind sampler, double strength, double alpha) {
 }
 
 TEST_CASE("of independent samples the errors are as large as the variance says") {
-  const Alarms alarms = alarmsOf(80, SamplerKind::independent, 4, 0.05);
+  const Alarms alarms = alarmsOf(80, render::SamplerKind::independent, 4, 0.05);
   INFO(alarms.count << " alarms, deviation " << alarms.deviation);
   CHECK(alarms.count <= 10);
   CHECK(alarms.deviation > 0.75);  // 1, give or take three standard errors of 80 pairs
@@ -65,7 +65,7 @@ TEST_CASE("of independent samples the errors are as large as the variance says")
 }
 
 TEST_CASE("of evenly spread samples the errors are smaller than the variance says, so that the test is cautious") {
-  for (const SamplerKind sampler : {SamplerKind::stratified, SamplerKind::sobol}) {
+  for (const render::SamplerKind sampler : {render::SamplerKind::stratified, render::SamplerKind::sobol}) {
     const Alarms alarms = alarmsOf(40, sampler, 4, 0.05);
     INFO(alarms.count << " alarms, deviation " << alarms.deviation);
     CHECK(alarms.count <= 2);
@@ -74,7 +74,8 @@ TEST_CASE("of evenly spread samples the errors are smaller than the variance say
 }
 
 TEST_CASE("a lamp that is twice as bright is seen by every sampler") {
-  for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol}) {
+  for (const render::SamplerKind sampler :
+       {render::SamplerKind::independent, render::SamplerKind::stratified, render::SamplerKind::sobol}) {
     CHECK(alarmsOf(10, sampler, 8, 1e-4).count == 10);
   }
 }

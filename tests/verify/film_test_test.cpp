@@ -18,12 +18,12 @@ struct FilmOptions {
 };
 
 // Exponentially distributed samples of mean 1 (skewed, as radiance is), with fireflies on request.
-Image noisyFilm(std::uint32_t seed, const FilmOptions& options) {
+image::Image noisyFilm(std::uint32_t seed, const FilmOptions& options) {
   constexpr double kFirefly = 500;
   std::mt19937 random(seed);
   std::exponential_distribution<double> noise;
   std::bernoulli_distribution isFirefly(options.fireflyShare);
-  Film film(options.side, options.side);
+  image::Film film(options.side, options.side);
   for (std::uint32_t y = 0; y < options.side; ++y) {
     for (std::uint32_t x = 0; x < options.side; ++x) {
       for (std::uint32_t sample = 0; sample < options.samples; ++sample) {
@@ -32,7 +32,7 @@ Image noisyFilm(std::uint32_t seed, const FilmOptions& options) {
       }
     }
   }
-  Image image = toImage(film);
+  image::Image image = toImage(film);
   image.metadata[kSeedMetadata] = std::to_string(seed);
   return image;
 }
@@ -47,8 +47,8 @@ int alarmsOf(int runs, const FilmOptions& a, const FilmOptions& b, double alpha)
 }
 
 // Two grey pixels.
-Image twoPixels(float left, float right, float leftVariance, float rightVariance, std::uint32_t samples,
-                const std::string& seed) {
+image::Image twoPixels(float left, float right, float leftVariance, float rightVariance, std::uint32_t samples,
+                       const std::string& seed) {
   return {2,
           1,
           {glm::vec3(left), glm::vec3(right)},
@@ -60,9 +60,9 @@ Image twoPixels(float left, float right, float leftVariance, float rightVariance
 
 TEST_CASE("the error of a region's mean is the root of the sum of its pixels' variances") {
   // Squared errors of the pixels 4/4 and 8/4, so of the mean (1 + 2) / 2^2; freedom (1 + 2)^2 / (1^2/3 + 2^2/3) = 5.4.
-  const Image a = twoPixels(1, 3, 4, 8, 4, "1");
+  const image::Image a = twoPixels(1, 3, 4, 8, 4, "1");
   // 4/4 and 4/4: (1 + 1) / 2^2; freedom (1 + 1)^2 / (1/3 + 1/3) = 6.
-  const Image b = twoPixels(1, 2, 4, 4, 4, "2");
+  const image::Image b = twoPixels(1, 2, 4, 4, 4, "2");
   const FilmTestResult result = testFilms(a, b, 0.01);
   REQUIRE(result.regions.size() == 1);
   CHECK(result.level == Approx(0.01));
@@ -110,8 +110,8 @@ TEST_CASE("a bias of the size that the verdict calls detectable is seen in 99 of
 }
 
 TEST_CASE("a difference in one tile is found there") {
-  Image a = noisyFilm(1, {.side = 32, .samples = 64});
-  const Image b = noisyFilm(2, {.side = 32, .samples = 64});
+  image::Image a = noisyFilm(1, {.side = 32, .samples = 64});
+  const image::Image b = noisyFilm(2, {.side = 32, .samples = 64});
   CHECK_FALSE(testFilms(a, b, 1e-4).differs());
   for (std::uint32_t y = 8; y < 16; ++y) {
     for (std::uint32_t x = 24; x < 32; ++x) a.at(x, y) *= 1.25f;
@@ -124,13 +124,13 @@ TEST_CASE("a difference in one tile is found there") {
 }
 
 TEST_CASE("films that cannot be tested are refused with the reason") {
-  const Image good = twoPixels(1, 1, 1, 1, 4, "1");
+  const image::Image good = twoPixels(1, 1, 1, 1, 4, "1");
   CHECK_FALSE(whyNotTestable(good, twoPixels(1, 1, 1, 1, 4, "2")));
   CHECK_THAT(*whyNotTestable(good, twoPixels(2, 2, 1, 1, 4, "1")), Contains("the same seed"));
   CHECK_THAT(*whyNotTestable(good, twoPixels(1, 1, 1, 1, 1, "2")), Contains("B has pixels of fewer than two samples"));
   CHECK_THAT(*whyNotTestable(twoPixels(1, 1, -1, 1, 4, "2"), good), Contains("A has values that are not finite"));
   CHECK_THAT(*whyNotTestable(twoPixels(1, NAN, 1, 1, 4, "2"), good), Contains("A has values that are not finite"));
-  Image bare = good;
+  image::Image bare = good;
   bare.metadata.clear();
   CHECK_THAT(*whyNotTestable(bare, good), Contains("A does not state its seed"));
   bare.luminanceVariance.clear();

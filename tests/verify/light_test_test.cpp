@@ -9,13 +9,13 @@ namespace candela::verify {
 namespace {
 
 LightTestResult run(const NoiseOptions& device, std::uint32_t seed, const LightTestOptions& options = {},
-                    const RenderControl& control = {}) {
+                    const render::RenderControl& control = {}) {
   NoiseRenderer a(device);
   NoiseRenderer b;
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.size = {16, 16};
   settings.seed = seed;
-  return testLight(Scene{}, settings, a, b, options, control);
+  return testLight(scene::Scene{}, settings, a, b, options, control);
 }
 
 NoiseOptions brighterBy(double share) {
@@ -69,9 +69,9 @@ TEST_CASE("images without noise are equal up to rounding, or differ at once") {
   const auto compare = [&](double factor) {
     NoiseRenderer a({.deviation = 0, .factor = [factor](std::uint32_t, std::uint32_t) { return factor; }});
     NoiseRenderer b(exact);
-    RenderSettings settings;
+    render::RenderSettings settings;
     settings.size = {16, 16};
-    return testLight(Scene{}, settings, a, b, {}, {});
+    return testLight(scene::Scene{}, settings, a, b, {}, {});
   };
   CHECK_FALSE(compare(1 + 1e-6).differs());
   CHECK(compare(1 + 1e-6).looks == 1);
@@ -81,9 +81,9 @@ TEST_CASE("images without noise are equal up to rounding, or differ at once") {
 TEST_CASE("black against black agrees, black against light differs") {
   const NoiseOptions black{.factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   NoiseRenderer a(black), b(black);
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.size = {16, 16};
-  CHECK_FALSE(testLight(Scene{}, settings, a, b, {}, {}).differs());
+  CHECK_FALSE(testLight(scene::Scene{}, settings, a, b, {}, {}).differs());
   CHECK(run(black, 1).differs());
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("a time limit ends the run after the look under way, which says how fa
 
 TEST_CASE("an interrupted run has no verdict") {
   const std::atomic<bool> stop = true;
-  RenderControl control;
+  render::RenderControl control;
   control.stop = &stop;
   CHECK(run({}, 1, {}, control).interrupted);
 }

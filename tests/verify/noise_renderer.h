@@ -14,13 +14,14 @@ struct NoiseOptions {
   std::function<double(std::uint32_t, std::uint32_t)> factor = [](std::uint32_t, std::uint32_t) { return 1.0; };
 };
 
-class NoiseRenderer final : public Renderer {
+class NoiseRenderer final : public render::Renderer {
  public:
   explicit NoiseRenderer(NoiseOptions options = {}) : options_(std::move(options)) {}
 
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
-    RenderResult result;
-    result.film = Film(settings.size.width, settings.size.height);
+  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
+    render::RenderResult result;
+    result.film = image::Film(settings.size.width, settings.size.height);
     result.interrupted = control.stop != nullptr && *control.stop;
     std::mt19937 random(settings.seed);
     std::normal_distribution<double> noise(0, options_.deviation / std::sqrt(double{1} * settings.sampleCount));

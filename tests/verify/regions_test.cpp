@@ -36,7 +36,7 @@ TEST_CASE("tiles cover every pixel once, and sizes of a single tile are left out
 }
 
 TEST_CASE("a region's mean is that of its pixels, by its quantity") {
-  Film film(2, 1);
+  image::Film film(2, 1);
   film.addSample(0, 0, {1, 2, 3}, 0);
   film.addSample(1, 0, {3, 2, 1}, 0);
   film.addSample(1, 0, {5, 2, 1}, 1);
@@ -48,14 +48,14 @@ TEST_CASE("a region's mean is that of its pixels, by its quantity") {
 
 TEST_CASE("no two batches of a run share their seed") {
   std::vector<std::uint32_t> seeds;
-  for (const Side side : {Side::device, Side::reference}) {
+  for (const verify::Side side : {verify::Side::device, verify::Side::reference}) {
     for (std::uint32_t look = 0; look < 8; ++look) {
       for (std::uint32_t batch = 0; batch < kBatchCount; ++batch) seeds.push_back(batchSeed(7, side, batch, look));
     }
   }
   std::sort(seeds.begin(), seeds.end());
   CHECK(std::adjacent_find(seeds.begin(), seeds.end()) == seeds.end());
-  CHECK(batchSeed(7, Side::device, 0, 0) != batchSeed(8, Side::device, 0, 0));
+  CHECK(batchSeed(7, verify::Side::device, 0, 0) != batchSeed(8, verify::Side::device, 0, 0));
 }
 
 }  // namespace

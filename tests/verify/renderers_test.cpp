@@ -13,8 +13,8 @@ constexpr double
 
 // A plane under a sphere lamp, partly in the shadow of a ball, by direct light alone: the image is in proportion to the
 // plane's and the ball's albedo, which are one material's.
-Scene shadowedPlane(float albedo) {
-  Scene scene = sceneFromText(
+scene::Scene shadowedPlane(float albedo) {
+  scene::Scene scene = device::sceneFromText(
       "v\nfrom 4 0 2.5\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
       "f .5 .5 .5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\ns .4 .5 .4 .4\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 8 8 8\ns 0 0 2 .5\n");
@@ -23,24 +23,25 @@ Scene shadowedPlane(float albedo) {
 }
 
 // Renders another scene than it is asked to: the side that has changed.
-class ChangedRenderer : public Renderer {
+class ChangedRenderer : public render::Renderer {
  public:
-  ChangedRenderer(Renderer& renderer, const Scene& scene) : renderer_(renderer), scene_(scene) {}
-  RenderResult render(const Scene&, const RenderSettings& settings, const RenderControl& control) override {
+  ChangedRenderer(render::Renderer& renderer, const scene::Scene& scene) : renderer_(renderer), scene_(scene) {}
+  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
+                              const render::RenderControl& control) override {
     return renderer_.render(scene_, settings, control);
   }
 
  private:
-  Renderer& renderer_;
-  const Scene& scene_;
+  render::Renderer& renderer_;
+  const scene::Scene& scene_;
 };
 
 int alarmsOf(float deviceAlbedo, double alpha) {
-  const Scene scene = shadowedPlane(0.5f);
-  const Scene changed = shadowedPlane(deviceAlbedo);
-  ChangedRenderer device(testRenderer(), changed);
-  const auto reference = makeReferenceRenderer();
-  RenderSettings settings = squareSettings(16, 1);
+  const scene::Scene scene = shadowedPlane(0.5f);
+  const scene::Scene changed = shadowedPlane(deviceAlbedo);
+  ChangedRenderer device(device::testRenderer(), changed);
+  const auto reference = reference::makeReferenceRenderer();
+  render::RenderSettings settings = device::squareSettings(16, 1);
   settings.maxDepth = 2;
   int alarms = 0;
   for (int run = 0; run < kRuns; ++run) {

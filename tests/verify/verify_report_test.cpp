@@ -11,12 +11,12 @@ namespace {
 using Catch::Contains;
 
 // Paths are not compared here: noise has none.
-VerifyReport reportOf(double deviceFactor, std::optional<ExactMean> exact = std::nullopt) {
+VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact = std::nullopt) {
   const NoiseOptions options{.deviation = 0.5, .factor = [=](std::uint32_t, std::uint32_t) { return deviceFactor; }};
   NoiseRenderer a(options), b;
-  Scene scene;
+  scene::Scene scene;
   scene.name = "a<b>.p3f";
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.size = {16, 16};
   VerifyReport report;
   report.scene = scene.name;
@@ -44,7 +44,7 @@ TEST_CASE("a difference is named with its place, its size and its sign") {
 }
 
 TEST_CASE("two sides that agree on a wrong answer fail") {
-  const VerifyReport report = reportOf(1, ExactMean{});
+  const VerifyReport report = reportOf(1, scene::ExactMean{});
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(), Contains("NOT with the answer that the scene states"));
   CHECK(toJson(report)["rightLight"]["met"] == false);
@@ -52,7 +52,7 @@ TEST_CASE("two sides that agree on a wrong answer fail") {
 
 TEST_CASE("JUnit has a case for each question, failures among them, and is well-formed whatever a scene is called") {
   CHECK_THAT(toJunit(reportOf(1), false), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
-  const std::string failed = toJunit(reportOf(0.98, ExactMean{}), false);
+  const std::string failed = toJunit(reportOf(0.98, scene::ExactMean{}), false);
   CHECK_THAT(failed,
              Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
 }
@@ -60,7 +60,7 @@ TEST_CASE("JUnit has a case for each question, failures among them, and is well-
 TEST_CASE("JUnit counts bad samples as a failure where they are forbidden, and else not") {
   VerifyReport report = reportOf(1);
   CHECK_THAT(toJunit(report, true), Contains("tests=\"3\" failures=\"0\""));
-  Film film(16, 16);
+  image::Film film(16, 16);
   film.addSample(3, 4, glm::dvec3(-1), 0);
   report.deviceBadSamples.add(film, {});
   CHECK_THAT(toJunit(report, true),

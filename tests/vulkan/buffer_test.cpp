@@ -9,6 +9,7 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::vulkan;
 using Catch::Matchers::Contains;
 using vulkan::Buffer;
 using vulkan::CommandRecorder;

@@ -13,6 +13,7 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::vulkan;
 using vulkan::BindingKind;
 using vulkan::BindingSet;
 using vulkan::Buffer;

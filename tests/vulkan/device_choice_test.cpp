@@ -6,6 +6,7 @@
 #include "host/core/errors.h"
 
 using namespace candela;
+using namespace candela::vulkan;
 using Catch::Matchers::Contains;
 using Catch::Matchers::Message;
 using vulkan::chooseDevice;

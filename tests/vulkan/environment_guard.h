@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace candela {
+namespace candela::vulkan {
 
 class EnvironmentGuard {
  public:
@@ -21,4 +21,4 @@ class EnvironmentGuard {
   std::optional<std::string> old_;
 };
 
-}  // namespace candela
+}  // namespace candela::vulkan

@@ -6,6 +6,7 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::vulkan;
 
 TEST_CASE("a device runs every turn of a loop, or the probe says how many") {
   vulkan::Device device = openTestDevice();

@@ -6,7 +6,7 @@
 
 #include "host/vulkan/buffer.h"
 
-namespace candela {
+namespace candela::vulkan {
 
 using Words = std::vector<std::uint32_t>;
 
@@ -27,4 +27,4 @@ inline Words download(const vulkan::Buffer& buffer) {
   return words;
 }
 
-}  // namespace candela
+}  // namespace candela::vulkan

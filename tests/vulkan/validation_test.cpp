@@ -10,6 +10,7 @@
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
+using namespace candela::vulkan;
 using Catch::Matchers::Contains;
 using vulkan::BindingKind;
 using vulkan::ComputePipeline;

@@ -1,0 +1,204 @@
+#include "host/device/band.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "host/core/errors.h"
+#include "host/device/tile_cursor.h"
+#include "host/device/unfinished_rows.h"
+#include "host/device/wavefront.h"
+
+namespace candela::device {
+namespace {
+
+constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
+constexpr std::uint64_t kReadBytes = std::uint64_t{4} << 20;       // of path states read back at a time
+constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30;  // what every device allocates in one piece
+
+/// What stands before the path records of so many pixels.
+std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
+  return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
+}
+
+std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
+  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
+  const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
+  return settings.recordPaths ? std::max(path, queues + kRecordBytes) : path;
+}
+
+std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& settings, std::uint64_t pixels) {
+  return headBytes(kernel, pixels) + (settings.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+}
+
+vulkan::Usage resultUsage(const Kernel& kernel) {
+  return kernel.isWavefront() ? vulkan::Usage::storage | vulkan::Usage::indirect : vulkan::Usage::storage;
+}
+
+std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + size - 1) / size; }
+
+GovernorOptions governorOptions(const render::RenderSettings& settings, const LoopBudget& budget,
+                                std::uint64_t pixels) {
+  GovernorOptions options;
+  options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
+  options.totalPixels = pixels;
+  options.workgroupPixels = settings.workgroupInUse().width * settings.workgroupInUse().height;
+  if (settings.tile) options.fixedPixels = std::uint64_t{settings.tile->width} * settings.tile->height;
+  if (settings.segmentsPerDispatch) options.fixedSegments = std::min(*settings.segmentsPerDispatch, budget.maxSegments);
+  return options;
+}
+
+TileCursor cursorOver(render::Extent band, const render::RenderSettings& settings) {
+  return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroupInUse());
+}
+
+render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
+  return {.primitive = packed.x,
+          .lobe = static_cast<render::Lobe>(packed.y & 255u),
+          .shadow = static_cast<render::ShadowOutcome>(packed.y >> 8 & 255u),
+          .survivedRoulette = (packed.y >> 16 & 1u) != 0,
+          .visibleLights = static_cast<std::uint16_t>((packed.y & ~gpu::kRecordValid) >> gpu::kRecordLightShift)};
+}
+
+}  // namespace
+
+std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings) {
+  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.size.width;
+  // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
+  const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
+  const std::uint64_t head = headBytes(kernel, 0);
+  const std::uint64_t rows = mostBytes <= head ? 0 : (mostBytes - head) / rowBytes;
+  if (rows == 0) {
+    throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
+                                settings.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
+  }
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
+}
+
+Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
+           const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight)
+    : device_(device),
+      kernel_(kernel),
+      pipelines_(pipelines),
+      settings_(settings),
+      width_(settings.size.width),
+      states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
+      film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
+      results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
+      counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
+      bindings_(*pipelines.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
+
+void Band::start(BandRows rows) {
+  rows_ = rows;
+  samplesSeen_ = 0;
+  device_.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.fillBuffer(states_, 0);
+    recorder.fillBuffer(film_, 0);
+    recorder.fillBuffer(results_, 0);
+    recorder.fillBuffer(counters_, 0);
+  });
+}
+
+double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudget& budget) {
+  gpu::DispatchConstants constants;
+  constants.region = {region.x, rows_.first + region.y, region.width, region.height};
+  constants.work = {rows_.first, segments, settings_.sampleCount, budget.laneTurns};
+  const render::Extent workgroup = settings_.workgroupInUse();
+  const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
+  return device_.run([&](vulkan::CommandRecorder& recorder) {
+    if (kernel_.isWavefront()) {
+      constants.work.w = static_cast<std::uint32_t>(pixels());
+      const std::uint64_t longestPixel = std::uint64_t{settings_.sampleCount} * settings_.maxDepth;
+      const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
+      recordRounds(recorder, pipelines_, bindings_, results_, constants, count, rounds);
+    } else {
+      recorder.dispatch(*pipelines_.front(), bindings_, std::as_bytes(std::span(&constants, 1)), count);
+    }
+    recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
+  });
+}
+
+std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
+
+const gpu::Counters& Band::counters() const {
+  return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());
+}
+
+std::uint64_t Band::takeFinishedSamples() {
+  const std::uint32_t now = counters().finishedSamples;
+  const std::uint32_t fresh = now - samplesSeen_;
+  samplesSeen_ = now;
+  return fresh;
+}
+
+void Band::warmUp(const LoopBudget& budget) {
+  const render::Extent workgroup = settings_.workgroupInUse();
+  const render::Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
+  dispatch({0, 0, corner.width, corner.height}, 1, budget);
+}
+
+bool Band::finish(const LoopBudget& budget, const render::RenderControl& control, render::RenderStatistics& statistics,
+                  const std::function<void(std::uint64_t)>& samplesFinished) {
+  Governor governor(governorOptions(settings_, budget, pixels()));
+  governor.record(governor.next(), 0, 0);  // the warm-up, which does not count
+  const render::Extent extent{width_, rows_.height};
+  TileCursor cursor = cursorOver(extent, settings_);
+  UnfinishedRows unfinished(extent);
+  while (counters().finishedPixels < pixels()) {
+    if (control.stop != nullptr && *control.stop) return false;
+    const Rect region = cursor.next(unfinished.pixelsHolding(governor.next().pixels, cursor.row()));
+    const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
+    const std::uint64_t active = unfinished.activeIn(region);
+    const std::uint32_t finishedBefore = counters().finishedPixels;
+    const Plan plan{lanes, governor.segmentsFor(active)};
+    const double seconds = dispatch(region, plan.segments, budget);
+    governor.record(plan, active, seconds);
+    unfinished.finish(region, counters().finishedPixels - finishedBefore);
+    statistics.dispatchSeconds.push_back(seconds);
+    statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, plan.segments);
+    if (lanes > std::uint64_t{statistics.tile.width} * statistics.tile.height) {
+      statistics.tile = {region.width, region.height};
+    }
+    samplesFinished(takeFinishedSamples());
+  }
+  return true;
+}
+
+void Band::readCounts(render::RenderStatistics& statistics) {
+  const std::uint64_t size = kernel_.stateBytes;
+  const std::uint64_t most = std::min(pixels(), kReadBytes / size);
+  std::vector<std::byte> states(most * size);
+  for (std::uint64_t first = 0; first < pixels(); first += most) {
+    const std::span chunk(states.data(), std::min(most, pixels() - first) * size);
+    states_.download(chunk, first * size);
+    for (std::uint64_t at = 0; at < chunk.size(); at += size) kernel_.addCounts(chunk.subspan(at, size), statistics);
+  }
+}
+
+void Band::readRecords(render::PathRecords& paths) {
+  std::vector<gpu::uvec2> packed(pixels() * gpu::kRecordedVertices);
+  results_.download(std::as_writable_bytes(std::span(packed)), recordOffset());
+  for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
+    render::PathRecord& path = paths.emplace_back();
+    for (std::uint32_t i = 0; i < gpu::kRecordedVertices; ++i) {
+      const gpu::uvec2& entry = packed[pixel * gpu::kRecordedVertices + i];
+      if ((entry.y & gpu::kRecordValid) == 0) break;
+      path.vertices[path.vertexCount++] = unpackRecord(entry);
+    }
+  }
+}
+
+void Band::readBack(render::RenderResult& result) {
+  const std::span rows(result.film.pixels().data() + std::uint64_t{rows_.first} * width_, pixels());
+  film_.download(std::as_writable_bytes(rows));
+  for (const image::FilmPixel& pixel : rows) {
+    result.statistics.samples += pixel.sampleCount;
+    result.statistics.badSamples += pixel.badCount;
+  }
+  result.statistics.truncated += counters().truncated;
+  readCounts(result.statistics);
+  if (settings_.recordPaths) readRecords(result.paths);
+}
+
+}  // namespace candela::device

@@ -1,0 +1,58 @@
+#include "host/device/device_replay.h"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+
+#include "host/device/unpack_trace.h"
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/device.h"
+#include "spirv/replay.h"
+
+namespace candela::device {
+namespace {
+
+// One lane's share of a dispatch: some milliseconds even where a segment tests thousands of primitives.
+constexpr std::uint32_t kSegmentsPerDispatch = 64;
+
+// A path that has not begun, of this sample.
+gpu::PathState stateBefore(const render::PixelSample& sample) {
+  gpu::PathState state{};
+  state.radianceSample.w = sample.index;
+  return state;
+}
+
+}  // namespace
+
+Kernel replayKernel() { return {"replay", {spirv::replay}, sizeof(gpu::PathState), nullptr}; }
+
+render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
+                                 const DeviceScene& scene, const render::PixelSample& sample, const LoopBudget& budget,
+                                 render::RenderStatistics& statistics) {
+  vulkan::Buffer state(device, sizeof(gpu::PathState), vulkan::Usage::storage);
+  vulkan::Buffer noFilm(device, sizeof(gpu::FilmRows), vulkan::Usage::storage);
+  vulkan::Buffer results(device, sizeof(gpu::Counters) + sizeof(gpu::TracedSample), vulkan::Usage::storage);
+  const vulkan::BindingSet bindings(pipeline,
+                                    {&scene.rows(), &state, &noFilm, &results, &scene.texels(), &scene.uniforms()});
+  const gpu::PathState before = stateBefore(sample);
+  state.upload(std::as_bytes(std::span(&before, 1)));
+  results.fill(0);
+
+  gpu::DispatchConstants constants{};
+  constants.region = {sample.x, sample.y, 1, 1};
+  constants.work = {0, std::min(kSegmentsPerDispatch, budget.maxSegments), 0, budget.laneTurns};
+  gpu::Counters counters{};
+  while (counters.finishedSamples == 0 && counters.truncated == 0) {
+    device.run([&](vulkan::CommandRecorder& recorder) {
+      recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {1, 1, 1});
+    });
+    results.download(std::as_writable_bytes(std::span(&counters, 1)));
+  }
+  statistics.truncated += counters.truncated;
+  const auto rows = std::make_unique<gpu::TracedSample>();
+  results.download(std::as_writable_bytes(std::span(rows.get(), 1)), sizeof counters);
+  return unpackTrace(*rows);
+}
+
+}  // namespace candela::device

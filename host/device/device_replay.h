@@ -1,0 +1,19 @@
+// Traces one sample again on the device, and reads what its path left behind.
+#pragma once
+#include "host/device/device_scene.h"
+#include "host/device/kernel.h"
+#include "host/device/loop_budget.h"
+#include "host/render/replay.h"
+#include "host/vulkan/compute_pipeline.h"
+
+namespace candela::device {
+
+/// The kernel that traces one sample of the path tracer.
+Kernel replayKernel();
+
+/// Adds loops that the device stopped to `statistics.truncated`. `pipeline` is made of replayKernel() for the scene.
+render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
+                                 const DeviceScene& scene, const render::PixelSample& sample, const LoopBudget& budget,
+                                 render::RenderStatistics& statistics);
+
+}  // namespace candela::device

@@ -1,0 +1,68 @@
+#include "host/device/device_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "host/core/errors.h"
+
+namespace candela::device {
+namespace {
+
+constexpr std::uint64_t kRowBytes = sizeof(gpu::uvec4);
+
+bool fitsTexels(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat) {
+  return flat.rows.size() <= info.maxTexelBufferElements;
+}
+
+bool fitsStorage(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat) {
+  return flat.rows.size() * kRowBytes <= info.maxStorageBufferRange;
+}
+
+[[noreturn]] void refuse(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads asked) {
+  if (asked == render::SceneLoads::texel) {
+    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads",
+                                flat.rows.size(), info.name, info.maxTexelBufferElements));
+  }
+  const bool grid = flat.structure == gpu::kStructureGrid;
+  const char* const smaller = grid ? "make it smaller, or lower --grid-density" : "make it smaller";
+  throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
+                              flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,
+                              fitsTexels(info, flat) ? "use texel loads" : smaller));
+}
+
+vulkan::Buffer makeRows(vulkan::Device& device, const flatten::FlatScene& flat, bool real, vulkan::Usage usage) {
+  if (!real || flat.rows.empty()) return vulkan::Buffer(device, kRowBytes, usage);
+  vulkan::Buffer buffer(device, flat.rows.size() * kRowBytes, usage);
+  buffer.upload(std::as_bytes(std::span(flat.rows)));
+  return buffer;
+}
+
+}  // namespace
+
+bool canBind(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads loads) {
+  if (loads != render::SceneLoads::storage && fitsTexels(info, flat)) return true;
+  return loads != render::SceneLoads::texel && fitsStorage(info, flat);
+}
+
+render::SceneLoads loadsFor(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
+                            const render::RenderSettings& settings) {
+  if (!canBind(info, flat, settings.sceneLoads)) refuse(info, flat, settings.sceneLoads);
+  if (settings.sceneLoads != render::SceneLoads::automatic) return settings.sceneLoads;
+  const render::SceneLoads preferred = settings.automatic.sceneLoads;
+  if (canBind(info, flat, preferred)) return preferred;
+  return preferred == render::SceneLoads::texel ? render::SceneLoads::storage : render::SceneLoads::texel;
+}
+
+DeviceScene::DeviceScene(vulkan::Device& device, const flatten::FlatScene& flat, render::SceneLoads loads)
+    : readsTexels_(loads == render::SceneLoads::texel),
+      rows_(makeRows(device, flat, !readsTexels_, vulkan::Usage::storage)),
+      texels_(makeRows(device, flat, readsTexels_, vulkan::Usage::uniformTexel)),
+      uniforms_(device, sizeof(gpu::RenderUniforms), vulkan::Usage::uniform) {
+  gpu::RenderUniforms uniforms{.constants = flat.constants, .slotRows = {}};
+  std::ranges::copy(flat.slotRows, uniforms.slotRows);
+  uniforms_.upload(std::as_bytes(std::span(&uniforms, 1)));
+}
+
+}  // namespace candela::device

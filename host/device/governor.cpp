@@ -1,0 +1,81 @@
+// Chooses how much work one dispatch gets.
+#include "host/device/governor.h"
+
+#include <algorithm>
+
+namespace candela::device {
+namespace {
+
+// Storing and loading a path costs as much as two or three segments (docs/performance.md).
+constexpr std::uint32_t kPreferredSegments = 128;
+constexpr double kGrowth = 2.0;         // per step, near the target
+constexpr double kFastGrowth = 8.0;     // per step, while dispatches are so short that even this keeps to the target
+constexpr double kSmoothing = 0.3;      // share of a step upwards taken at once, near the target
+constexpr double kAimRecovery = 1.001;  // per dispatch: what was dear once, a strip of the image say, comes again
+
+std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
+  if (pixels >= static_cast<double>(most)) return most;
+  const std::uint64_t groups = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(pixels) / workgroupPixels);
+  return std::min(groups * workgroupPixels, most);
+}
+
+}  // namespace
+
+Governor::Governor(const GovernorOptions& options)
+    : options_(options),
+      aimSeconds_(options.targetSeconds),
+      budget_(static_cast<double>(std::min<std::uint64_t>(options.workgroupPixels, options.totalPixels))) {}
+
+std::uint32_t Governor::segmentsFor(std::uint64_t activePixels) const {
+  if (options_.fixedSegments > 0) return options_.fixedSegments;
+  const double segments = budget_ / static_cast<double>(std::max<std::uint64_t>(1, activePixels));
+  return static_cast<std::uint32_t>(std::clamp(segments, 1.0, static_cast<double>(options_.maxSegments)));
+}
+
+Plan Governor::next() const {
+  if (options_.fixedPixels > 0) {
+    const std::uint64_t pixels = std::min(options_.fixedPixels, options_.totalPixels);
+    return {pixels, segmentsFor(pixels)};
+  }
+  const auto total = static_cast<double>(options_.totalPixels);
+  const std::uint32_t preferred = options_.fixedSegments > 0 ? options_.fixedSegments
+                                                             : std::min(kPreferredSegments, options_.maxSegments);
+  const double fewest = options_.fixedSegments > 0 ? 1.0 : std::min(static_cast<double>(options_.minimumPixels), total);
+  const double wanted = std::clamp(budget_ / preferred, fewest, total);
+  const std::uint32_t segments = segmentsFor(static_cast<std::uint64_t>(wanted));
+  return {roundToWorkgroups(budget_ / segments, options_.workgroupPixels, options_.totalPixels), segments};
+}
+
+void Governor::record(const Plan& plan, std::uint64_t activePixels, double seconds) {
+  if (!isWarm_) {
+    isWarm_ = true;
+    return;
+  }
+  const double units = static_cast<double>(std::max<std::uint64_t>(1, activePixels)) * plan.segments;
+  // The image's last strip, or one that is nearly finished: its duration is mostly overhead and says nothing.
+  if (units < budget_ / 2 && seconds < options_.targetSeconds / 2) return;
+
+  const bool isOverLimit = seconds > options_.limitSeconds;
+  aimSeconds_ = isOverLimit ? std::max(aimSeconds_ / 2, options_.targetSeconds / 4)
+                            : std::min(aimSeconds_ * kAimRecovery, options_.targetSeconds);
+  const double fitting = units * aimSeconds_ / std::max(seconds, 1e-9);
+  if (fitting < budget_) {
+    cut(fitting);
+  } else {
+    raise(units, fitting, seconds);
+  }
+}
+
+void Governor::cut(double fittingUnits) { budget_ = std::max(fittingUnits, 1.0); }
+
+void Governor::raise(double units, double fittingUnits, double seconds) {
+  const double base = std::max(budget_, units);
+  if (seconds * kFastGrowth < options_.targetSeconds) {
+    budget_ = std::min(fittingUnits, base * kFastGrowth);
+    return;
+  }
+  const double most = std::min(fittingUnits, base * kGrowth);
+  budget_ += (most - budget_) * (seconds * kGrowth < options_.targetSeconds ? 1.0 : kSmoothing);
+}
+
+}  // namespace candela::device

@@ -1,0 +1,84 @@
+#include "host/device/kernel.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "host/core/errors.h"
+#include "spirv/hash.h"
+#include "spirv/path.h"
+#include "spirv/views.h"
+#include "spirv/wave_extend.h"
+#include "spirv/wave_gather.h"
+#include "spirv/wave_renew.h"
+#include "spirv/wave_shade.h"
+#include "spirv/wave_shadow.h"
+#include "spirv/whitted.h"
+
+namespace candela::device {
+namespace {
+
+template <class State>
+State headOf(std::span<const std::byte> bytes) {
+  State state;
+  std::memcpy(&state, bytes.data(), sizeof state);
+  return state;
+}
+
+void addPathCounts(std::span<const std::byte> bytes, render::RenderStatistics& statistics) {
+  const auto state = headOf<gpu::PathState>(bytes);
+  // The wavefront may have made a camera ray that is not traced yet.
+  const bool underWay = state.throughputDepth.w > 1;
+  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
+  statistics.bounceRays += state.counts.x;
+  statistics.shadowRays += state.counts.y;
+  statistics.vertices += state.counts.z;
+  statistics.traversalSteps += state.counts.w;
+}
+
+static_assert(sizeof(gpu::TreeState) == gpu::kTreeRows * sizeof(gpu::uvec4));
+
+void addTreeCounts(std::span<const std::byte> bytes, render::RenderStatistics& statistics) {
+  const auto state = headOf<gpu::TreeState>(bytes);
+  const bool underWay = state.place.x > 0;
+  if (!statistics.treeRays) statistics.treeRays.emplace();
+  statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
+  statistics.treeRays->cameraHits += state.rays.x;
+  statistics.treeRays->reflected += state.rays.y;
+  statistics.treeRays->refracted += state.rays.z;
+  statistics.bounceRays += std::uint64_t{state.rays.y} + state.rays.z;
+  statistics.shadowRays += state.rays.w;
+  statistics.vertices += state.work.x;
+  statistics.traversalSteps += state.work.y;
+}
+
+}  // namespace
+
+std::string_view kernelsHash() { return spirv::hash; }
+
+std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings) {
+  if (settings.integrator != render::Integrator::whitted) return 2;
+  return 1 + static_cast<std::uint32_t>(std::min<std::size_t>(scene.pointLights.size(), gpu::kLightsPerSegment));
+}
+
+void requireKernel(const render::RenderSettings& settings) {
+  if (settings.kernel != render::KernelKind::wavefront || settings.integrator == render::Integrator::path) return;
+  throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
+}
+
+Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
+  requireKernel(settings);
+  if (settings.integrator == render::Integrator::whitted) {
+    const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
+    return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
+  }
+  if (isView(settings.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
+  if (settings.kernelInUse() == render::KernelKind::megakernel) {
+    return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
+  }
+  return {"wavefront",
+          {spirv::wave_gather, spirv::wave_extend, spirv::wave_shade, spirv::wave_shadow, spirv::wave_renew},
+          sizeof(gpu::WaveState),
+          addPathCounts};
+}
+
+}  // namespace candela::device

@@ -1,0 +1,36 @@
+// What tells one kernel from another: the code, what it keeps of each pixel between dispatches, and what it costs.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "host/flatten/flat_scene.h"
+#include "host/render/renderer.h"
+
+namespace candela::device {
+
+struct Kernel {
+  const char* name;                                   ///< as in RenderStatistics::kernel
+  std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
+  std::uint32_t stateBytes;                           ///< of a pixel
+  /// Adds the counts in one pixel's state, which is `stateBytes` long.
+  void (*addCounts)(std::span<const std::byte> state, render::RenderStatistics& statistics);
+
+  bool isWavefront() const { return spirv.size() > 1; }
+};
+
+/// Of the code of all kernels, as 64 hexadecimal digits.
+std::string_view kernelsHash();
+
+/// The most rays that one segment traces.
+std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings);
+
+/// Throws UsageError if the settings ask for the wavefront of an integrator that has none.
+void requireKernel(const render::RenderSettings& settings);
+
+/// The kernel of the integrator that `settings` ask for. Throws as requireKernel().
+Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings);
+
+}  // namespace candela::device

@@ -1,0 +1,40 @@
+#include "host/device/loop_budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
+#include "host/vulkan/loop_limit.h"
+
+namespace candela::device {
+namespace {
+
+std::uint32_t lanesOf(const vulkan::DeviceInfo& info) { return std::max(1u, info.subgroupSize); }
+
+}  // namespace
+
+// So that a segment, of rays with at most four cells a slice, keeps to half of the limit even where no two lanes of
+// a group look at cells at the same time. The other half is for what lies in the cells.
+std::uint32_t mostGridSide(std::uint32_t limit, const vulkan::DeviceInfo& info, std::uint32_t raysPerSegment) {
+  return limit == vulkan::kUnlimitedTurns ? flatten::kAnyGridSide
+                                          : std::max(1u, limit / (8 * raysPerSegment * lanesOf(info)));
+}
+
+// Lanes that leave a loop at different turns add up within a group, lanes of a brute-force loop do not. Half of the
+// device's limit is left for the turns that a lane does not count and for its last segment.
+LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
+                      std::uint32_t raysPerSegment) {
+  if (limit == vulkan::kUnlimitedTurns) return {0xffffffffu, 0xffffffffu};
+  if (flat.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * lanesOf(info))};
+  constexpr std::uint32_t kOtherTurns = 64;  // light choice, permutations
+  const std::uint32_t half = limit / 2;
+  const std::uint64_t segments = half / (std::uint64_t{raysPerSegment} * flat.slotCount + kOtherTurns);
+  if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
+  throw FileError(
+      fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
+                  "use --accel bvh",
+                  flat.slotCount, info.name, limit, half > kOtherTurns ? (half - kOtherTurns) / raysPerSegment : 0));
+}
+
+}  // namespace candela::device

@@ -1,0 +1,101 @@
+#include "host/device/specialise.h"
+
+#include "shaders/shared/specialization.h"
+
+namespace candela::device {
+namespace {
+
+std::uint32_t lensOf(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
+  if (glm::vec3(flat.constants.lensUp) == glm::vec3(0)) return gpu::kLensNone;
+  return settings.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
+}
+
+std::uint32_t filterOf(const render::RenderSettings& settings) {
+  if (!settings.jittersPixels()) return gpu::kFilterNone;
+  return settings.filter == render::FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
+}
+
+std::uint32_t samplerOf(render::SamplerKind kind) {
+  switch (kind) {
+    case render::SamplerKind::independent:
+      return gpu::kSamplerIndependent;
+    case render::SamplerKind::stratified:
+      return gpu::kSamplerStratified;
+    case render::SamplerKind::sobol:
+      break;
+  }
+  return gpu::kSamplerSobol;
+}
+
+std::uint32_t viewOf(render::Integrator integrator) {
+  switch (integrator) {
+    case render::Integrator::path:
+    case render::Integrator::whitted:
+      break;
+    case render::Integrator::ao:
+      return gpu::kViewAo;
+    case render::Integrator::normal:
+      return gpu::kViewNormal;
+    case render::Integrator::albedo:
+      return gpu::kViewAlbedo;
+    case render::Integrator::depth:
+      return gpu::kViewDepth;
+    case render::Integrator::id:
+      return gpu::kViewId;
+    case render::Integrator::cost:
+      return gpu::kViewCost;
+  }
+  return gpu::kViewNone;
+}
+
+}  // namespace
+
+std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+                                               bool texels) {
+  const flatten::SceneFeatures& has = flat.features;
+  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
+                                                {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
+                                                {gpu::kSpecSpheres, has.spheres},
+                                                {gpu::kSpecTriangles, has.triangles},
+                                                {gpu::kSpecBoxes, has.boxes},
+                                                {gpu::kSpecCones, has.cones},
+                                                {gpu::kSpecPlanes, has.planes},
+                                                {gpu::kSpecSmooth, has.smooth},
+                                                {gpu::kSpecDiffuse, has.diffuse},
+                                                {gpu::kSpecGlossy, has.glossy},
+                                                {gpu::kSpecMirror, has.mirror},
+                                                {gpu::kSpecDielectric, has.dielectric},
+                                                {gpu::kSpecEmission, has.emission},
+                                                {gpu::kSpecSphereLights, has.sphereLights},
+                                                {gpu::kSpecTriangleLights, has.triangleLights},
+                                                {gpu::kSpecPointLights, has.pointLights},
+                                                {gpu::kSpecSky, has.sky},
+                                                {gpu::kSpecOneSided, settings.oneSided},
+                                                {gpu::kSpecLens, lensOf(flat, settings)},
+                                                {gpu::kSpecFilter, filterOf(settings)},
+                                                {gpu::kSpecSampler, samplerOf(settings.sampler)},
+                                                {gpu::kSpecStructure, flat.structure},
+                                                {gpu::kSpecTexels, texels},
+                                                {gpu::kSpecRecord, settings.recordPaths},
+                                                {gpu::kSpecStackSize, flat.stackSize},
+                                                {gpu::kSpecMixtures, has.mixtures},
+                                                {gpu::kSpecInsideOnly, has.insideOnly},
+                                                {gpu::kSpecUniformSlots, flat.uniformSlots},
+                                                {gpu::kSpecRowsAhead, flat.rowsAhead},
+                                                {gpu::kSpecAreaLights, settings.lightSize > 0},
+                                                {gpu::kSpecView, viewOf(settings.integrator)}};
+  for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
+    constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
+  }
+  return constants;
+}
+
+vulkan::PipelineOptions kernelOptions(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+                                      bool texels, std::uint32_t pushConstantBytes) {
+  using enum vulkan::BindingKind;
+  return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
+          .pushConstantBytes = pushConstantBytes,
+          .specialisations = specialise(flat, settings, texels)};
+}
+
+}  // namespace candela::device

@@ -1,0 +1,18 @@
+// The kernel's specialisation constants for a scene and its settings.
+#pragma once
+#include <vector>
+
+#include "host/flatten/flat_scene.h"
+#include "host/vulkan/compute_pipeline.h"
+
+namespace candela::device {
+
+/// `texels`: scene rows are read through the texel buffer.
+std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+                                               bool texels);
+
+/// The same, and the bindings of shared/bindings.h, which all kernels have that read a scene.
+vulkan::PipelineOptions kernelOptions(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+                                      bool texels, std::uint32_t pushConstantBytes);
+
+}  // namespace candela::device

@@ -1,0 +1,48 @@
+// Walks over an image in rectangles.
+#include "host/device/tile_cursor.h"
+
+#include <algorithm>
+
+namespace candela::device {
+namespace {
+
+constexpr std::uint64_t ceilDivide(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
+
+/// The first of the fewest equal parts of `length` that are multiples of `step` and, if that is possible, at most
+/// `most`.
+std::uint32_t evenPart(std::uint32_t length, std::uint32_t step, std::uint64_t most) {
+  if (most >= length) return length;
+  const std::uint64_t steps = ceilDivide(length, step);
+  const std::uint64_t stepsAtMost = std::max<std::uint64_t>(1, most / step);
+  const std::uint64_t parts = ceilDivide(steps, stepsAtMost);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(length, ceilDivide(steps, parts) * step));
+}
+
+}  // namespace
+
+TileCursor TileCursor::ofTiles(render::Extent image, render::Extent tile) {
+  TileCursor cursor(image, tile);
+  cursor.isTiled_ = true;
+  return cursor;
+}
+
+Rect TileCursor::next(std::uint64_t pixelsWanted) {
+  const std::uint32_t rowsLeft = image_.height - y_;
+  const std::uint32_t stripHeight = std::min(step_.height, rowsLeft);
+  if (isTiled_) return advance(std::min(step_.width, image_.width - x_), stripHeight);
+  const std::uint64_t rowsWanted = pixelsWanted / image_.width;
+  if (x_ == 0 && rowsWanted >= stripHeight) return advance(image_.width, evenPart(rowsLeft, step_.height, rowsWanted));
+  return advance(evenPart(image_.width - x_, step_.width, pixelsWanted / stripHeight), stripHeight);
+}
+
+Rect TileCursor::advance(std::uint32_t width, std::uint32_t height) {
+  const Rect rect{x_, y_, width, height};
+  x_ += width;
+  if (x_ < image_.width) return rect;
+  x_ = 0;
+  y_ += height;
+  if (y_ == image_.height) y_ = 0;
+  return rect;
+}
+
+}  // namespace candela::device

@@ -1,0 +1,10 @@
+// From the rows that the replay's kernel writes to what they say.
+#pragma once
+#include "host/render/path_trace.h"
+#include "shaders/shared/trace_rows.h"
+
+namespace candela::device {
+
+render::PathTrace unpackTrace(const gpu::TracedSample& rows);
+
+}  // namespace candela::device

@@ -1,0 +1,206 @@
+// Scene to FlatScene: the sections of rows, one after the other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/core/errors.h"
+#include "host/core/stopwatch.h"
+#include "host/flatten/camera_constants.h"
+#include "host/flatten/flat_rows.h"
+#include "host/flatten/flat_scene.h"
+#include "host/flatten/flatten_features.h"
+#include "host/flatten/flatten_grid.h"
+#include "host/flatten/flatten_hierarchy.h"
+#include "host/flatten/flatten_point_lights.h"
+#include "host/flatten/flatten_primitives.h"
+#include "host/flatten/flatten_sky.h"
+#include "host/flatten/light_table.h"
+#include "host/flatten/lobes.h"
+
+namespace candela::flatten {
+namespace {
+
+constexpr std::uint32_t kMaxSlots = 1u << 27;  // what a packed stack word holds
+
+void checkLimits(const scene::Scene& scene) {
+  if (scene.primitives.size() >= kMaxSlots) {
+    throw FileError(
+        fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(), kMaxSlots - 1));
+  }
+  if (scene.materials.size() > gpu::kMaxMaterialCount) {
+    throw FileError(fmt::format("{}: {} materials; at most {} are supported", scene.name, scene.materials.size(),
+                                gpu::kMaxMaterialCount));
+  }
+}
+
+void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
+  flat.constants.sections.z = rowCount(flat.rows);
+  for (const scene::Material& material : scene.materials) {
+    const Lobes lobes = lobesFor(integrator, material);
+    flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
+    flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
+    flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
+    flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+  }
+}
+
+// The slot of every primitive, for the lights.
+std::vector<std::uint32_t> slotsOf(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> slots(order.size());
+  for (std::uint32_t slot = 0; slot < order.size(); ++slot) slots[order[slot]] = slot;
+  return slots;
+}
+
+void appendPointLight(const scene::PointLight& light, const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightPoint, gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.colour), 0.0));
+  rows.push_back(row(glm::dvec3(light.position), 0.0));
+}
+
+void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
+  const scene::Primitive& primitive = scene.primitives[entry.index];
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  const bool sphere = primitive.kind == scene::PrimitiveKind::sphere;
+  rows.push_back(
+      {entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
+  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
+  const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
+  rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
+}
+
+void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> slots,
+                  FlatScene& flat) {
+  flat.constants.sections.w = rowCount(flat.rows);
+  flat.constants.limits.z = static_cast<std::uint32_t>(table.size());
+  for (const LightEntry& entry : table) {
+    if (entry.isPoint) {
+      appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
+      flat.features.pointLights = true;
+    } else {
+      appendEmitter(scene, entry, slots[entry.index], flat.rows);
+      const bool sphere = scene.primitives[entry.index].kind == scene::PrimitiveKind::sphere;
+      flat.features.sphereLights |= sphere;
+      flat.features.triangleLights |= !sphere;
+    }
+  }
+}
+
+void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
+  const Rows lights = pointLightRows(scene, lightSize);
+  flat.constants.sections.w = rowCount(flat.rows);
+  flat.constants.limits.z = static_cast<std::uint32_t>(scene.pointLights.size());
+  flat.features.pointLights = !scene.pointLights.empty();
+  flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
+}
+
+// Only glass makes rays wait.
+std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
+  return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
+}
+
+void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
+                      std::span<const LightEntry> table, FlatScene& flat) {
+  std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    if (!table[i].isPoint) lightOf[table[i].index] = i + 1;
+  }
+  Rows normals;
+  flat.constants.sections.y = rowCount(flat.rows);
+  for (const std::uint32_t primitive : order) {
+    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, normals);
+  }
+  flat.constants.moreSections.x = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
+}
+
+// The same rows once more, for the uniform buffer.
+void copySlotRows(FlatScene& flat) {
+  flat.uniformSlots = flat.slotCount;
+  const auto first = flat.rows.begin() + flat.constants.sections.y;
+  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
+  for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
+    const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
+    flat.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
+  }
+}
+
+// n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
+std::uint32_t strataPerSide(const render::RenderSettings& settings) {
+  if (settings.sampler != render::SamplerKind::stratified) return 0;
+  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.sampleCount)));
+  return std::min(side, 256u);
+}
+
+// Of `ao`, as far as its rays look.
+float aoDistance(const scene::Camera& camera, const render::RenderSettings& settings) {
+  if (settings.aoDistance) return *settings.aoDistance;
+  return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
+}
+
+void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
+  setCamera(constants, *scene.camera, settings);
+  constants.background = gpu::vec4(scene.background, aoDistance(*scene.camera, settings));
+  constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
+  constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
+}
+
+// Whether a structure is asked for by more than the default.
+bool wantsStructure(const render::RenderSettings& settings) {
+  if (settings.accel == render::AccelKind::grid) return true;
+  return settings.accel == render::AccelKind::bvh &&
+         (settings.bvhSplit == render::BvhSplit::midpoint || settings.bvhLayout != render::BvhLayout::automatic);
+}
+
+// Builds what the settings ask for as the first rows, and gives the finite primitives' order.
+std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
+                                           std::uint32_t maxGridSide, FlatScene& flat) {
+  Stopwatch watch;
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (settings.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
+  if (settings.accel == render::AccelKind::grid) order = appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
+  flat.structureSeconds = watch.lap();
+  flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
+  return order;
+}
+
+}  // namespace
+
+FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& settings, const FlattenLimits& limits) {
+  checkLimits(scene);
+  FlatScene flat;
+  setConstants(scene, settings, flat.constants);
+  flat.features = featuresOf(scene, settings.integrator);
+  const bool whitted = settings.integrator == render::Integrator::whitted;
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene);
+  const bool small = isSmall(scene, limits.smallScene);
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
+  order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
+  flat.slotCount = static_cast<std::uint32_t>(order.size());
+  flat.constants.moreSections.w = flat.slotCount;
+
+  const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
+                                                : buildLightTable(scene, settings.nextEventEstimation);
+  appendPrimitives(scene, order, table, flat);
+  flat.rowsAhead = limits.smallScene.rowsAhead;
+  if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
+  appendMaterials(scene, settings.integrator, flat);
+  if (whitted) {
+    appendPointLights(scene, settings.lightSize, flat);
+    flat.constants.limits.w = treeRows(flat.features, settings.maxDepth);
+  } else {
+    appendLights(scene, table, slotsOf(order), flat);
+  }
+  flat.constants.moreSections.y = rowCount(flat.rows);
+  if (scene.sky) {
+    const Rows sky = skyRows(*scene.sky);
+    flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());
+  }
+  return flat;
+}
+
+}  // namespace candela::flatten

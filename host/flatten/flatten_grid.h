@@ -1,0 +1,16 @@
+// Rows of the uniform grid.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/flatten/flat_scene.h"
+
+namespace candela::flatten {
+
+/// Builds the grid over the finite primitives, appends its cells and items to `flat`, and returns these primitives'
+/// indices in the order in which its cells name them first. Without finite primitives there is no grid.
+std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float density, std::uint32_t maxSide,
+                                      FlatScene& flat);
+
+}  // namespace candela::flatten

@@ -1,0 +1,97 @@
+#include "host/flatten/flatten_primitives.h"
+
+#include <cmath>
+
+namespace candela::flatten {
+namespace {
+
+// The point of the sphere nearest to the camera: rays meet a huge sphere near there, so its coordinates are small.
+glm::dvec3 sphereAnchor(const scene::Scene& scene, const glm::dvec3& centre, double radius) {
+  const glm::dvec3 towardsCamera = glm::dvec3(scene.camera->from) - centre;
+  const double distance = glm::length(towardsCamera);
+  const glm::dvec3 direction = distance > 0 ? towardsCamera / distance : glm::dvec3(1, 0, 0);
+  return glm::dvec3(glm::vec3(centre + radius * direction));
+}
+
+std::uint32_t kindWord(const scene::Scene& scene, const scene::Primitive& primitive, std::uint32_t kindAndFlags) {
+  const scene::Material& material = scene.materials[primitive.material];
+  const std::uint32_t opaque = material.t == 0 ? gpu::kFlagOpaque : 0;
+  return kindAndFlags | opaque | primitive.material << gpu::kMaterialShift;
+}
+
+void appendSphere(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
+                  Rows& rows) {
+  const scene::Sphere& sphere = scene.spheres[primitive.index];
+  const glm::dvec3 centre(sphere.centre);
+  const double radius = std::abs(double{sphere.radius});
+  const glm::dvec3 anchor = sphereAnchor(scene, centre, radius);
+  const glm::dvec3 k = radius > 0 ? (anchor - centre) / radius : glm::dvec3(0);
+  const std::uint32_t inside = sphere.radius < 0 ? gpu::kFlagInsideOnly : 0;
+  rows.push_back(row(anchor, radius));
+  rows.push_back(row(k, context.primitive));
+  rows.push_back({context.light, 0, 0, kindWord(scene, primitive, gpu::kKindSphere | inside)});
+}
+
+void appendNormals(const scene::VertexNormals& normals, std::uint32_t light, Rows& rows) {
+  rows.push_back(row(glm::dvec3(normals.n[0]), light));
+  rows.push_back(row(glm::dvec3(normals.n[1]), 0u));
+  rows.push_back(row(glm::dvec3(normals.n[2]), 0u));
+}
+
+void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
+                    Rows& rows, Rows& normals) {
+  const scene::Triangle& triangle = scene.triangles[primitive.index];
+  const bool smooth = triangle.normals != scene::Triangle::kNoNormals;
+  const std::uint32_t extra = smooth ? static_cast<std::uint32_t>(normals.size()) : context.light;
+  const std::uint32_t kind = gpu::kKindTriangle | (smooth ? gpu::kFlagSmooth : 0);
+  if (smooth) appendNormals(scene.vertexNormals[triangle.normals], context.light, normals);
+  rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
+  rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
+  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, primitive, kind)));
+}
+
+void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
+               Rows& rows) {
+  const scene::Box& box = scene.boxes[primitive.index];
+  rows.push_back(row(glm::dvec3(box.min), 0u));
+  rows.push_back(row(glm::dvec3(box.max), context.primitive));
+  rows.push_back({0, 0, 0, kindWord(scene, primitive, gpu::kKindBox)});
+}
+
+void appendCone(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
+                Rows& rows) {
+  const scene::Cone& cone = scene.cones[primitive.index];
+  rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
+  rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
+  rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, primitive, gpu::kKindCone)});
+}
+
+void appendPlane(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
+                 Rows& rows) {
+  const scene::Plane& plane = scene.planes[primitive.index];
+  const glm::dvec3 point(plane.p[0]);
+  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(plane.p[1]) - point, glm::dvec3(plane.p[2]) - point));
+  rows.push_back(row(point, 0u));
+  rows.push_back(row(normal, context.primitive));
+  rows.push_back({0, 0, 0, kindWord(scene, primitive, gpu::kKindPlane)});
+}
+
+}  // namespace
+
+void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& normals) {
+  const scene::Primitive& primitive = scene.primitives[context.primitive];
+  switch (primitive.kind) {
+    case scene::PrimitiveKind::sphere:
+      return appendSphere(scene, context, primitive, primitives);
+    case scene::PrimitiveKind::triangle:
+      return appendTriangle(scene, context, primitive, primitives, normals);
+    case scene::PrimitiveKind::box:
+      return appendBox(scene, context, primitive, primitives);
+    case scene::PrimitiveKind::cone:
+      return appendCone(scene, context, primitive, primitives);
+    case scene::PrimitiveKind::plane:
+      return appendPlane(scene, context, primitive, primitives);
+  }
+}
+
+}  // namespace candela::flatten

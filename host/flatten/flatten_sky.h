@@ -1,0 +1,11 @@
+// Rows of a sky box.
+#pragma once
+#include "host/flatten/flat_rows.h"
+#include "host/scene/scene.h"
+
+namespace candela::flatten {
+
+/// Face headers, the table of linear values of 8-bit sRGB, and the texels: see shaders/shared/scene_rows.h.
+Rows skyRows(const scene::Sky& sky);
+
+}  // namespace candela::flatten

@@ -1,0 +1,84 @@
+#include "host/flatten/light_table.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "host/image/film.h"
+
+namespace candela::flatten {
+namespace {
+
+constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
+
+double emitterWeight(const scene::Scene& scene, const scene::Primitive& primitive) {
+  const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
+  if (primitive.kind == scene::PrimitiveKind::sphere) {
+    const double radius = scene.spheres[primitive.index].radius;
+    return 4 * std::numbers::pi * radius * radius * emitted;
+  }
+  return triangleArea(scene.triangles[primitive.index]) * emitted;
+}
+
+bool isInTable(const scene::Scene& scene, const scene::Primitive& primitive) {
+  if (!isEmissive(scene.materials[primitive.material])) return false;
+  if (primitive.kind == scene::PrimitiveKind::sphere) return scene.spheres[primitive.index].radius != 0;
+  return primitive.kind == scene::PrimitiveKind::triangle && triangleArea(scene.triangles[primitive.index]) > 0;
+}
+
+// Shares of the two groups: half each if both can be chosen.
+std::pair<double, double> groupShares(double emitters, double points) {
+  if (emitters > 0 && points > 0) return {0.5, 0.5};
+  return {emitters > 0 ? 1.0 : 0.0, points > 0 ? 1.0 : 0.0};
+}
+
+void setThresholds(std::vector<LightEntry>& table, const std::vector<double>& probabilities) {
+  std::size_t lastPositive = 0;
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
+    if (probabilities[i] > 0) lastPositive = i;
+  }
+  double sum = 0;
+  std::uint32_t previous = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    sum += probabilities[i];
+    const double threshold = i >= lastPositive ? kThresholdScale : std::floor(kThresholdScale * sum + 0.5);
+    table[i].threshold = static_cast<std::uint32_t>(threshold);
+    table[i].probability = static_cast<float>((threshold - previous) / kThresholdScale);
+    previous = table[i].threshold;
+  }
+}
+
+}  // namespace
+
+double triangleArea(const scene::Triangle& triangle) {
+  const glm::dvec3 p0(triangle.p[0]);
+  return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.p[1]) - p0, glm::dvec3(triangle.p[2]) - p0));
+}
+
+std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
+  std::vector<LightEntry> table;
+  std::vector<double> weights;
+  double emitterSum = 0;
+  double pointSum = 0;
+  for (std::uint32_t i = 0; withEmitters && i < scene.primitives.size(); ++i) {
+    if (!isInTable(scene, scene.primitives[i])) continue;
+    table.push_back({.isPoint = false, .index = i});
+    weights.push_back(emitterWeight(scene, scene.primitives[i]));
+    emitterSum += weights.back();
+  }
+  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) {
+    table.push_back({.isPoint = true, .index = i});
+    weights.push_back(image::luminance(glm::dvec3(scene.pointLights[i].colour)));
+    pointSum += weights.back();
+  }
+  const auto [emitterShare, pointShare] = groupShares(emitterSum, pointSum);
+  if (emitterShare + pointShare == 0) return {};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double sum = table[i].isPoint ? pointSum : emitterSum;
+    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isPoint ? pointShare : emitterShare) : 0;
+  }
+  setThresholds(table, weights);
+  return table;
+}
+
+}  // namespace candela::flatten

@@ -1,0 +1,86 @@
+// Holds the device's picture against the reference's, drawn with the same random numbers, and says where they part.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "host/render/bad_sample_tally.h"
+#include "host/render/renderer.h"
+
+namespace candela::verify {
+
+/// Channels within kRelativeTolerance of the larger one, or kAbsoluteTolerance, count as equal.
+inline constexpr double kRelativeTolerance = 1e-4;
+inline constexpr double kAbsoluteTolerance = 0x1p-26;
+/// What agreement asks for at one sample: shares of all pixels and of those lit on either side.
+inline constexpr double kRequiredShare = 0.99;
+inline constexpr double kRequiredLitShare = 0.97;
+/// And of the image means (luminance) at more samples.
+inline constexpr double kMeanTolerance = 1e-3;
+
+/// The first decision in which two paths differ; `rounding`: none does within the recorded vertices.
+enum class Cause { primitive, shadow, lobe, roulette, rounding };
+inline constexpr std::array<const char*, 5> kCauseNames{"primitive", "shadow", "lobe", "roulette", "rounding"};
+
+/// Pixels of one-sample pictures, compared one by one.
+struct PixelAgreement {
+  std::uint64_t pixels = 0;
+  std::uint64_t equal = 0;
+  std::uint64_t lit = 0;  ///< not black on either side
+  std::uint64_t litEqual = 0;
+  std::array<std::uint64_t, 5> causes{};  ///< of the pixels that differ, by Cause
+  double worst = 0;                       ///< largest difference of a channel
+  std::uint32_t worstX = 0, worstY = 0;
+
+  double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
+  double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
+  bool agree() const { return share() >= kRequiredShare && litShare() >= kRequiredLitShare; }
+  /// The causes with their counts, and where the largest difference is.
+  std::string causesText() const;
+  nlohmann::ordered_json causesJson() const;
+  nlohmann::ordered_json worstJson() const;
+};
+
+/// Means (luminance) of pictures of `samples` samples per pixel.
+struct MeanAgreement {
+  std::uint32_t samples = 0;
+  double device = 0;
+  double reference = 0;
+
+  /// |device - reference| / reference; 0 if both are 0.
+  double relativeDifference() const;
+  bool agree() const { return relativeDifference() <= kMeanTolerance; }
+};
+
+struct AgreementReport {
+  std::string scene;
+  render::RenderStatistics deviceStatistics;
+  PixelAgreement pixels;
+  MeanAgreement mean;
+  render::BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
+  image::Film deviceFilm, referenceFilm;                         ///< of the many samples
+  bool interrupted = false;
+
+  bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
+  std::string toText() const;
+  nlohmann::json toJson() const;
+};
+
+/// The cause why two records of one pixel part.
+Cause causeOf(const render::PathRecord& device, const render::PathRecord& reference);
+/// Compares one-sample results that carry path records.
+PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
+
+/// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early.
+std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
+                                           render::Renderer& device, render::Renderer& reference,
+                                           const render::RenderControl& control);
+
+/// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.sampleCount` for the means.
+AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
+                               render::Renderer& device, render::Renderer& reference,
+                               const render::RenderControl& control);
+
+}  // namespace candela::verify
