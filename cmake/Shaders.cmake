@@ -2,7 +2,6 @@
 # (Vulkan 1.2) and embeds it in TARGET as `candela::spirv::NAME` (a std::span<const std::uint32_t>), declared in
 # "spirv/NAME.h". Included files, looked for in shaders/, are tracked, so that editing one rebuilds what reads it.
 find_program(GLSLANG glslangValidator REQUIRED)
-find_program(SPIRV_VAL spirv-val REQUIRED)
 
 function(candela_shaders target)
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/spirv)
@@ -52,6 +51,7 @@ endfunction()
 
 # One test spirv_val_NAME for every shader that candela_shaders has been given so far.
 function(candela_spirv_tests)
+  find_program(SPIRV_VAL spirv-val REQUIRED)
   get_property(modules GLOBAL PROPERTY CANDELA_SPIRV)
   list(REMOVE_DUPLICATES modules)
   foreach(spv ${modules})
