@@ -21,10 +21,15 @@ function(candela_compile_options target)
   endif()
 endfunction()
 
-# candela_library(NAME SOURCES...): a static library with these options.
+# candela_library(NAME SOURCES...): a static library with these options, installed where CANDELA_EXPORT is on.
 function(candela_library name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC glm::glm fmt::fmt Threads::Threads)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/candela>)
+  if(CANDELA_EXPORT)
+    set_property(GLOBAL APPEND PROPERTY CANDELA_EXPORTED ${name})
+  endif()
   candela_compile_options(${name})
   candela_precompile(${name} candela_library_headers)
 endfunction()
