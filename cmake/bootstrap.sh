@@ -2,10 +2,13 @@
 # From a bare Debian 12 or 13 to a picture: installs what is missing of cmake/packages.txt, configures, builds, and then
 #   sh cmake/bootstrap.sh test [ARGUMENTS]   runs all tests (arguments go to ctest)
 #   sh cmake/bootstrap.sh ARGUMENTS          runs candela with these arguments
+# The environment may choose a preset of CMakePresets.json (CANDELA_PRESET, default: release), and for the first time a
+# compiler (CXX) and its options (CXXFLAGS).
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-build=$root/build/release
+preset=${CANDELA_PRESET:-release}
+build=$root/build/$preset
 list=$root/cmake/packages.txt
 
 say() { printf 'bootstrap: %s\n' "$*" >&2; }
@@ -101,7 +104,7 @@ configure() {
   elif [ "$tests" = ON ]; then
     rm -f "$build/build.ninja"
   fi
-  [ -e "$build/build.ninja" ] || quietly cmake -S "$root" --preset release "-DBUILD_TESTING=$tests"
+  [ -e "$build/build.ninja" ] || quietly cmake -S "$root" --preset "$preset" "-DBUILD_TESTING=$tests"
 }
 
 build_target() {
@@ -112,7 +115,7 @@ build_target() {
 }
 
 if [ $# = 0 ]; then
-  sed -n 's/^# \{0,1\}//; 2,4p' "$0" >&2
+  sed -n 's/^# \{0,1\}//; 2,6p' "$0" >&2
   exit 1
 fi
 
@@ -121,7 +124,7 @@ if [ "$1" = test ]; then
   require_packages test
   build_target all ON
   cd "$root"
-  exec ctest --preset release -j "$(nproc)" "$@"
+  exec ctest --preset "$preset" -j "$(nproc)" "$@"
 fi
 require_packages run
 build_target candela OFF
