@@ -14,12 +14,21 @@
 
 using Catch::Approx;
 
-namespace Catch {
-
-using TestEventListenerBase = EventListenerBase;
+namespace Catch::Matchers {
 
 /// Matches strings that contain `part`; Catch2 3 has given the name to a matcher of ranges.
-inline Matchers::StringContainsMatcher Contains(const std::string& part) { return Matchers::ContainsSubstring(part); }
+inline StringContainsMatcher Contains(const std::string& part) { return ContainsSubstring(part); }
+
+}  // namespace Catch::Matchers
+
+namespace Catch {
+
+using Matchers::Contains;
 using Matchers::StartsWith;
+
+class TestEventListenerBase : public EventListenerBase {
+ public:
+  using EventListenerBase::EventListenerBase;
+};
 
 }  // namespace Catch
