@@ -33,3 +33,8 @@ function(candela_library name)
   candela_compile_options(${name})
   candela_precompile(${name} candela_library_headers)
 endfunction()
+
+# candela_quick_to_build(NAME): for a library whose speed nobody notices; -O1 takes two thirds of the time to compile that -O3 does.
+function(candela_quick_to_build name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
