@@ -7,12 +7,12 @@ function(candela_embed_text target)
     get_filename_component(name ${file} NAME_WE)
     add_custom_command(
       OUTPUT ${out_dir}/${name}.h ${out_dir}/${name}.cpp
-      COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DTEXT=${CMAKE_SOURCE_DIR}/${file} -DOUT=${out_dir}/${name}
-              -P ${CMAKE_SOURCE_DIR}/cmake/WriteEmbeddedText.cmake
-      DEPENDS ${CMAKE_SOURCE_DIR}/${file} ${CMAKE_SOURCE_DIR}/cmake/WriteEmbeddedText.cmake
+      COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DTEXT=${PROJECT_SOURCE_DIR}/${file} -DOUT=${out_dir}/${name}
+              -P ${PROJECT_SOURCE_DIR}/cmake/WriteEmbeddedText.cmake
+      DEPENDS ${PROJECT_SOURCE_DIR}/${file} ${PROJECT_SOURCE_DIR}/cmake/WriteEmbeddedText.cmake
       COMMENT "Embedding ${file}"
       VERBATIM)
     target_sources(${target} PRIVATE ${out_dir}/${name}.cpp ${out_dir}/${name}.h)
   endforeach()
-  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>)
 endfunction()

@@ -2,7 +2,6 @@
 # (Vulkan 1.2) and embeds it in TARGET as `candela::spirv::NAME` (a std::span<const std::uint32_t>), declared in
 # "spirv/NAME.h". Included files, looked for in shaders/, are tracked, so that editing one rebuilds what reads it.
 find_program(GLSLANG glslangValidator REQUIRED)
-find_program(SPIRV_VAL spirv-val REQUIRED)
 
 function(candela_shaders target)
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/spirv)
@@ -11,12 +10,12 @@ function(candela_shaders target)
     get_filename_component(name ${file} NAME_WE)
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     if(NOT EXISTS ${source})
-      set(source ${CMAKE_SOURCE_DIR}/shaders/${file})
+      set(source ${PROJECT_SOURCE_DIR}/shaders/${file})
     endif()
     set(spv ${out_dir}/${name}.spv)
     add_custom_command(
       OUTPUT ${spv}
-      COMMAND ${GLSLANG} --quiet --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/shaders --depfile ${spv}.d
+      COMMAND ${GLSLANG} --quiet --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders --depfile ${spv}.d
               -o ${spv} ${source}
       MAIN_DEPENDENCY ${source}
       DEPFILE ${spv}.d
@@ -25,15 +24,15 @@ function(candela_shaders target)
     add_custom_command(
       OUTPUT ${out_dir}/${name}.h ${out_dir}/${name}.cpp
       COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DSPV=${spv} -DOUT=${out_dir}/${name}
-              -P ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
-      DEPENDS ${spv} ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+              -P ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+      DEPENDS ${spv} ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       COMMENT "Embedding ${file}"
       VERBATIM)
     target_sources(${target} PRIVATE ${out_dir}/${name}.cpp ${out_dir}/${name}.h)
     set_property(GLOBAL APPEND PROPERTY CANDELA_SPIRV ${spv})
     set_property(TARGET ${target} APPEND PROPERTY CANDELA_SPIRV ${spv})
   endforeach()
-  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>)
 endfunction()
 
 # candela_spirv_hash(TARGET): embeds one hash of all shaders that TARGET has been given so far, as
@@ -43,8 +42,8 @@ function(candela_spirv_hash target)
   set(header ${CMAKE_CURRENT_BINARY_DIR}/spirv/hash.h)
   add_custom_command(
     OUTPUT ${header}
-    COMMAND ${CMAKE_COMMAND} "-DSPV=${modules}" -DOUT=${header} -P ${CMAKE_SOURCE_DIR}/cmake/HashSpirv.cmake
-    DEPENDS ${modules} ${CMAKE_SOURCE_DIR}/cmake/HashSpirv.cmake
+    COMMAND ${CMAKE_COMMAND} "-DSPV=${modules}" -DOUT=${header} -P ${PROJECT_SOURCE_DIR}/cmake/HashSpirv.cmake
+    DEPENDS ${modules} ${PROJECT_SOURCE_DIR}/cmake/HashSpirv.cmake
     COMMENT "Hashing SPIR-V"
     VERBATIM)
   target_sources(${target} PRIVATE ${header})
@@ -52,6 +51,7 @@ endfunction()
 
 # One test spirv_val_NAME for every shader that candela_shaders has been given so far.
 function(candela_spirv_tests)
+  find_program(SPIRV_VAL spirv-val REQUIRED)
   get_property(modules GLOBAL PROPERTY CANDELA_SPIRV)
   list(REMOVE_DUPLICATES modules)
   foreach(spv ${modules})

@@ -1,11 +1,14 @@
 #!/bin/sh
-# From a bare Debian 12 to a picture: installs what is missing of cmake/packages.txt, configures, builds, and then
+# From a bare Debian 12 or 13 to a picture: installs what is missing of cmake/packages.txt, configures, builds, and then
 #   sh cmake/bootstrap.sh test [ARGUMENTS]   runs all tests (arguments go to ctest)
 #   sh cmake/bootstrap.sh ARGUMENTS          runs candela with these arguments
+# The environment may choose a preset of CMakePresets.json (CANDELA_PRESET, default: release), and for the first time a
+# compiler (CXX) and its options (CXXFLAGS).
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-build=$root/build/release
+preset=${CANDELA_PRESET:-release}
+build=$root/build/$preset
 list=$root/cmake/packages.txt
 
 say() { printf 'bootstrap: %s\n' "$*" >&2; }
@@ -91,25 +94,38 @@ quietly() {
   fi
 }
 
+tests_configured() { grep -qs '^BUILD_TESTING:[A-Z]*=ON$' "$build/CMakeCache.txt"; }
+
+# Configures where that is not done yet, with tests if $1 is ON. A build that has tests keeps them.
+configure() {
+  tests=$1
+  if tests_configured; then
+    tests=ON
+  elif [ "$tests" = ON ]; then
+    rm -f "$build/build.ninja"
+  fi
+  [ -e "$build/build.ninja" ] || quietly cmake -S "$root" --preset "$preset" "-DBUILD_TESTING=$tests"
+}
+
 build_target() {
   mkdir -p "$build"
   [ -x "$build/candela" ] || say "building (the first time takes minutes)"
-  [ -e "$build/build.ninja" ] || quietly cmake -S "$root" --preset release
+  configure "$2"
   quietly cmake --build "$build" --target "$1"
 }
 
 if [ $# = 0 ]; then
-  sed -n 's/^# \{0,1\}//; 2,4p' "$0" >&2
+  sed -n 's/^# \{0,1\}//; 2,6p' "$0" >&2
   exit 1
 fi
 
 if [ "$1" = test ]; then
   shift
   require_packages test
-  build_target all
+  build_target all ON
   cd "$root"
-  exec ctest --preset release -j "$(nproc)" "$@"
+  exec ctest --preset "$preset" -j "$(nproc)" "$@"
 fi
 require_packages run
-build_target candela
+build_target candela OFF
 exec "$build/candela" "$@"

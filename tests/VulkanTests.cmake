@@ -43,9 +43,9 @@ function(candela_discover_on_driver name driver icd package slow)
   # OUTPUT_SUFFIX only keeps the files of two discoveries of one program apart; nothing is written under that name.
   string(REGEX REPLACE ",?\\[" "~[" fast "${slow}")
   catch_discover_tests(${name} TEST_SPEC "${fast}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
-                       EXTRA_ARGS --warn NoTests TEST_LIST ${name}_${driver})
+                       EXTRA_ARGS ${fail_without_cases} TEST_LIST ${name}_${driver})
   catch_discover_tests(${name} TEST_SPEC "${slow}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
-                       EXTRA_ARGS --warn NoTests TEST_LIST ${name}_${driver}_slow PROPERTIES LABELS slow)
+                       EXTRA_ARGS ${fail_without_cases} TEST_LIST ${name}_${driver}_slow PROPERTIES LABELS slow)
   # A list of variables does not pass through catch_discover_tests; it is set when ctest reads the discovered tests.
   # VK_ICD_FILENAMES is what loaders before 1.3.207 read. Drivers and the layer leak a few hundred bytes when they are
   # unloaded, in modules that the leak sanitizer can then no longer name to suppress them; its other checks stay on.

@@ -1,3 +1,3 @@
-// The one translation unit that compiles Catch2's runner.
+// The one translation unit that compiles the runner of Catch2 2; version 3 has it in a library.
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

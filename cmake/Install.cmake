@@ -1,0 +1,28 @@
+# What `cmake --install` installs: the program, and the libraries that render with their headers, for other projects:
+#   find_package(candela REQUIRED)
+#   target_link_libraries(mine PRIVATE candela::candela)
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# The one target that other projects link.
+add_library(candela_all INTERFACE)
+add_library(candela::candela ALIAS candela_all)
+set_target_properties(candela_all PROPERTIES EXPORT_NAME candela)
+target_link_libraries(candela_all INTERFACE candela_scene candela_image candela_generate candela_reference candela_device)
+
+get_property(libraries GLOBAL PROPERTY CANDELA_EXPORTED)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
+install(TARGETS candela RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS candela_all ${libraries} EXPORT candela ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT candela NAMESPACE candela:: FILE candelaTargets.cmake DESTINATION ${package})
+foreach(layer ${CANDELA_LIBRARY_LAYERS})
+  install(DIRECTORY host/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host FILES_MATCHING PATTERN "*.h")
+endforeach()
+
+configure_package_config_file(cmake/candelaConfig.cmake.in candelaConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake DESTINATION ${package})
+
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/candela)
