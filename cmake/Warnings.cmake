@@ -5,6 +5,9 @@ function(candela_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # GCC 12 to 14 report overlaps and overruns within std::string and std::vector that cannot be (its bug 105651).
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-array-bounds)
+  else()
+    # With Clang, -Wconversion has this too; GCC has it in C only.
+    target_compile_options(${target} PRIVATE -Wno-sign-conversion)
   endif()
   # The reference must mean what it says: no contraction into fma, no reassociation.
   target_compile_options(${target} PRIVATE -ffp-contract=off)

@@ -42,7 +42,7 @@ Plane filteredColumns(const Plane& in, const Kernel& kernel) {
 }  // namespace
 
 Plane filtered(const Plane& in, const Kernel& horizontal, const Kernel& vertical) {
-  if (in.values.empty()) return in;
+  if (in.values.empty()) return {in.width, in.height, {}};
   return filteredColumns(filteredRows(in, horizontal), vertical);
 }
 

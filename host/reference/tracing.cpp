@@ -81,7 +81,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
   const auto [kind, index, material] = scene.primitives[primitive];
-  const auto append = [&](auto& shapes, const auto& source) {
+  const auto append = [&, kind = kind](auto& shapes, const auto& source) {
     shapes.emplace_back(source);
     items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
   };

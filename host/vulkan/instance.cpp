@@ -23,11 +23,16 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBit
   return VK_FALSE;
 }
 
-/// Warnings and errors of the layer; the loader's own chatter is of type "general".
+/// Warnings and errors of the layer; the loader's own chatter is of type "general". As a struct
+/// of C, since the type of the callback differs between versions of vulkan.hpp.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  return {{}, Severity::eWarning | Severity::eError, Type::eValidation | Type::ePerformance, collectMessage};
+  VkDebugUtilsMessengerCreateInfoEXT info{};
+  info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  info.pfnUserCallback = collectMessage;
+  return info;
 }
 
 bool hasExtension(const std::vector<vk::ExtensionProperties>& extensions, const char* name) {

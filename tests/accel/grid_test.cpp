@@ -42,7 +42,7 @@ TEST_CASE("axes without extent have one cell, and the others share the primitive
 
 TEST_CASE("no cell is thinner than what boxes are padded by allows for") {
   const double thinnest = kThinnestCell * 1001;
-  CHECK(sidesOf({2, 2, 2}, 1000000, 5, {1000, 0, 0}) == glm::uvec3(std::trunc(2 / thinnest)));
+  CHECK(sidesOf({2, 2, 2}, 1000000, 5, {1000, 0, 0}) == glm::uvec3(static_cast<std::uint32_t>(2 / thinnest)));
   CHECK(sidesOf({2, 2, 2}, 1000000, 5, {1e6, 0, 0}) == glm::uvec3(1));
 }
 

@@ -12,8 +12,10 @@ const std::vector<render::AccelKind> kKinds{render::AccelKind::none, render::Acc
 
 std::vector<Variant> threeVariants() {
   std::vector<Variant> variants;
-  for (const render::AccelKind kind : kKinds)
-    variants.emplace_back("variant", render::RenderSettings{}).settings.accel = kind;
+  for (const render::AccelKind kind : kKinds) {
+    variants.push_back({"variant", render::RenderSettings{}});
+    variants.back().settings.accel = kind;
+  }
   return variants;
 }
 

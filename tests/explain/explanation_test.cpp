@@ -155,7 +155,7 @@ TEST_CASE("JSON has each quantity by name, and the first that differs") {
   const auto json = toJson(explainChanged([](render::PathTrace& path) { path.vertices[0].light->bsdfPdf = 0.5; }));
   CHECK(json["schema"] == "candela-explain/1");
   CHECK(json["equal"] == false);
-  CHECK(json["pixel"] == nlohmann::json({3, 4}));
+  CHECK(json["pixel"] == nlohmann::ordered_json({3, 4}));
   CHECK(json["firstDifference"]["stage"] == "vertex 1");
   CHECK(json["firstDifference"]["quantity"] == "lightBsdfPdf");
   CHECK(json["firstDecision"].is_null());
@@ -165,7 +165,7 @@ TEST_CASE("JSON has each quantity by name, and the first that differs") {
   CHECK(vertex["lightBsdfPdf"]["reference"] == 0.25);
   CHECK(vertex["lightBsdfPdf"]["apart"] == 0.5);
   CHECK(vertex["bsdfU"]["device"] == 0.3125);
-  CHECK(vertex["position"]["device"] == nlohmann::json({0.0, -1.0, 0.0}));
+  CHECK(vertex["position"]["device"] == nlohmann::ordered_json({0.0, -1.0, 0.0}));
   CHECK(json["stages"].back()["radiance"]["differs"] == false);
 }
 

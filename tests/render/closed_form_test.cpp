@@ -27,7 +27,7 @@ render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples
 TEST_CASE("a furnace of albedo a shows 1 / (1 - a)") {
   const auto [text, albedo] = GENERATE(table<std::string, double>({{"0.2", 0.2}, {"0.5", 0.5}, {"0.8", 0.8}}));
   const bool nextEventEstimation = GENERATE(true, false);
-  onBothTracers([&](const RenderFunction& renderScene) {
+  onBothTracers([&, text = text, albedo = albedo](const RenderFunction& renderScene) {
     render::RenderSettings settings = withoutRoulette(8, nextEventEstimation ? 64 : 4);
     settings.nextEventEstimation = nextEventEstimation;
     const double mean = meanLuminance(renderScene(furnace(text), settings).film);
