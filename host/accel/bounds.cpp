@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "host/core/errors.h"
 
 namespace candela::accel {
@@ -18,6 +20,11 @@ bool isProper(const Aabb& b) {
 }
 
 }  // namespace
+
+float roundDown(double x) {
+  const float nearest = static_cast<float>(x);
+  return double{nearest} <= x ? nearest : std::nextafter(nearest, -INFINITY);
+}
 
 void requireProper(const Aabb& box, std::size_t index, const char* structure) {
   if (isProper(box)) return;

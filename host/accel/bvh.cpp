@@ -15,13 +15,13 @@
 namespace candela::accel {
 namespace {
 
-constexpr std::size_t kMaxPrimitives = std::size_t{1} << 31;
+constexpr std::size_t kMaxBvhPrimitives = std::size_t{1} << 31;
 // Ranges below this many items are one task. A constant of the tree, not of the machine.
 constexpr std::size_t kTaskItems = std::size_t{1} << 14;
 
 void requireOptions(const BvhOptions& options, std::size_t itemCount) {
-  if (itemCount > kMaxPrimitives) {
-    throw InternalError(fmt::format("BVH over {} primitives, at most {} fit", itemCount, kMaxPrimitives));
+  if (itemCount > kMaxBvhPrimitives) {
+    throw InternalError(fmt::format("BVH over {} primitives, at most {} fit", itemCount, kMaxBvhPrimitives));
   }
   if (options.maxLeafSize < 1) throw InternalError("BVH leaves of 0 primitives");
   if (!(options.traversalCost > 0 && options.intersectionCost > 0)) {
@@ -60,9 +60,9 @@ struct Branch {
   std::vector<BvhNode> nodes;
 };
 
-class Builder {
+class BvhBuilder {
  public:
-  Builder(std::span<const Aabb> bounds, const BvhOptions& options)
+  BvhBuilder(std::span<const Aabb> bounds, const BvhOptions& options)
       : options_(options), items_(makeItems(bounds)), pool_(threadCount(options, bounds.size())) {}
 
   Bvh build() {
@@ -155,7 +155,7 @@ class Builder {
 Bvh buildBvh(std::span<const Aabb> bounds, const BvhOptions& options) {
   requireOptions(options, bounds.size());
   if (bounds.empty()) return {};
-  return reinsert(Builder(bounds, options).build(), options);
+  return reinsert(BvhBuilder(bounds, options).build(), options);
 }
 
 }  // namespace candela::accel

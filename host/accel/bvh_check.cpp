@@ -6,14 +6,14 @@
 namespace candela::accel {
 namespace {
 
-struct Visit {
+struct BvhVisit {
   std::uint32_t node;
   std::uint32_t depth;
 };
 
-class Validator {
+class BvhValidator {
  public:
-  Validator(const Bvh& bvh, std::span<const Aabb> bounds, const BvhOptions& options)
+  BvhValidator(const Bvh& bvh, std::span<const Aabb> bounds, const BvhOptions& options)
       : bvh_(bvh), bounds_(bounds), options_(options) {}
 
   std::optional<std::string> run() {
@@ -36,7 +36,7 @@ class Validator {
     primitiveSeen_.assign(bounds_.size(), false);
     stack_ = {{0, 0}};
     while (!stack_.empty()) {
-      const Visit visit = stack_.back();
+      const BvhVisit visit = stack_.back();
       stack_.pop_back();
       if (nodeReached_[visit.node]) return fmt::format("node {} is reached twice", visit.node);
       nodeReached_[visit.node] = true;
@@ -54,7 +54,7 @@ class Validator {
     return std::nullopt;
   }
 
-  std::optional<std::string> checkInner(const Visit& visit) {
+  std::optional<std::string> checkInner(const BvhVisit& visit) {
     const BvhNode& node = bvh_.nodes[visit.node];
     if (node.first <= visit.node || node.first >= bvh_.nodes.size() - 1) {
       return fmt::format("node {} of {} has its children at {}", visit.node, bvh_.nodes.size(), node.first);
@@ -91,7 +91,7 @@ class Validator {
   const Bvh& bvh_;
   std::span<const Aabb> bounds_;
   const BvhOptions& options_;
-  std::vector<Visit> stack_;
+  std::vector<BvhVisit> stack_;
   std::vector<bool> nodeReached_;
   std::vector<bool> primitiveSeen_;
 };
@@ -99,16 +99,16 @@ class Validator {
 }  // namespace
 
 std::optional<std::string> validate(const Bvh& bvh, std::span<const Aabb> bounds, const BvhOptions& options) {
-  return Validator(bvh, bounds, options).run();
+  return BvhValidator(bvh, bounds, options).run();
 }
 
 BvhQuality quality(const Bvh& bvh, const BvhOptions& options) {
   BvhQuality result;
   if (bvh.nodes.empty()) return result;
   const double rootArea = bvh.nodes[0].bounds.surfaceArea();
-  std::vector<Visit> stack = {{0, 0}};
+  std::vector<BvhVisit> stack = {{0, 0}};
   while (!stack.empty()) {
-    const Visit visit = stack.back();
+    const BvhVisit visit = stack.back();
     stack.pop_back();
     const BvhNode& node = bvh.nodes[visit.node];
     // A line that meets a root without area is as good as one that meets every node.

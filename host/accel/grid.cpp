@@ -12,7 +12,7 @@
 namespace candela::accel {
 namespace {
 
-constexpr std::size_t kMaxPrimitives = std::size_t{1} << 27;
+constexpr std::size_t kMaxGridPrimitives = std::size_t{1} << 27;
 constexpr std::size_t kChunk = std::size_t{1} << 15;  // primitives of one task
 constexpr std::uint32_t kMostSlabs = 256;             // write streams that caches keep up with
 constexpr double kCoarser = 0.8;                      // steps of the density where the grid is too fine
@@ -39,9 +39,9 @@ struct Tally {
   std::uint64_t references = 0;
 };
 
-class Builder {
+class GridBuilder {
  public:
-  Builder(std::span<const Aabb> bounds, const GridOptions& options)
+  GridBuilder(std::span<const Aabb> bounds, const GridOptions& options)
       : bounds_(bounds), options_(options), pool_(threadCount(options, bounds.size())) {}
 
   Grid build() {
@@ -227,11 +227,11 @@ Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {
     throw InternalError(
         fmt::format("a grid of density {} and at most {} cells along an axis", options.density, options.maxSide));
   }
-  if (bounds.size() > kMaxPrimitives) {
-    throw InternalError(fmt::format("a grid over {} primitives, at most {} fit", bounds.size(), kMaxPrimitives));
+  if (bounds.size() > kMaxGridPrimitives) {
+    throw InternalError(fmt::format("a grid over {} primitives, at most {} fit", bounds.size(), kMaxGridPrimitives));
   }
   if (bounds.empty()) return {};
-  return Builder(bounds, options).build();
+  return GridBuilder(bounds, options).build();
 }
 
 }  // namespace candela::accel

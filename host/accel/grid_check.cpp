@@ -8,9 +8,9 @@
 namespace candela::accel {
 namespace {
 
-class Validator {
+class GridValidator {
  public:
-  Validator(const Grid& grid, std::span<const Aabb> bounds) : grid_(grid), bounds_(bounds) {}
+  GridValidator(const Grid& grid, std::span<const Aabb> bounds) : grid_(grid), bounds_(bounds) {}
 
   std::optional<std::string> run() const {
     if (bounds_.empty()) return checkEmpty();
@@ -120,7 +120,7 @@ class Validator {
 }  // namespace
 
 std::optional<std::string> validate(const Grid& grid, std::span<const Aabb> bounds) {
-  return Validator(grid, bounds).run();
+  return GridValidator(grid, bounds).run();
 }
 
 GridQuality quality(const Grid& grid) {

@@ -38,11 +38,6 @@ ExactBounds boundsOf(const scene::Cone& cone) {
   return {glm::min(base - atBase, apex - atApex), glm::max(base + atBase, apex + atApex)};
 }
 
-float roundDown(double x) {
-  const float nearest = static_cast<float>(x);
-  return double{nearest} <= x ? nearest : std::nextafter(nearest, -INFINITY);
-}
-
 Aabb padOutward(const ExactBounds& exact) {
   const glm::dvec3 magnitudes = glm::max(glm::abs(exact.min), glm::abs(exact.max));
   const double largest = std::max({magnitudes.x, magnitudes.y, magnitudes.z});

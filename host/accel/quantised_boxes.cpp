@@ -10,11 +10,6 @@ namespace {
 constexpr int kLastPlane = 255;
 constexpr int kLeastExponent = -100;  // far above denormals, far below any margin that matters
 
-float roundDown(double x) {
-  const float nearest = static_cast<float>(x);
-  return double{nearest} <= x ? nearest : std::nextafter(nearest, -INFINITY);
-}
-
 // The smallest power of two, within range, of which 255 reach so far.
 int exponentFor(double reach) {
   int exponent = kLeastExponent;

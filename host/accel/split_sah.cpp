@@ -70,7 +70,7 @@ struct Bins {
 };
 
 // A plane before bin `bin` of `axis`. The cost is the sum over both sides of half area times count.
-struct Plane {
+struct BinPlane {
   int axis = -1;
   std::uint32_t bin = 0;
   std::uint32_t leftCount = 0;
@@ -78,12 +78,12 @@ struct Plane {
   double cost = std::numeric_limits<double>::infinity();
 
   // Where boxes have no area all costs are 0: then the more balanced tree wins.
-  bool isBetterThan(const Plane& other) const {
+  bool isBetterThan(const BinPlane& other) const {
     return cost < other.cost || (cost == other.cost && imbalance < other.imbalance);
   }
 };
 
-Plane bestPlaneOnAxis(const Bins& bins, int axis, std::uint32_t binCount, std::uint32_t itemCount) {
+BinPlane bestPlaneOnAxis(const Bins& bins, int axis, std::uint32_t binCount, std::uint32_t itemCount) {
   const auto& boxes = bins.boxes[static_cast<std::size_t>(axis)];
   const auto& counts = bins.counts[static_cast<std::size_t>(axis)];
   std::array<double, kMaxBins> rightCosts;
@@ -94,7 +94,7 @@ Plane bestPlaneOnAxis(const Bins& bins, int axis, std::uint32_t binCount, std::u
     rightCount += counts[bin];
     rightCosts[bin] = right.halfArea() * rightCount;
   }
-  Plane best;
+  BinPlane best;
   Box4 left;
   std::uint32_t leftCount = 0;
   for (std::uint32_t bin = 1; bin < binCount; ++bin) {
@@ -102,17 +102,17 @@ Plane bestPlaneOnAxis(const Bins& bins, int axis, std::uint32_t binCount, std::u
     leftCount += counts[bin - 1];
     // The first and the last bin of an axis that is not flat hold an item each: no side is ever empty.
     const std::uint32_t larger = std::max(leftCount, itemCount - leftCount);
-    const Plane plane{axis, bin, leftCount, 2 * larger - itemCount, left.halfArea() * leftCount + rightCosts[bin]};
+    const BinPlane plane{axis, bin, leftCount, 2 * larger - itemCount, left.halfArea() * leftCount + rightCosts[bin]};
     if (plane.isBetterThan(best)) best = plane;
   }
   return best;
 }
 
-Plane bestPlane(const Bins& bins, const Binning& binning, std::uint32_t itemCount) {
-  Plane best;
+BinPlane bestPlane(const Bins& bins, const Binning& binning, std::uint32_t itemCount) {
+  BinPlane best;
   for (int axis = 0; axis < 3; ++axis) {
     if (binning.isFlat(axis)) continue;
-    const Plane plane = bestPlaneOnAxis(bins, axis, binning.binCount, itemCount);
+    const BinPlane plane = bestPlaneOnAxis(bins, axis, binning.binCount, itemCount);
     if (plane.isBetterThan(best)) best = plane;
   }
   return best;
@@ -141,7 +141,7 @@ std::optional<RangeSplit> splitBySah(std::span<BuildItem> items, const RangeSumm
   if (items.size() == 2) return splitPair(items, summary, options);
   const auto itemCount = static_cast<std::uint32_t>(items.size());
   const Binning binning(summary.centres2, items.size(), options.rule);
-  const Plane plane = bestPlane(Bins(items, binning), binning, itemCount);
+  const BinPlane plane = bestPlane(Bins(items, binning), binning, itemCount);
   if (mayBeLeaf && (plane.axis < 0 || leafIsCheaper(plane.cost, summary, items.size(), options))) return std::nullopt;
   if (plane.axis < 0 || !fitsBelow(plane.leftCount, items.size(), levels, options)) {
     return splitAtMedian(items, summary.centres2);

@@ -13,16 +13,16 @@ namespace {
 // Of the margin, what rounding in double may not take. The argument in quantised_boxes.h needs 11 / 16.
 constexpr double kLeastMargin = 0.75 * kPlaneMargin;
 
-struct Visit {
+struct WideVisit {
   std::uint32_t node;
   std::uint32_t parent;
   std::uint32_t place;
   std::uint32_t depth;
 };
 
-class Validator {
+class WideBvhValidator {
  public:
-  Validator(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth)
+  WideBvhValidator(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth)
       : wide_(wide), bounds_(bounds), maxDepth_(maxDepth) {}
 
   std::optional<std::string> run() {
@@ -45,7 +45,7 @@ class Validator {
     nodeNamed_[0] = true;
     order_ = {{0, 0, 0, 0}};
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      const Visit visit = order_[i];
+      const WideVisit visit = order_[i];
       if (visit.depth > maxDepth_)
         return fmt::format("node {} is {} steps deep, the limit is {}", visit.node, visit.depth, maxDepth_);
       if (auto problem = visitChildren(visit)) return problem;
@@ -58,7 +58,7 @@ class Validator {
     return std::nullopt;
   }
 
-  std::optional<std::string> visitChildren(const Visit& visit) {
+  std::optional<std::string> visitChildren(const WideVisit& visit) {
     const WideNode& node = wide_.nodes[visit.node];
     for (std::uint32_t place = 0; place < kWideChildren; ++place) {
       if ((node.innerMask >> place & 1) == 0) continue;
@@ -96,7 +96,7 @@ class Validator {
   std::optional<std::string> checkBoxes() {
     std::vector<std::array<Aabb, kWideChildren>> contents(wide_.nodes.size());
     for (std::size_t i = order_.size(); i-- > 0;) {
-      const Visit& visit = order_[i];
+      const WideVisit& visit = order_[i];
       std::array<Aabb, kWideChildren>& children = contents[visit.node];
       addLeaves(wide_.nodes[visit.node], children);
       Aabb all;
@@ -135,7 +135,7 @@ class Validator {
   const WideBvh& wide_;
   std::span<const Aabb> bounds_;
   std::uint32_t maxDepth_;
-  std::vector<Visit> order_;
+  std::vector<WideVisit> order_;
   std::vector<bool> nodeNamed_;
   std::vector<bool> primitiveSeen_;
 };
@@ -143,7 +143,7 @@ class Validator {
 }  // namespace
 
 std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth) {
-  return Validator(wide, bounds, maxDepth).run();
+  return WideBvhValidator(wide, bounds, maxDepth).run();
 }
 
 }  // namespace candela::accel

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 bool agrees(const RayRow& row) { return row.measurement.share >= row.leastShare; }
 
-std::vector<std::string> figures(const RayRow& row) {
+std::vector<std::string> rayFigures(const RayRow& row) {
   const RayMeasurement& m = row.measurement;
   if (!agrees(row)) return {fmt::format("{}", m.rayCount), "", "differs", "", "", ""};
   return {fmt::format("{}", m.rayCount),
@@ -36,7 +36,7 @@ TextTable tableOf(const RayReport& report) {
   for (const RayRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
                                    fmt::format("{:.1f}", static_cast<double>(row.sceneBytes) / (1 << 20))};
-    for (std::string& figure : figures(row)) cells.push_back(std::move(figure));
+    for (std::string& figure : rayFigures(row)) cells.push_back(std::move(figure));
     table.rows.push_back(std::move(cells));
   }
   return table;

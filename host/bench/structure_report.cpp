@@ -36,7 +36,7 @@ bool hasPublished(const StructureReport& report) {
                      [](const StructureRow& row) { return row.publishedSeconds; });
 }
 
-std::vector<std::string> figures(const Measurement& m) {
+std::vector<std::string> structureFigures(const Measurement& m) {
   if (!m.agrees) return {"", "", "differs", "", "", "", ""};
   return {fmt::format("{:.2f}", 1e3 * median(m.buildSeconds)),
           fmt::format("{:.1f}", structureBytes(m) / 1024),
@@ -55,7 +55,7 @@ TextTable tableOf(const StructureReport& report) {
   if (published) table.header.emplace_back("the report's s");
   for (const StructureRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, structureText(row.measurement)};
-    for (std::string& figure : figures(row.measurement)) cells.push_back(std::move(figure));
+    for (std::string& figure : structureFigures(row.measurement)) cells.push_back(std::move(figure));
     if (published) cells.push_back(row.publishedSeconds ? fmt::format("{:.1f}", *row.publishedSeconds) : "");
     table.rows.push_back(std::move(cells));
   }

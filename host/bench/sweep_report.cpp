@@ -22,7 +22,7 @@ double raysPerSample(const Measurement& m) {
                                   : 0;
 }
 
-std::vector<std::string> figures(const Measurement& m) {
+std::vector<std::string> sweepFigures(const Measurement& m) {
   if (!m.agrees) return {"differs", "", "", "", "", "", ""};
   return {fmt::format("{:.1f}", 1e3 * median(m.traceSeconds)),
           fmt::format("{:.0f} %", 100 * spread(m.traceSeconds)),
@@ -39,7 +39,7 @@ TextTable tableOf(const SweepReport& report) {
                   "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)"};
   for (const SweepRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, row.measurement.variant.name};
-    for (std::string& figure : figures(row.measurement)) cells.push_back(std::move(figure));
+    for (std::string& figure : sweepFigures(row.measurement)) cells.push_back(std::move(figure));
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -7,7 +7,7 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kRadius = 100;                     ///< of both balls, millimetres
+constexpr double kBallRadius = 100;                 ///< of both balls, millimetres
 constexpr glm::dvec3 kMirrorCentre{380, 101, 370};  ///< on the left, behind: the picture's left is +x
 constexpr glm::dvec3 kGlassCentre{175, 101, 180};
 constexpr double kGlassIor = 1.5;
@@ -15,7 +15,7 @@ constexpr double kGlassIor = 1.5;
 constexpr glm::dvec3 kWhite{0.725, 0.71, 0.68};
 constexpr glm::dvec3 kGreen{0.14, 0.45, 0.091};
 constexpr glm::dvec3 kRed{0.63, 0.065, 0.05};
-constexpr glm::dvec3 kRadiance{17, 12, 4};
+constexpr glm::dvec3 kLampRadiance{17, 12, 4};
 
 // The box as measured at Cornell University's Program of Computer Graphics, in millimetres; every polygon turns
 // counter-clockwise seen from inside.
@@ -38,7 +38,7 @@ void writeCeiling(NffWriter& out) {
 }
 
 void writeBox(NffWriter& out) {
-  out.areaLight(kLamp[0], kLamp[1] - kLamp[0], kLamp[3] - kLamp[0], kRadiance);
+  out.areaLight(kLamp[0], kLamp[1] - kLamp[0], kLamp[3] - kLamp[0], kLampRadiance);
   out.surface(diffuse(kWhite));
   out.polygon(kFloor);
   writeCeiling(out);
@@ -50,7 +50,7 @@ void writeBox(NffWriter& out) {
 }
 
 void writeBall(NffWriter& out, const glm::dvec3& centre, std::uint32_t size) {
-  writeCubeSphere(out, size, [&](const glm::dvec3& direction) { return centre + kRadius * direction; });
+  writeCubeSphere(out, size, [&](const glm::dvec3& direction) { return centre + kBallRadius * direction; });
 }
 
 }  // namespace

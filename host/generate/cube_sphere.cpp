@@ -6,7 +6,7 @@
 namespace candela::generate {
 namespace {
 
-constexpr std::array<CubeFace, 6> kFaces{{{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}};
+constexpr std::array<CubeFace, 6> kCubeFaces{{{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}};
 
 /// To a point of a face's grid of size x size cells.
 glm::dvec3 directionTo(const CubeFace& face, std::uint32_t i, std::uint32_t j, std::uint32_t size) {
@@ -20,7 +20,7 @@ glm::dvec3 directionTo(const CubeFace& face, std::uint32_t i, std::uint32_t j, s
 void writeTriangles(NffWriter& out, std::uint32_t size) {
   const std::uint64_t row = size + 1;
   std::uint64_t first = 1;
-  for (const CubeFace& face : kFaces) {
+  for (const CubeFace& face : kCubeFaces) {
     for (std::uint64_t j = 0; j < size; ++j) {
       for (std::uint64_t i = 0; i < size; ++i) {
         const std::uint64_t corner = first + j * row + i;
@@ -40,8 +40,8 @@ void writeTriangles(NffWriter& out, std::uint32_t size) {
 void writeCubeSphere(NffWriter& out, std::uint32_t size,
                      const std::function<glm::dvec3(const glm::dvec3& direction)>& place) {
   const std::uint64_t verticesOfFace = (std::uint64_t{size} + 1) * (size + 1);
-  out.mesh(kFaces.size() * verticesOfFace, kFaces.size() * 2 * size * size);
-  for (const CubeFace& face : kFaces) {
+  out.mesh(kCubeFaces.size() * verticesOfFace, kCubeFaces.size() * 2 * size * size);
+  for (const CubeFace& face : kCubeFaces) {
     for (std::uint32_t j = 0; j <= size; ++j) {
       for (std::uint32_t i = 0; i <= size; ++i) out.meshVertex(place(directionTo(face, i, j, size)));
     }

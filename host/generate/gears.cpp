@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint32_t kTeeth = 36;
 constexpr double kOuterRatio = 0.995;  ///< of the pitch at which gears are set: a little air between them
 constexpr double kToothDepth = 0.1;    ///< share of the radius
-constexpr double kPi = std::numbers::pi;
 
 using Outline = std::array<glm::dvec3, 4 * kTeeth>;
 
@@ -25,12 +24,12 @@ struct Gear {
 
 /// A face: four vertices a tooth, counter-clockwise from above (`turn` 1) or below (-1).
 Outline outline(const Gear& gear, double z, double turn) {
-  constexpr double kToothAngle = 2 * kPi / kTeeth;
+  constexpr double kToothAngle = 2 * std::numbers::pi / kTeeth;
   constexpr std::array<double, 4> kShares{-0.19, 0.19, 0.3, 0.7};  // of a tooth's angle: two outer, two inner vertices
   const std::array<double, 2> radii{kOuterRatio * gear.radius, (1 - kToothDepth) * gear.radius};
   Outline vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const double tooth = gear.angle + turn * 2 * kPi * static_cast<double>(i / 4) / kTeeth;
+    const double tooth = gear.angle + turn * 2 * std::numbers::pi * static_cast<double>(i / 4) / kTeeth;
     const double angle = tooth + kShares[i % 4] * turn * kToothAngle;
     const double radius = radii[i % 4 / 2];
     vertices[i] = glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), z) + gear.centre;
@@ -94,7 +93,7 @@ void writeGears(NffWriter& out, std::uint32_t size) {
     for (std::uint32_t y = 0; y < size; ++y) {
       for (std::uint32_t x = 0; x < size; ++x) {
         const glm::uvec3 place(x, y, z);
-        const double angle = (x + y + z) % 2 == 0 ? 0 : kPi / kTeeth;  // teeth meet gaps
+        const double angle = (x + y + z) % 2 == 0 ? 0 : std::numbers::pi / kTeeth;  // teeth meet gaps
         out.surface(surfaceOf(place));
         writeGear(out, {first + glm::dvec3(place) * step, radius, thickness, angle});
       }

@@ -102,14 +102,14 @@ class Mountain {
 };
 
 void writePyramidOfBalls(NffWriter& out) {
-  constexpr double kRadius = 0.17;
+  constexpr double kSphereRadius = 0.17;
   const glm::dvec3 middle(-0.8, 0.8, 1);
-  const glm::dvec3 top(0, 0, kRadius * std::sqrt(1.5));
-  out.sphere(middle + top, kRadius);
+  const glm::dvec3 top(0, 0, kSphereRadius * std::sqrt(1.5));
+  out.sphere(middle + top, kSphereRadius);
   // The angle between two corners of a tetrahedron, seen from its middle, has the cosine -1/3.
   const glm::dvec3 low = rotation(std::acos(-1.0 / 3), {1, 1, 0}) * top;
   for (int i = 0; i < 3; ++i) {
-    out.sphere(rotation(i * 2 * std::numbers::pi / 3, {0, 0, 1}) * low + middle, kRadius);
+    out.sphere(rotation(i * 2 * std::numbers::pi / 3, {0, 0, 1}) * low + middle, kSphereRadius);
   }
 }
 

@@ -10,9 +10,8 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRadius = 0.07412;            ///< of cylinders and spheres, such that rings touch
-const double kSpread = 1 / std::sin(kPi / 8);  ///< between layers, so that they fill a view of 45 degrees
+constexpr double kRingRadius = 0.07412;                     ///< of cylinders and spheres, such that rings touch
+const double kSpread = 1 / std::sin(std::numbers::pi / 8);  ///< between layers, so that they fill a view of 45 degrees
 const glm::dvec3 kEye(-1, -kSpread, 0.5);
 
 using Pentagon = std::array<glm::dvec3, 5>;
@@ -20,16 +19,16 @@ using Rings = std::array<Pentagon, 6>;
 
 /// Within the unit sphere: one in the xy plane, and that one turned to its neighbours' planes.
 Rings makeRings() {
-  constexpr double kScale = 1 / (1 + kRadius);
-  const double betweenFaces = 2 * std::acos(std::cos(kPi / 3) / std::sin(kPi / 5));
+  constexpr double kScale = 1 / (1 + kRingRadius);
+  const double betweenFaces = 2 * std::acos(std::cos(std::numbers::pi / 3) / std::sin(std::numbers::pi / 5));
   const glm::dmat3 tilt = rotation(betweenFaces, {1, 0, 0});
   Rings rings;
   for (std::size_t i = 0; i < 5; ++i) {
-    const double angle = static_cast<double>(i) * 2 * kPi / 5;
+    const double angle = static_cast<double>(i) * 2 * std::numbers::pi / 5;
     rings[0][i] = kScale * glm::dvec3(std::cos(angle), std::sin(angle), 0);
   }
   for (std::size_t ring = 1; ring < rings.size(); ++ring) {
-    const glm::dmat3 turn = rotation(kPi * (2 * static_cast<double>(ring) - 1) / 5, {0, 0, 1});
+    const glm::dmat3 turn = rotation(std::numbers::pi * (2 * static_cast<double>(ring) - 1) / 5, {0, 0, 1});
     for (std::size_t i = 0; i < 5; ++i) rings[ring][i] = turn * (tilt * rings[0][i]);
   }
   return rings;
@@ -42,8 +41,8 @@ void writeObject(NffWriter& out, const Rings& rings, const glm::dvec3& centre) {
     out.surface({kColours[ring], 0.5, 0.2, 37, 0, 0});
     for (std::size_t i = 0; i < 5; ++i) {
       const glm::dvec3 vertex = rings[ring][i] + centre;
-      out.cone(vertex, kRadius, rings[ring][(i + 4) % 5] + centre, kRadius);
-      out.sphere(vertex, kRadius);
+      out.cone(vertex, kRingRadius, rings[ring][(i + 4) % 5] + centre, kRingRadius);
+      out.sphere(vertex, kRingRadius);
     }
   }
 }
@@ -51,7 +50,7 @@ void writeObject(NffWriter& out, const Rings& rings, const glm::dvec3& centre) {
 /// Behind the pyramid, as large as the view and 1 % more.
 void writeWall(NffWriter& out, std::uint32_t size) {
   const double y = kSpread * (size + 1);
-  const double half = 1.01 * (y - kEye.y) * std::tan(kPi / 8);
+  const double half = 1.01 * (y - kEye.y) * std::tan(std::numbers::pi / 8);
   const double x[] = {kEye.x - half, kEye.x + half};
   const double z[] = {kEye.z - half, kEye.z + half};
   out.surface({{1, 1, 1}, 1, 0, 0, 0, 0});

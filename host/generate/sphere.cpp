@@ -13,7 +13,7 @@ constexpr glm::dvec3 kCentre{0, 0, 1.8};
 constexpr double kLeastRadius = 1;
 constexpr double kRelief = 0.6;
 constexpr double kFrequency = 2;  ///< of the bumps, in wavelengths per radian
-constexpr std::uint32_t kOctaves = 5;
+constexpr std::uint32_t kReliefOctaves = 5;
 
 /// The room, and the lamp in its ceiling.
 constexpr glm::dvec3 kLow{-2.5, -5, 0};
@@ -24,7 +24,7 @@ constexpr glm::dvec3 kRadiance{10};
 
 /// Where the bumpy sphere lies in a direction from its centre.
 glm::dvec3 bumpyPoint(const glm::dvec3& direction) {
-  return kCentre + direction * (kLeastRadius + kRelief * fractalNoise(direction * kFrequency, kOctaves));
+  return kCentre + direction * (kLeastRadius + kRelief * fractalNoise(direction * kFrequency, kReliefOctaves));
 }
 
 /// The four corners of the room on a face's side, counter-clockwise from inside.

@@ -7,13 +7,13 @@ namespace {
 
 constexpr double kSide = 100;
 constexpr double kHeight = 35;  ///< z lies in [0, kHeight)
-constexpr std::uint32_t kOctaves = 8;
+constexpr std::uint32_t kHeightOctaves = 8;
 constexpr double kWavelength = 25;  ///< of the first octave
 
 glm::dvec3 vertexAt(std::uint32_t column, std::uint32_t row, std::uint32_t size) {
   const auto place = [&](std::uint32_t step) { return kSide * step / (size - 1); };
   const glm::dvec2 corner(place(column), place(row));
-  const double height = kHeight * fractalNoise({corner / kWavelength, 0}, kOctaves);
+  const double height = kHeight * fractalNoise({corner / kWavelength, 0}, kHeightOctaves);
   return {corner - kSide / 2, height};
 }
 

@@ -8,11 +8,11 @@ namespace {
 
 /// The corners of a cube of half width 1 that span a tetrahedron: those whose coordinates multiply to 1.
 constexpr std::array<glm::dvec3, 4> kCorners{{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}};
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{0, 1, 2}, {3, 2, 1}, {2, 3, 0}, {1, 0, 3}}};
+constexpr std::array<std::array<std::size_t, 3>, 4> kTetrahedronFaces{{{0, 1, 2}, {3, 2, 1}, {2, 3, 0}, {1, 0, 3}}};
 
 /// In the cube of `halfWidth` about `centre`.
 void writeTetrahedron(NffWriter& out, const glm::dvec3& centre, double halfWidth) {
-  for (const auto& face : kFaces) {
+  for (const auto& face : kTetrahedronFaces) {
     std::array<glm::dvec3, 3> vertices;
     for (std::size_t i = 0; i < 3; ++i) vertices[i] = centre + halfWidth * kCorners[face[i]];
     out.polygon(vertices);

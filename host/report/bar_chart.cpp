@@ -10,7 +10,7 @@ namespace candela::report {
 namespace {
 
 // In pixels.
-constexpr double kWidth = 860;
+constexpr double kBarsWidth = 860;
 constexpr double kLabels = 330;
 constexpr double kBars = 400;
 constexpr double kRow = 22;
@@ -62,7 +62,7 @@ std::string barChart(const std::string& title, const std::string& unit, const st
       "font-family=\"sans-serif\" "
       "font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n<g fill=\"#2b6cb0\" stroke-width=\"2\">\n"
       "<style>text {{ fill: #222; stroke: none }} path {{ stroke: #222 }}</style>\n{2}</g>\n</svg>\n",
-      kWidth, top + kMargin, body);
+      kBarsWidth, top + kMargin, body);
 }
 
 }  // namespace candela::report

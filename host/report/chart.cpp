@@ -9,7 +9,7 @@ namespace candela::report {
 namespace {
 
 // Of the drawing, in its own units.
-constexpr double kWidth = 480;
+constexpr double kChartWidth = 480;
 constexpr double kHeight = 150;
 constexpr double kBase = kHeight - 20;  // below it, the axis' labels
 
@@ -22,7 +22,7 @@ double heightOf(std::uint64_t count, std::uint64_t most) {
 }
 
 std::string bars(const Histogram& histogram, std::uint64_t most) {
-  const double step = kWidth / static_cast<double>(histogram.counts.size());
+  const double step = kChartWidth / static_cast<double>(histogram.counts.size());
   std::string out;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     const double height = heightOf(histogram.counts[i], most);
@@ -34,7 +34,7 @@ std::string bars(const Histogram& histogram, std::uint64_t most) {
 }
 
 std::string line(const Histogram& histogram, std::uint64_t most) {
-  const double step = kWidth / static_cast<double>(histogram.counts.size());
+  const double step = kChartWidth / static_cast<double>(histogram.counts.size());
   std::string path = fmt::format("M0 {:.1f}", kBase);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     path += fmt::format("V{:.1f}H{:.1f}", kBase - heightOf(histogram.counts[i], most),
@@ -47,13 +47,13 @@ std::string axis(const std::string& left, const std::string& middle, const std::
   const auto label = [](double x, const char* anchor, const std::string& text) {
     return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>", x, kHeight - 5, anchor, text);
   };
-  return fmt::format("<path class=\"axis\" d=\"M0 {0}H{1}\"/>", kBase, kWidth) + label(0, "start", left) +
-         label(kWidth / 2, "middle", middle) + label(kWidth, "end", right);
+  return fmt::format("<path class=\"axis\" d=\"M0 {0}H{1}\"/>", kBase, kChartWidth) + label(0, "start", left) +
+         label(kChartWidth / 2, "middle", middle) + label(kChartWidth, "end", right);
 }
 
 std::string drawing(const std::string& description, const std::string& content) {
-  return fmt::format("<svg role=\"img\" viewBox=\"0 0 {} {}\" aria-label=\"{}\">{}</svg>", kWidth, kHeight, description,
-                     content);
+  return fmt::format("<svg role=\"img\" viewBox=\"0 0 {} {}\" aria-label=\"{}\">{}</svg>", kChartWidth, kHeight,
+                     description, content);
 }
 
 std::string power(double stops) { return fmt::format("{:.3g}", std::exp2(stops)); }

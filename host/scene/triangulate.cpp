@@ -52,9 +52,9 @@ bool crossProperly(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
 }
 
 bool crossesItself(const std::vector<glm::dvec2>& points) {
-  constexpr std::size_t kMostVertices = 1024;  // beyond, only what stops the clipping is noticed
+  constexpr std::size_t kMaxCheckedVertices = 1024;  // beyond, only what stops the clipping is noticed
   const std::size_t count = points.size();
-  if (count > kMostVertices) return false;
+  if (count > kMaxCheckedVertices) return false;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 2; j < count; ++j) {
       if (crossProperly(points[i], points[(i + 1) % count], points[j], points[(j + 1) % count])) return true;

@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Contains;
 
-StructureReport reportOf(std::vector<ScriptedRun> script) {
+StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   FakeRenderer renderer(std::move(script));
   const std::vector<Variant> variants = structureVariants(render::RenderSettings{});
   StructureReport report;
@@ -32,7 +32,7 @@ TEST_CASE("the structures compared are the report's two and the surface-area tre
 }
 
 TEST_CASE("a structure with another image has no figures") {
-  const StructureReport report = reportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
+  const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());
   const auto json = toJson(report);
   CHECK(json["rows"][0]["medianMs"] == 2000.0);
@@ -42,7 +42,7 @@ TEST_CASE("a structure with another image has no figures") {
 }
 
 TEST_CASE("published seconds stand beside the measured ones, where there are any") {
-  StructureReport report = reportOf({{1}, {1}, {1}});
+  StructureReport report = structureReportOf({{1}, {1}, {1}});
   CHECK(report.agree());
   CHECK_THAT(toText(report), !Contains("report's"));
   report.rows[0].publishedSeconds = 361.0;
@@ -52,7 +52,7 @@ TEST_CASE("published seconds stand beside the measured ones, where there are any
 }
 
 TEST_CASE("the JSON says its schema, and of each row scene, images and rates") {
-  const auto json = toJson(reportOf({{1}, {1}, {1}}));
+  const auto json = toJson(structureReportOf({{1}, {1}, {1}}));
   CHECK(json["schema"] == "candela-bench/1");
   const auto& row = json["rows"][0];
   for (const char* key : {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout",

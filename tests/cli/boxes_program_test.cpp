@@ -13,8 +13,6 @@ namespace {
 
 const std::string kView = "v\nfrom 0.1 -4 1\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 16 12\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 scene::Scene boxesOf(const std::string& scene, const std::vector<std::string>& options = {}) {
   const TemporaryFolder folder;
   std::vector<std::string> words{"boxes", folder.write("a.nff", scene), "-o", folder.path("boxes.nff")};

@@ -11,8 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // `words` on the device that the tests run on.
 ProgramResult runOnDevice(std::vector<std::string> words, const Surroundings& surroundings = {}) {
   if (const char* device = std::getenv("CANDELA_TEST_DEVICE")) words.insert(words.end(), {"--device", device});

@@ -11,7 +11,7 @@ namespace {
 using Catch::Contains;
 using nlohmann::json;
 
-ProgramResult runOnDevice(std::vector<std::string> words) {
+ProgramResult explainOnDevice(std::vector<std::string> words) {
   if (const char* device = std::getenv("CANDELA_TEST_DEVICE")) words.insert(words.end(), {"--device", device});
   return runCandela(words);
 }
@@ -22,7 +22,7 @@ TEST_CASE("explain prints two equal paths, and the same as JSON") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string file = folder.path("a.json");
-  const ProgramResult result = runOnDevice(
+  const ProgramResult result = explainOnDevice(
       {"explain", scene, "--pixel", "8,6", "--sample", "3", "--seed", "2", "--json", file});
   INFO(result.out << result.err);
   REQUIRE(result.exitCode == 0);
@@ -37,18 +37,18 @@ TEST_CASE("explain prints two equal paths, and the same as JSON") {
 TEST_CASE("explain without a place takes the pixel that differs most, or says that none does") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
-  const ProgramResult few = runOnDevice({"explain", scene, "--size", "8x8", "--json", "-"});
+  const ProgramResult few = explainOnDevice({"explain", scene, "--size", "8x8", "--json", "-"});
   INFO(few.out << few.err);
   REQUIRE(few.exitCode == 0);
   CHECK(json::parse(few.out)["equal"] == true);
-  CHECK_THAT(runOnDevice({"explain", scene, "--size", "8x8"}).out,
+  CHECK_THAT(explainOnDevice({"explain", scene, "--size", "8x8"}).out,
              Contains("Nothing to explain: at one sample all 64 pixels are equal."));
 }
 
 TEST_CASE("verify --explain says that nothing is to be explained where all pixels are equal") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
-  const ProgramResult result = runOnDevice({"verify", scene, "--size", "8x8", "--bias", "20%", "--explain"});
+  const ProgramResult result = explainOnDevice({"verify", scene, "--size", "8x8", "--bias", "20%", "--explain"});
   INFO(result.out << result.err);
   CHECK(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("compute the same light") && Contains("Nothing to explain"));

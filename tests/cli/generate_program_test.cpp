@@ -5,12 +5,6 @@
 #include "tests/cli/run_program.h"
 
 namespace candela {
-namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
-
 TEST_CASE("a scene goes to the file that -o names, or else to stdout") {
   const TemporaryFolder folder;
   const ProgramResult toFile = runCandela({"generate", "balls", "--size", "2", "-o", folder.path("balls.nff")});

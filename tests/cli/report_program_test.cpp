@@ -12,8 +12,6 @@ using nlohmann::json;
 // As on a machine without any Vulkan driver.
 const Surroundings kNoDriver{{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}, "", {}};
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 }  // namespace
 
 TEST_CASE("check says what a scene contains") {

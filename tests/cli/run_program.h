@@ -29,6 +29,8 @@ ProgramResult runCandela(const std::vector<std::string>& words, const Surroundin
 ProgramResult runProgram(const std::string& program, const std::vector<std::string>& words,
                          const Surroundings& surroundings = {});
 
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// A folder of its own, removed at the end.
 class TemporaryFolder {
  public:

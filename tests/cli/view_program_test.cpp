@@ -7,8 +7,6 @@
 namespace candela {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // A render of the small scene to both kinds of files.
 struct Rendered {
   ProgramResult result;

@@ -38,7 +38,7 @@ render::RenderSettings testSettings() {
   return settings;
 }
 
-render::ReplayingRenderer& deviceTracer() {
+render::ReplayingRenderer& replayingDevice() {
   static const std::unique_ptr<render::ReplayingRenderer> tracer = device::makeGpuRenderer(device::testDevice());
   return *tracer;
 }
@@ -69,7 +69,7 @@ Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDe
     return tracer.replay(changed ? changedScene : scene, changed ? changedSettings : settings, pixel);
   };
   const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
-  return explainReplays(scene, settings, pixel, replay(deviceTracer(), onDevice), replay(*reference, !onDevice));
+  return explainReplays(scene, settings, pixel, replay(replayingDevice(), onDevice), replay(*reference, !onDevice));
 }
 
 void requireFirst(const Wanted& wanted, const Change& change, const std::string& stage, const std::string& quantity) {

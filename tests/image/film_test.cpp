@@ -14,8 +14,8 @@ using namespace candela::image;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfiniteSample = std::numeric_limits<double>::infinity();
+constexpr double kNanSample = std::numeric_limits<double>::quiet_NaN();
 
 FilmPixel pixelOf(const glm::dvec3& radiance, std::uint32_t sampleIndex = 0) {
   Film film(1, 1);
@@ -38,7 +38,7 @@ std::vector<Sample> randomSamples(std::uint32_t width, std::uint32_t height, std
     samples.push_back({pixel % width,
                        pixel / width,
                        i % perPixel,
-                       {radiance(random), bad ? kNan : radiance(random), radiance(random)}});
+                       {radiance(random), bad ? kNanSample : radiance(random), radiance(random)}});
   }
   return samples;
 }
@@ -90,7 +90,7 @@ TEST_CASE("film sums carry into all three words") {
 }
 
 TEST_CASE("a film channel that is not a number, infinite or negative adds nothing and counts its sample once") {
-  for (const double value : {kNan, kInfinity, -kInfinity, -1e-300, -5.0}) {
+  for (const double value : {kNanSample, kInfiniteSample, -kInfiniteSample, -1e-300, -5.0}) {
     CAPTURE(value);
     const FilmPixel pixel = pixelOf({value, 2, value}, 41);
     CHECK(pixel.red == FixedSum{0, 0, 0});
@@ -115,15 +115,15 @@ TEST_CASE("negative zero is no bad sample") { CHECK(pixelOf({-0.0, 0.0, -0.0}).b
 TEST_CASE("a film remembers the lowest bad sample, whatever the order") {
   Film film(1, 1);
   film.addSample(0, 0, {1, 1, 1}, 2);
-  film.addSample(0, 0, {kNan, 1, 1}, 9);
+  film.addSample(0, 0, {kNanSample, 1, 1}, 9);
   film.addSample(0, 0, {1, -1, 1}, 5);
-  film.addSample(0, 0, {1, 1, kInfinity}, 7);
+  film.addSample(0, 0, {1, 1, kInfiniteSample}, 7);
   CHECK(film.at(0, 0).firstBadSample == 6);
   CHECK(film.at(0, 0).badCount == 3);
   CHECK(film.at(0, 0).sampleCount == 4);
 
   Film other(1, 1);
-  other.addSample(0, 0, {kNan, 1, 1}, 3);
+  other.addSample(0, 0, {kNanSample, 1, 1}, 3);
   Film clean(1, 1);
   clean.merge(film);
   CHECK(clean.at(0, 0).firstBadSample == 6);

@@ -12,8 +12,8 @@ using namespace candela::image;
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinitePixel = std::numeric_limits<float>::infinity();
+constexpr float kNanPixel = std::numeric_limits<float>::quiet_NaN();
 
 Image row(const std::vector<glm::vec3>& pixels) {
   return {static_cast<std::uint32_t>(pixels.size()), 1, pixels, {}, {}, {}, {}};
@@ -67,8 +67,8 @@ TEST_CASE("pixels count as different beyond the relative and the absolute tolera
 }
 
 TEST_CASE("pixels that are not finite are counted and left out") {
-  const Image reference = row({{1, 1, 1}, {1, 1, 1}, {kNan, 1, 1}, {1, 1, 1}});
-  const Image a = row({{2, 2, 2}, {kInfinity, 1, 1}, {1, 1, 1}, {1, 1, -kInfinity}});
+  const Image reference = row({{1, 1, 1}, {1, 1, 1}, {kNanPixel, 1, 1}, {1, 1, 1}});
+  const Image a = row({{2, 2, 2}, {kInfinitePixel, 1, 1}, {1, 1, 1}, {1, 1, -kInfinitePixel}});
   const ImageComparison c = compareImages(a, reference);
   CHECK(c.notFiniteCount == 3);
   CHECK(c.mean == glm::dvec3(2));
@@ -76,7 +76,7 @@ TEST_CASE("pixels that are not finite are counted and left out") {
   CHECK(c.meanSquaredError == 1);
   CHECK(c.differingShare == 1);
 
-  const ImageComparison none = compareImages(row({{kNan, 0, 0}}), row({{0, 0, 0}}));
+  const ImageComparison none = compareImages(row({{kNanPixel, 0, 0}}), row({{0, 0, 0}}));
   CHECK(none.notFiniteCount == 1);
   CHECK(none.meanSquaredError == 0);
   CHECK(none.differingShare == 0);
@@ -104,14 +104,14 @@ TEST_CASE("the JSON of a comparison holds its numbers, and null for infinity") {
 }
 
 TEST_CASE("the text of a comparison names what it shows") {
-  const std::string text = toText(compareImages(row({{2, 1, 1}, {kNan, 1, 1}}), row({{1, 1, 1}, {1, 1, 1}})));
+  const std::string text = toText(compareImages(row({{2, 1, 1}, {kNanPixel, 1, 1}}), row({{1, 1, 1}, {1, 1, 1}})));
   CHECK_THAT(text, Catch::Contains("2 x 1") && Catch::Contains("relMSE") && Catch::Contains("1 pixels, left out") &&
                        Catch::Contains("+21.26 %") && Catch::Contains("largest difference    1 at 0 0"));
 }
 
 TEST_CASE("a difference picture is orange where brighter, blue where darker, black where equal") {
   const Image reference = row({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
-  const Image a = row({{1, 1, 1}, {2, 2, 2}, {0, 0, 0}, {kNan, 1, 1}});
+  const Image a = row({{1, 1, 1}, {2, 2, 2}, {0, 0, 0}, {kNanPixel, 1, 1}});
   const Pixels8 picture = toPixels8(differencePicture(a, reference), {});
   const std::vector<int> signals(picture.rgb.begin(), picture.rgb.end());
   // The bound 255 * (1, 0.55, 0.1) and 255 * (0.15, 0.5, 1), rounded.

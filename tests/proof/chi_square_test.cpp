@@ -15,12 +15,12 @@ namespace {
 
 using Counts = std::vector<double>;
 
-constexpr std::size_t kSamples = 1000000;
+constexpr std::size_t kPowerSamples = 1000000;
 
 // Heights z of a cosine hemisphere's directions, by inversion.
 Counts countsOfCosine(int rows, std::uint32_t seed) {
   Cells cells(rows, 1);
-  for (const glm::vec3& u : randomNumbers(kSamples, seed)) cells.add({std::sqrt(double{u.x}), 0});
+  for (const glm::vec3& u : randomNumbers(kPowerSamples, seed)) cells.add({std::sqrt(double{u.x}), 0});
   return cells.counts();
 }
 
@@ -29,7 +29,7 @@ Counts expectedOfPower(int rows, double power) {
   Counts expected(static_cast<std::size_t>(rows) + 1);
   for (int i = 0; i < rows; ++i) {
     const double low = double{1} * i / rows, high = (i + 1.0) / rows;
-    expected[static_cast<std::size_t>(i)] = kSamples * (std::pow(high, power) - std::pow(low, power));
+    expected[static_cast<std::size_t>(i)] = kPowerSamples * (std::pow(high, power) - std::pow(low, power));
   }
   return expected;
 }

@@ -17,7 +17,7 @@ using test::SceneBuilder;
 
 namespace {
 
-constexpr std::size_t kSamples = 1000000;
+constexpr std::size_t kEstimatorSamples = 1000000;
 
 const scene::Material kFloor = mixtureMaterial(0.3f, 0.6f, 15);
 
@@ -38,7 +38,7 @@ scene::Scene lampsOverFloor() {
 }
 
 Estimate rendered(bool nextEventEstimation) {
-  render::RenderSettings settings = test::settingsOf(32, 32, kSamples >> 10);
+  render::RenderSettings settings = test::settingsOf(32, 32, kEstimatorSamples >> 10);
   settings.sampler = render::SamplerKind::independent;
   settings.maxDepth = 2;
   settings.nextEventEstimation = nextEventEstimation;
@@ -50,7 +50,7 @@ Estimate rendered(bool nextEventEstimation) {
 Estimate byLightSamples() {
   const LightLeaves lights(lampsAlone().scene);
   const MaterialLeaves materials({kFloor});
-  const std::vector<vec3> numbers = randomNumbers(kSamples, 501);
+  const std::vector<vec3> numbers = randomNumbers(kEstimatorSamples, 501);
   const dvec3 wo = normalize(dvec3(0.5, -2.5, 2.5));
   double sum = 0, squares = 0;
   for (std::uint32_t entry = 0; entry < 2; ++entry) {
@@ -67,9 +67,9 @@ Estimate byLightSamples() {
       own += light;
       ownSquares += light * light;
     }
-    const double mean = own / kSamples;
+    const double mean = own / kEstimatorSamples;
     sum += mean;
-    squares += (ownSquares / kSamples - mean * mean) / kSamples;
+    squares += (ownSquares / kEstimatorSamples - mean * mean) / kEstimatorSamples;
   }
   return {sum, std::sqrt(squares)};
 }

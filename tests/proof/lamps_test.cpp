@@ -13,7 +13,6 @@ using test::SceneBuilder;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kAlbedo = 0.75f;
 
 const scene::Sphere kBall{{-1, 0.5f, 2}, 0.5f};
@@ -45,7 +44,7 @@ double irradianceOfTriangle(const vec3 (&corners)[3], const dvec3& at) {
 // A sphere above the horizon lights like a point at its centre: E = pi (R / D)^2 cos.
 double irradianceOfBall(const dvec3& at) {
   const dvec3 towards = dvec3(kBall.centre) - at;
-  return kPi * kBall.radius * kBall.radius * towards.z / std::pow(length(towards), 3);
+  return std::numbers::pi * kBall.radius * kBall.radius * towards.z / std::pow(length(towards), 3);
 }
 
 render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
@@ -62,7 +61,7 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
   for (const vec3& seen : {vec3(0), vec3(0.25f, -0.5f, 0)}) {  // places from which no lamp hides another
     const dvec3 at(seen);
     const dvec3 towardsPoint = dvec3(0, -4, 3) - at;
-    const dvec3 expected = double{kAlbedo} / kPi *
+    const dvec3 expected = double{kAlbedo} / std::numbers::pi *
                                dvec3(5 * irradianceOfBall(at), 3 * irradianceOfTriangle(kNear, at),
                                      8 * irradianceOfTriangle(kFar, at)) +
                            kAlbedo * 0.125 * towardsPoint.z / length(towardsPoint);

@@ -16,12 +16,11 @@ using test::SceneBuilder;
 
 namespace {
 
-constexpr std::size_t kSamples = 1000000;
-constexpr int kSide = 32;
-constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kLightSamples = 1000000;
+constexpr int kLightSide = 32;
 
 const std::vector<glm::vec3>& manyNumbers() {
-  static const std::vector<glm::vec3> numbers = randomNumbers(kSamples, 301);
+  static const std::vector<glm::vec3> numbers = randomNumbers(kLightSamples, 301);
   return numbers;
 }
 
@@ -60,7 +59,8 @@ const scene::Scene& lamps() {
 
 double probabilityOf(std::uint32_t entry) {
   std::vector<double> weights;
-  for (const scene::Sphere& sphere : lamps().spheres) weights.push_back(4 * kPi * sphere.radius * sphere.radius);
+  for (const scene::Sphere& sphere : lamps().spheres)
+    weights.push_back(4 * std::numbers::pi * sphere.radius * sphere.radius);
   for (const scene::Triangle& triangle : lamps().triangles) weights.push_back(length(areaNormalOf(triangle)));
   return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
 }
@@ -78,8 +78,8 @@ TEST_CASE("samples of a sphere fill the cap of directions that it covers, evenly
     const double radius = lamps().spheres[entry].radius;
     const double height = 1 - std::sqrt(1 - radius * radius / dot(centre, centre));
     const auto [right, up] = axesAcross(normalize(centre));
-    const double expectedPdf = probabilityOf(entry) / (2 * kPi * height);
-    Cells cells(kSide, kSide);
+    const double expectedPdf = probabilityOf(entry) / (2 * std::numbers::pi * height);
+    Cells cells(kLightSide, kLightSide);
     double worstPdf = 0, worstPoint = 0;
     for (const LitPoint& lit : lights.sample(entry, {}, manyNumbers())) {
       if (lit.pdf == 0) {  // rounding at the silhouette
@@ -90,8 +90,8 @@ TEST_CASE("samples of a sphere fill the cap of directions that it covers, evenly
       worstPdf = std::max(worstPdf, std::abs(lit.pdf / expectedPdf - 1));
       worstPoint = std::max(worstPoint, std::abs(length(lit.distance * lit.wi - centre) / radius - 1));
     }
-    std::vector<double> expected = uniformCounts(kSide, kSide, kSamples);
-    CHECK(cells.counts().back() <= kSamples * kRounding);  // lost at the silhouette, and of no weight in the test
+    std::vector<double> expected = uniformCounts(kLightSide, kLightSide, kLightSamples);
+    CHECK(cells.counts().back() <= kLightSamples * kRounding);  // lost at the silhouette, and of no weight in the test
     expected[0] -= cells.counts().back();
     expected.back() += cells.counts().back();
     checkCounts(cells.counts(), expected);
@@ -107,19 +107,19 @@ TEST_CASE("from inside a sphere and from its own surface all directions are samp
   for (const bool onLight : {false, true}) {
     CAPTURE(onLight);
     const Viewpoint from{onLight ? dvec3(0, 0, 2) : dvec3(0.25, 0.5, 3.25), onLight};
-    Cells cells(kSide, kSide);
+    Cells cells(kLightSide, kLightSide);
     for (const LitPoint& lit : lights.sample(0, from, manyNumbers())) {
       if (lit.pdf == 0) {
         cells.addOutside();
         continue;
       }
-      REQUIRE(lit.pdf == Approx(1 / (4 * kPi)));
+      REQUIRE(lit.pdf == Approx(1 / (4 * std::numbers::pi)));
       REQUIRE(length(from.position + lit.distance * lit.wi - dvec3(0, 0, 3)) == Approx(1).margin(kRounding));
       cells.add({(1 + lit.wi.z) / 2, turns(lit.wi.x, lit.wi.y)});
     }
     // From the lowest point of the surface only directions that go up meet the sphere.
-    std::vector<double> expected = uniformCounts(kSide, kSide, kSamples);
-    for (std::size_t i = 0; onLight && i < kSide * kSide / 2; ++i) {
+    std::vector<double> expected = uniformCounts(kLightSide, kLightSide, kLightSamples);
+    for (std::size_t i = 0; onLight && i < kLightSide * kLightSide / 2; ++i) {
       expected.back() += expected[i];
       expected[i] = 0;
     }
@@ -134,7 +134,7 @@ TEST_CASE("samples of a triangle are uniform on it, from the front and from behi
     const dvec3 areaNormal = areaNormalOf(triangle);
     for (const dvec3& from : {dvec3(0), dvec3(4, 3, 5)}) {
       CAPTURE(entry, from.x);
-      Cells cells(kSide, kSide);
+      Cells cells(kLightSide, kLightSide);
       double worstPdf = 0;
       for (const LitPoint& lit : lights.sample(entry, {from}, manyNumbers())) {
         REQUIRE(lit.pdf > 0);
@@ -143,7 +143,7 @@ TEST_CASE("samples of a triangle are uniform on it, from the front and from behi
         const double expected = probabilityOf(entry) * lit.distance * lit.distance / std::abs(dot(areaNormal, lit.wi));
         worstPdf = std::max(worstPdf, std::abs(lit.pdf / expected - 1));
       }
-      checkCounts(cells.counts(), uniformCounts(kSide, kSide, kSamples));
+      checkCounts(cells.counts(), uniformCounts(kLightSide, kLightSide, kLightSamples));
       CHECK(worstPdf < densityTolerance(entry));
     }
   }
@@ -151,11 +151,11 @@ TEST_CASE("samples of a triangle are uniform on it, from the front and from behi
 
 TEST_CASE("densities with which lights are found integrate to the probability of their choice") {
   const LightLeaves lights(lamps());
-  const std::vector<dvec3> directions = latticeDirections(kSamples);
+  const std::vector<dvec3> directions = latticeDirections(kLightSamples);
   for (std::uint32_t entry = 0; entry < 4; ++entry) {
     double integral = 0;
     for (const FoundLight& found : lights.find(entry, {}, directions)) integral += found.pdf;
-    integral *= 4 * kPi / static_cast<double>(directions.size());
+    integral *= 4 * std::numbers::pi / static_cast<double>(directions.size());
     CAPTURE(entry);
     CHECK(integral == Approx(probabilityOf(entry)).epsilon(2e-3));
   }
@@ -190,7 +190,7 @@ TEST_CASE("lights are chosen by power, half of the time a point light, and never
   b.triangle({0, 0, 1}, {1, 0, 1}, {0, 3, 1}).triangle({0, 0, 2}, {1, 0, 2}, {0, 0.125f, 2});
   b.pointLight({0, 0, 5}, {0.2f, 0.2f, 0.2f}).pointLight({0, 0, 6}, vec3(0)).pointLight({0, 0, 7}, {0, 0, 1});
   const double first = image::luminance({1, 2, 3}), second = image::luminance({9, 1, 0.5});
-  const double emitters[] = {kPi * first, 1.5 * second, 0.0625 * second}, points[] = {0.2, 0, 0.0722};
+  const double emitters[] = {std::numbers::pi * first, 1.5 * second, 0.0625 * second}, points[] = {0.2, 0, 0.0722};
   std::vector<double> shares;
   for (const double weight : emitters) shares.push_back(weight / (emitters[0] + emitters[1] + emitters[2]) / 2);
   for (const double weight : points) shares.push_back(weight / (points[0] + points[2]) / 2);

@@ -18,7 +18,7 @@ using test::mixtureMaterial;
 
 namespace {
 
-constexpr std::size_t kSamples = 1000000;
+constexpr std::size_t kMaterialSamples = 1000000;
 constexpr int kLobeRows = 32, kLobeColumns = 64;
 constexpr int kFiner = 2;  // times as many columns in quadrature: towards the horizon lobes are narrow in azimuth
 
@@ -93,17 +93,17 @@ double reflectance(double cosOutside, double ior) {
 TEST_CASE("directions of every lobe and mixture are found with the density that is stated") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
-  const std::vector<glm::vec3> numbers = randomNumbers(kSamples, 201);
+  const std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples, 201);
   forEachView([&](std::uint32_t material, const dvec3& wo) {
     const std::vector<ScatterValue> values = valuesOn(leaves, grid, material, wo);
     Cells expected(kLobeRows, kLobeColumns), observed(kLobeRows, kLobeColumns);
     double above = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double share = values[i].pdf * grid.points()[i].solidAngle;
-      expected.add(grid.points()[i].place, kSamples * share);
+      expected.add(grid.points()[i].place, kMaterialSamples * share);
       above += share;
     }
-    expected.addOutside(std::max(0.0, kSamples * (1 - above)));
+    expected.addOutside(std::max(0.0, kMaterialSamples * (1 - above)));
     for (const Scattered& sample : sampled(leaves, material, wo, numbers)) {
       if (isSmooth(sample.lobe))
         observed.add({sample.wi.z, turns(sample.wi.x, sample.wi.y)});
@@ -229,9 +229,9 @@ TEST_CASE("lobes are chosen with their shares of the weights") {
   const std::vector<std::vector<double>> shares{{2.0 / 6, 3.0 / 6, 1.0 / 6}, {0.4, 0.4, 0.2}};
   for (std::uint32_t material = 0; material < 2; ++material) {
     std::vector<double> counts(3), expected;
-    for (const double share : shares[material]) expected.push_back(kSamples * share);
+    for (const double share : shares[material]) expected.push_back(kMaterialSamples * share);
     // Straight down, and with numbers for the direction at which no lobe goes below the surface.
-    std::vector<glm::vec3> numbers = randomNumbers(kSamples, 207);
+    std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples, 207);
     for (glm::vec3& u : numbers) u = {u.x, 0.6f, 0.5f};
     for (const Scattered& sample : sampled(leaves, material, {0, 0, 1}, numbers)) {
       REQUIRE(sample.lobe != render::Lobe::none);
@@ -244,7 +244,7 @@ TEST_CASE("lobes are chosen with their shares of the weights") {
 TEST_CASE("glass reflects Schlick's share and refracts by Snell's law, into it and out of it") {
   const double ior = 1.5;
   const MaterialLeaves leaves({glassMaterial({0.9f, 0.8f, 0.7f}, 1.5f)});
-  const std::vector<glm::vec3> numbers = randomNumbers(kSamples / 4, 208);
+  const std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples / 4, 208);
   for (const double sine : {0.0, 0.5, 0.95}) {  // outside
     for (const bool outside : {true, false}) {
       const double cosOutside = std::sqrt(1 - sine * sine), ownSine = outside ? sine : sine / ior;

@@ -11,15 +11,15 @@ using namespace candela::proof;
 
 namespace {
 
-constexpr std::size_t kSamples = 1000000;
-constexpr int kSide = 32;
+constexpr std::size_t kWarpSamples = 1000000;
+constexpr int kWarpSide = 32;
 
 // `unwarp` gives the place in the unit square to which a value belongs.
 template <class Value, class Unwarp>
 void checkUniform(const std::vector<Value>& values, const Unwarp& unwarp) {
-  Cells cells(kSide, kSide);
+  Cells cells(kWarpSide, kWarpSide);
   for (const Value& value : values) cells.add(unwarp(value));
-  checkCounts(cells.counts(), uniformCounts(kSide, kSide, kSamples));
+  checkCounts(cells.counts(), uniformCounts(kWarpSide, kWarpSide, kWarpSamples));
 }
 
 // By its distribution function, 1 - (1 - x)^2 / 2 above 0.
@@ -34,20 +34,20 @@ dvec2 unwarpTriangle(const dvec2& b) {
 }  // namespace
 
 TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
-  const WarpValues values = warps(randomNumbers(kSamples, 101), 1);
+  const WarpValues values = warps(randomNumbers(kWarpSamples, 101), 1);
   checkUniform(values.disc, [](const dvec2& p) { return dvec2(dot(p, p), turns(p.x, p.y)); });
   // The share of a cosine hemisphere within the angle theta is sin^2 theta.
   checkUniform(values.cosineHemisphere, [](const dvec3& w) { return dvec2(1 - w.z * w.z, turns(w.x, w.y)); });
   checkUniform(values.triangle, unwarpTriangle);
-  Cells heights(kSide * kSide, 1);
+  Cells heights(kWarpSide * kWarpSide, 1);
   for (const double x : values.tent) heights.add({unwarpTent(x), 0});
-  checkCounts(heights.counts(), uniformCounts(kSide * kSide, 1, kSamples));
+  checkCounts(heights.counts(), uniformCounts(kWarpSide * kWarpSide, 1, kWarpSamples));
 }
 
 TEST_CASE("caps from a thousandth of the hemisphere to the whole sphere are uniform, of unit vectors") {
   for (const float height : {1e-3f, 0.3f, 1.0f, 2.0f}) {
     CAPTURE(height);
-    const WarpValues values = warps(randomNumbers(kSamples, 102), height);
+    const WarpValues values = warps(randomNumbers(kWarpSamples, 102), height);
     checkUniform(values.cap, [&](const dvec3& w) {
       // By the distance from the axis, which keeps its accuracy in narrow caps; by z in wide ones.
       const double across = w.x * w.x + w.y * w.y;

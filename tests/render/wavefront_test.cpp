@@ -11,7 +11,7 @@ using namespace candela::device;
 
 namespace {
 
-render::RenderSettings baseSettings() {
+render::RenderSettings wavefrontSettings() {
   render::RenderSettings settings = squareSettings(44, 3);
   settings.size.height = 29;  // no multiple of any workgroup
   settings.maxDepth = 9;
@@ -49,7 +49,7 @@ render::RenderResult requireSame(const scene::Scene& scene, const render::Render
 }  // namespace
 
 TEST_CASE("the wavefront gives the megakernel's film and counts: every primitive, mirrors, glass and mixtures") {
-  const render::RenderResult waves = requireSame(loadTestScene("primitives.p3f"), baseSettings());
+  const render::RenderResult waves = requireSame(loadTestScene("primitives.p3f"), wavefrontSettings());
   CHECK(waves.statistics.shadowRays > 0);
   CHECK(waves.statistics.bounceRays > 0);
 }
@@ -58,7 +58,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: a sky, a point 
           "[swiftshader-slow]") {
   for (const char* name : {"sky.p3f", "point_light.p3f", "furnace.p3f"}) {
     CAPTURE(name);
-    requireSame(loadTestScene(name), baseSettings());
+    requireSame(loadTestScene(name), wavefrontSettings());
   }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
   for (const std::filesystem::path& file : sceneFiles()) {
     for (const bool samplesLights : {true, false}) {
       CAPTURE(file.filename(), samplesLights);
-      render::RenderSettings settings = baseSettings();
+      render::RenderSettings settings = wavefrontSettings();
       settings.nextEventEstimation = samplesLights;
       requireSame(loadTestScene(file.filename()), settings);
     }
@@ -76,7 +76,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
 
 TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples",
           "[swiftshader-slow]") {
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = wavefrontSettings();
   settings.nextEventEstimation = false;
   settings.oneSided = true;
   settings.filter = render::FilterKind::tent;
@@ -90,7 +90,7 @@ TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]")
   const scene::Scene scene = primitivesUnderLights();
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     CAPTURE(static_cast<int>(accel));
-    render::RenderSettings settings = baseSettings();
+    render::RenderSettings settings = wavefrontSettings();
     settings.accel = accel;
     settings.sceneLoads = render::SceneLoads::storage;
     requireSame(scene, settings);
@@ -99,9 +99,9 @@ TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]")
 
 TEST_CASE("neither workgroup nor segments nor tile change what the wavefront gives", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
-  const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, baseSettings());
+  const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, wavefrontSettings());
   const auto requireSameWith = [&](auto&& change) {
-    render::RenderSettings settings = baseSettings();
+    render::RenderSettings settings = wavefrontSettings();
     change(settings);
     requireSameAs(mega, renderWith(render::KernelKind::wavefront, scene, settings));
   };
@@ -128,7 +128,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
   for (const render::Extent size : {render::Extent{1, 1}, render::Extent{1, 31}, render::Extent{33, 1}}) {
     for (const std::uint32_t depth : {1u, 9u}) {
       CAPTURE(size.width, size.height, depth);
-      render::RenderSettings settings = baseSettings();
+      render::RenderSettings settings = wavefrontSettings();
       settings.size = size;
       settings.maxDepth = depth;
       requireSame(scene, settings);
@@ -147,7 +147,7 @@ TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftsh
 }
 
 TEST_CASE("the wavefront records the megakernel's paths") {
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = wavefrontSettings();
   settings.sampleCount = 1;
   settings.recordPaths = true;
   settings.maxDepth = 40;  // longer than what is recorded
@@ -173,7 +173,7 @@ TEST_CASE("the wavefront counts the megakernel's bad samples", "[swiftshader-slo
   const scene::Scene scene = sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
-  CHECK(requireSame(scene, baseSettings()).statistics.badSamples > 0);
+  CHECK(requireSame(scene, wavefrontSettings()).statistics.badSamples > 0);
 }
 
 TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slow]") {
@@ -212,7 +212,7 @@ TEST_CASE("segments add up towards a device's loop limit in the megakernel, and 
 }
 
 TEST_CASE("an integrator that traces no paths has no wavefront") {
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = wavefrontSettings();
   settings.kernel = render::KernelKind::wavefront;
   for (const render::Integrator integrator : {render::Integrator::whitted, render::Integrator::normal}) {
     settings.integrator = integrator;

@@ -8,7 +8,7 @@ using namespace candela::device;
 
 namespace {
 
-render::RenderSettings baseSettings() {
+render::RenderSettings whittedSettings() {
   render::RenderSettings settings = squareSettings(72, 2);
   settings.size.height = 50;  // no multiple of any workgroup
   settings.integrator = render::Integrator::whitted;
@@ -21,7 +21,7 @@ render::RenderSettings baseSettings() {
 
 TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
-  const render::RenderResult base = renderOnDevice(scene, baseSettings());
+  const render::RenderResult base = renderOnDevice(scene, whittedSettings());
   CHECK(base.statistics.kernel == "whitted");
   CHECK(base.statistics.treeRays->refracted > 0);
   const auto requireSame = [&](const render::RenderSettings& settings) {
@@ -33,17 +33,17 @@ TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader
     CHECK(result.statistics.treeRays->cameraHits == base.statistics.treeRays->cameraHits);
   };
   for (const std::uint32_t segments : {1u, 4u, 1000u}) {
-    render::RenderSettings settings = baseSettings();
+    render::RenderSettings settings = whittedSettings();
     settings.segmentsPerDispatch = segments;
     requireSame(settings);
   }
   for (const render::Extent tile : {render::Extent{8, 8}, render::Extent{17, 5}}) {
-    render::RenderSettings settings = baseSettings();
+    render::RenderSettings settings = whittedSettings();
     settings.tile = tile;
     settings.segmentsPerDispatch = 3;
     requireSame(settings);
   }
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = whittedSettings();
   settings.workgroup = {16, 2};
   requireSame(settings);
 }
@@ -52,7 +52,7 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
   const scene::Scene scene = primitivesUnderLights();
   std::vector<std::uint64_t> bounceRays;
   for (const std::uint32_t depth : {1u, 2u, 8u, render::kMaxTreeDepth}) {
-    render::RenderSettings settings = baseSettings();
+    render::RenderSettings settings = whittedSettings();
     settings.size = {36, 25};
     settings.maxDepth = depth;
     const render::RenderResult free = renderOnDevice(scene, settings);
@@ -71,7 +71,7 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
 
 TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = whittedSettings();
   settings.sceneLoads = render::SceneLoads::texel;
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
   settings.accel = render::AccelKind::grid;
@@ -84,7 +84,7 @@ TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]"
 
 TEST_CASE("the reference's threads do not change a tree") {
   const scene::Scene scene = primitivesUnderLights();
-  render::RenderSettings settings = baseSettings();
+  render::RenderSettings settings = whittedSettings();
   settings.threads = 1;
   const render::RenderResult one = renderOnReference(scene, settings);
   settings.threads = 2;

@@ -37,7 +37,7 @@ image::Image noisyFilm(std::uint32_t seed, const FilmOptions& options) {
   return image;
 }
 
-int alarmsOf(int runs, const FilmOptions& a, const FilmOptions& b, double alpha) {
+int falseAlarmsOf(int runs, const FilmOptions& a, const FilmOptions& b, double alpha) {
   int alarms = 0;
   for (int i = 0; i < runs; ++i) {
     const auto seed = static_cast<std::uint32_t>(2 * i);
@@ -88,8 +88,8 @@ TEST_CASE("images without noise are equal up to rounding, or differ for certain"
 }
 
 TEST_CASE("films of equal light raise no alarm at the default level, and about as many as asked for at another") {
-  CHECK(alarmsOf(200, {}, {}, 1e-4) == 0);
-  const int alarms = alarmsOf(200, {}, {}, 0.05);
+  CHECK(falseAlarmsOf(200, {}, {}, 1e-4) == 0);
+  const int alarms = falseAlarmsOf(200, {}, {}, 0.05);
   CHECK(alarms >= 2);
   CHECK(alarms <= 21);
 }
@@ -97,16 +97,16 @@ TEST_CASE("films of equal light raise no alarm at the default level, and about a
 TEST_CASE("fireflies that one side has not seen yet raise no alarm") {
   const FilmOptions few{.samples = 8, .fireflyShare = 5e-4};
   const FilmOptions many{.samples = 128, .fireflyShare = 5e-4};
-  CHECK(alarmsOf(200, few, few, 0.05) <= 21);
-  CHECK(alarmsOf(100, few, many, 0.05) <= 10);
+  CHECK(falseAlarmsOf(200, few, few, 0.05) <= 21);
+  CHECK(falseAlarmsOf(100, few, many, 0.05) <= 10);
 }
 
 TEST_CASE("a bias of the size that the verdict calls detectable is seen in 99 of 100 comparisons, on either side") {
   // sigma = mean, 16 x 16 x 16 samples: standard error 2^0.5 / 64 of the mean; level 1e-4 / 5 at 5 tests.
   const double detectable = testFilms(noisyFilm(1, {}), noisyFilm(2, {}), 1e-4).image().detectableBias;
   CHECK(detectable == Approx((4.2649 + 2.3263) * std::sqrt(2.0) / 64).epsilon(0.05));
-  CHECK(alarmsOf(100, {.factor = 1 + 1.1 * detectable}, {}, 1e-4) >= 99);
-  CHECK(alarmsOf(100, {.factor = 1 / (1 + 1.1 * detectable)}, {}, 1e-4) >= 98);
+  CHECK(falseAlarmsOf(100, {.factor = 1 + 1.1 * detectable}, {}, 1e-4) >= 99);
+  CHECK(falseAlarmsOf(100, {.factor = 1 / (1 + 1.1 * detectable)}, {}, 1e-4) >= 98);
 }
 
 TEST_CASE("a difference in one tile is found there") {
