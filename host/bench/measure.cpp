@@ -118,7 +118,7 @@ bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::sp
       std::array<image::Image, 2> images;
       for (std::uint32_t i = 0; i < images.size(); ++i) {
         render::RenderSettings settings = variant.settings;
-        settings.seed += 1 + i;
+        settings.image.seed += 1 + i;
         const render::RenderResult result = renderer.render(scene, settings, silent);
         if (result.interrupted) return false;
         images[i] = toImage(result.film);

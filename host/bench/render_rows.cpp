@@ -62,8 +62,8 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   json["structure"] = m.statistics.structure;
   json["bvhSplit"] = m.statistics.bvhSplit;
   json["bvhQuality"] = m.statistics.bvhQuality;
-  json["size"] = extentText(m.variant.settings.size);
-  json["samplesPerPixel"] = m.variant.settings.sampleCount;
+  json["size"] = extentText(m.variant.settings.image.size);
+  json["samplesPerPixel"] = m.variant.settings.image.sampleCount;
   json["workgroup"] = extentText(m.statistics.workgroup);
   json["segmentsPerDispatch"] = m.statistics.maxSegmentsPerDispatch;
   json["kernel"] = m.statistics.kernel;

@@ -14,8 +14,8 @@ namespace {
 using nlohmann::ordered_json;
 
 Variant variantOf(const char* name, render::RenderSettings settings, render::AccelKind accel, render::BvhSplit split) {
-  settings.accel = accel;
-  settings.bvhSplit = split;
+  settings.structure.accel = accel;
+  settings.structure.bvhSplit = split;
   return {name, settings};
 }
 

@@ -65,8 +65,8 @@ std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
   const render::RenderStatistics& s = m.statistics;
   return fmt::format(
       "candela {} | {} | {} {} x {} spp | {} | {:.3f} Msamples/s, {:.2f} Mrays/s | median of {}, spread {:.0f} %\n",
-      versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.size),
-      m.variant.settings.sampleCount, m.variant.name, m.msamplesPerSecond(), m.mraysPerSecond(), repeats,
+      versionText(), s.driver.empty() ? s.device : s.driver, row.scene, extentText(m.variant.settings.image.size),
+      m.variant.settings.image.sampleCount, m.variant.name, m.msamplesPerSecond(), m.mraysPerSecond(), repeats,
       100 * spread(m.traceSeconds));
 }
 

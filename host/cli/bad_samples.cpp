@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 // Without one that states it, the number of samples could be the file's, of which the sample need not be one.
 std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
   arguments.sampleCount.reset();
-  arguments.settings.seed = pixel.seed;
+  arguments.settings.image.seed = pixel.seed;
   std::string words = shellQuoted(arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {
     const std::string options = commandLineOf(arguments, group, true);
@@ -27,7 +27,7 @@ std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleC
 // A sample depends on those before it in nothing but the film, so the picture ends with it. Strata depend on the number
 // of samples: there all are drawn. A single sample may be one that is not jittered.
 std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::RenderSettings& settings) {
-  if (settings.sampler == render::SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
+  if (settings.image.sampler == render::SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
   return std::max(pixel.firstSample + 1, 2u);
 }
 
@@ -57,7 +57,7 @@ ordered_json sideJson(const render::BadSampleTally& tally, const RenderJob& job)
 }  // namespace
 
 std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
-  return job.settings.integrator == render::Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
+  return job.settings.image.integrator == render::Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
 }
 
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {

@@ -50,7 +50,7 @@ void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& argument
 }
 
 void requireScores(const Arguments& arguments) {
-  if (arguments.settings.integrator == render::Integrator::cost) {
+  if (arguments.settings.image.integrator == render::Integrator::cost) {
     throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
   }
   for (const std::string& target : {arguments.json, arguments.markdown, arguments.svg}) requireWritableReport(target);

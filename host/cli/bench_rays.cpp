@@ -50,9 +50,9 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     Arguments one = arguments;
     one.files = {arguments.files[i]};
     RenderJob job = loadJob(one, log);
-    job.settings.automatic = choices;
-    report.size = job.settings.size;
-    report.workgroup = job.settings.workgroupInUse();
+    job.settings.execution.automatic = choices;
+    report.size = job.settings.image.size;
+    report.workgroup = job.settings.execution.workgroupInUse();
     if (measureScene(device, job, log, report)) continue;
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;

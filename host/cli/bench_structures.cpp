@@ -37,8 +37,8 @@ constexpr std::uint32_t kTable1Samples = 15 * 15;
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
-  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.size.width,
-                       settings.size.height, settings.sampleCount, variants.size(), arguments.repeats));
+  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.image.size.width,
+                       settings.image.size.height, settings.image.sampleCount, variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   std::vector<StructureRow> rows;
   for (Measurement& measurement :
@@ -50,8 +50,8 @@ std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::
 
 // The report's seconds are for this work alone.
 bool isPublishedWork(const render::RenderSettings& settings) {
-  return settings.integrator == render::Integrator::path && settings.sampleCount == kTable1Samples &&
-         settings.size.width == 512 && settings.size.height == 512;
+  return settings.image.integrator == render::Integrator::path && settings.image.sampleCount == kTable1Samples &&
+         settings.image.size.width == 512 && settings.image.size.height == 512;
 }
 
 bool append(std::vector<StructureRow> rows, StructureReport& report) {
@@ -65,16 +65,16 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
     const scene::Scene scene = scene::parseScene(std::string(published.text), published.name, ".").scene;
     Arguments resolved = arguments;
     if (!resolved.sampleCount) resolved.sampleCount = kTable1Samples;
-    if (!resolved.given.contains("--sampler")) resolved.settings.sampler = render::SamplerKind::stratified;
-    resolved.settings.oneSided |= published.oneSided;
+    if (!resolved.given.contains("--sampler")) resolved.settings.image.sampler = render::SamplerKind::stratified;
+    resolved.settings.image.oneSided |= published.oneSided;
     resolveRequests(resolved, scene, log);
     requirePossible(resolved, scene, log);
     std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
     for (StructureRow& row : rows) {
       const render::RenderSettings& settings = row.measurement.variant.settings;
       if (!isPublishedWork(settings)) break;
-      if (settings.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
-      if (settings.accel == render::AccelKind::bvh && settings.bvhSplit == render::BvhSplit::midpoint) {
+      if (settings.structure.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
+      if (settings.structure.accel == render::AccelKind::bvh && settings.structure.bvhSplit == render::BvhSplit::midpoint) {
         row.publishedSeconds = published.bvhSeconds;
       }
     }

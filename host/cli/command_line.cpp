@@ -132,7 +132,7 @@ void requireOutput(const Arguments& arguments) {
 
 void requireTreeDepth(const Arguments& arguments) {
   const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > render::kMaxTreeDepth;
-  if (arguments.settings.integrator != render::Integrator::whitted || !tooDeep) return;
+  if (arguments.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
   fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
                                       *arguments.maxDepth, render::kMaxTreeDepth));
 }

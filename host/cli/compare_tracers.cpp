@@ -14,7 +14,7 @@ namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
-  if (arguments.settings.integrator == render::Integrator::cost) {
+  if (arguments.settings.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: each tracer has its own search structure and so its own counts, of which "
         "neither can be wrong; `candela render` shows those of one");

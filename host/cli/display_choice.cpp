@@ -20,8 +20,8 @@ double valueAtOne(const image::DisplayTransform& display) {
 image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image) {
   image::DisplayTransform display = arguments.display;
   if (arguments.given.contains("--tonemap")) return display;
-  if (arguments.settings.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
-  if (arguments.settings.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
+  if (arguments.settings.image.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
+  if (arguments.settings.image.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
   if (isFalseColour(display.toneMap)) display.scale = falseColourScale(image, display.toneMap);
   return display;
 }

@@ -27,19 +27,19 @@ void requireSense(const Arguments& arguments) {
     throw UsageError(
         "--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
   }
-  explain::requirePaths(arguments.settings.integrator);
+  explain::requirePaths(arguments.settings.image.integrator);
 }
 
 render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
-  const auto [width, height] = job.settings.size;
+  const auto [width, height] = job.settings.image.size;
   if (x >= width || y >= height) {
     throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width,
                                  height, width - 1, height - 1));
   }
-  if (job.arguments.sample >= job.settings.sampleCount) {
+  if (job.arguments.sample >= job.settings.image.sampleCount) {
     throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
-                                 job.arguments.sample, job.settings.sampleCount, job.settings.sampleCount - 1,
+                                 job.arguments.sample, job.settings.image.sampleCount, job.settings.image.sampleCount - 1,
                                  job.arguments.sample + 1));
   }
   return {x, y, job.arguments.sample};

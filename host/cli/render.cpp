@@ -32,8 +32,8 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const ren
           {"candela.scene", job.scene.name},
           {"candela.sceneHash", hashText(job.scene.hash)},
           {"candela.filmHash", hashText(result.film.hash())},
-          {"candela.samplesPerPixel", fmt::to_string(job.settings.sampleCount)},
-          {verify::kSeedMetadata, fmt::to_string(job.settings.seed)},
+          {"candela.samplesPerPixel", fmt::to_string(job.settings.image.sampleCount)},
+          {verify::kSeedMetadata, fmt::to_string(job.settings.image.seed)},
           {"candela.device", statistics.device},
           {"candela.driver", statistics.driver},
           {"candela.settings", settings},
@@ -59,8 +59,8 @@ void summarise(const RenderReport& report, const Log& log) {
   const std::string done = report.result.interrupted
                                ? fmt::format("interrupted after {} samples; what was done is written",
                                              report.result.statistics.samples)
-                               : fmt::format("{} samples per pixel", settings.sampleCount);
-  log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.size.width, settings.size.height, done,
+                               : fmt::format("{} samples per pixel", settings.image.sampleCount);
+  log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.image.size.width, settings.image.size.height, done,
                        report.totalSeconds, report.result.statistics.device));
 }
 

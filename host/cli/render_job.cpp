@@ -49,28 +49,28 @@ struct SpecialOption {
   const char* reader;
 };
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee", [](const render::RenderSettings& s) { return s.integrator == render::Integrator::path; },
+    SpecialOption{"--nee", [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
                   "--integrator path"},
     SpecialOption{"--rr-start",
-                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::path; },
+                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
                   "--integrator path"},
-    SpecialOption{"--max-depth", [](const render::RenderSettings& s) { return !isView(s.integrator); },
+    SpecialOption{"--max-depth", [](const render::RenderSettings& s) { return !isView(s.image.integrator); },
                   "--integrator path or whitted"},
     SpecialOption{"--light-size",
-                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::whitted; },
+                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::whitted; },
                   "--integrator whitted"},
     SpecialOption{"--ao-distance",
-                  [](const render::RenderSettings& s) { return s.integrator == render::Integrator::ao; },
+                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::ao; },
                   "--integrator ao"},
-    SpecialOption{"--grid-density", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::grid; },
+    SpecialOption{"--grid-density", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::grid; },
                   "--accel grid"},
-    SpecialOption{"--layout", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::bvh; },
+    SpecialOption{"--layout", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
                   "--accel bvh"},
-    SpecialOption{"--bvh-split", [](const render::RenderSettings& s) { return s.accel == render::AccelKind::bvh; },
+    SpecialOption{"--bvh-split", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
                   "--accel bvh"},
     SpecialOption{"--bvh-quality",
                   [](const render::RenderSettings& s) {
-                    return s.accel == render::AccelKind::bvh && s.bvhSplit == render::BvhSplit::sah;
+                    return s.structure.accel == render::AccelKind::bvh && s.structure.bvhSplit == render::BvhSplit::sah;
                   },
                   "--accel bvh with --bvh-split sah"}};
 
@@ -84,7 +84,7 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 }
 
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
-  if (settings.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
+  if (settings.image.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
   log.warning("no point light: --integrator whitted knows no other, so that surfaces show their own emission at most");
 }
 
@@ -95,20 +95,20 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
     log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
   }
   if (!arguments.sampleCount)
-    arguments.sampleCount = scene.requestedSamples.value_or(render::RenderSettings{}.sampleCount);
+    arguments.sampleCount = scene.requestedSamples.value_or(render::RenderSettings{}.image.sampleCount);
   if (!arguments.accel) arguments.accel = requestedAccel(scene);
-  if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.integrator);
+  if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.image.integrator);
   if (!arguments.size) arguments.size = render::Extent{scene.camera->width, scene.camera->height};
-  arguments.settings.sampleCount = *arguments.sampleCount;
-  arguments.settings.maxDepth = *arguments.maxDepth;
-  arguments.settings.accel = *arguments.accel;
-  arguments.settings.size = *arguments.size;
+  arguments.settings.image.sampleCount = *arguments.sampleCount;
+  arguments.settings.image.maxDepth = *arguments.maxDepth;
+  arguments.settings.structure.accel = *arguments.accel;
+  arguments.settings.image.size = *arguments.size;
 }
 
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   device::requireKernel(arguments.settings);
-  requirePixelLimit(arguments.settings.size);
-  requireMemoryForFilm(arguments.settings.size);
+  requirePixelLimit(arguments.settings.image.size);
+  requireMemoryForFilm(arguments.settings.image.size);
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }

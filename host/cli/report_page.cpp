@@ -72,7 +72,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   page.verdict = agreementSentence(agreement);
   addPaths(agreement.pixels, page);
   page.figures.push_back({"Samples per pixel, a side", fmt::to_string(agreement.mean.samples)});
-  page.figures.push_back({"Seed", fmt::to_string(job.settings.seed)});
+  page.figures.push_back({"Seed", fmt::to_string(job.settings.image.seed)});
   page.commands = {
       commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
   return page;
@@ -88,7 +88,7 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   addPaths(verification.paths, page);
   page.figures.push_back({"Samples per pixel, a side", fmt::format("{} in {} batches, {} looks", light.samplesPerPixel,
                                                                    verify::kBatchCount, light.looks)});
-  page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.seed)});
+  page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.image.seed)});
   page.figures.push_back(
       {"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
   if (verification.exact) {

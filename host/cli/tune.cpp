@@ -60,8 +60,8 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
   control.stop = &watchInterrupts();
   for (Work& work : works) {
     fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
-    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.size),
-                         work.settings.sampleCount));
+    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.image.size),
+                         work.settings.image.sampleCount));
   }
   return tune::search(
       device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {

@@ -36,7 +36,7 @@ class TunedRenderer final : public render::ReplayingRenderer {
 
  private:
   render::RenderSettings tuned(render::RenderSettings settings) const {
-    settings.automatic = choices_;
+    settings.execution.automatic = choices_;
     return settings;
   }
 

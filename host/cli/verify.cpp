@@ -37,7 +37,7 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
     throw UsageError(
         "--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
   }
-  if (arguments.explain) explain::requirePaths(arguments.settings.integrator);
+  if (arguments.explain) explain::requirePaths(arguments.settings.image.integrator);
   requireWritableReport(arguments.json);
   requireWritableReport(arguments.junit);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);

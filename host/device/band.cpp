@@ -25,11 +25,11 @@ std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
 std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
   const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
   const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
-  return settings.recordPaths ? std::max(path, queues + kRecordBytes) : path;
+  return settings.execution.recordPaths ? std::max(path, queues + kRecordBytes) : path;
 }
 
 std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& settings, std::uint64_t pixels) {
-  return headBytes(kernel, pixels) + (settings.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+  return headBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
 }
 
 vulkan::Usage resultUsage(const Kernel& kernel) {
@@ -43,14 +43,14 @@ GovernorOptions governorOptions(const render::RenderSettings& settings, const Lo
   GovernorOptions options;
   options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
   options.totalPixels = pixels;
-  options.workgroupPixels = settings.workgroupInUse().width * settings.workgroupInUse().height;
-  if (settings.tile) options.fixedPixels = std::uint64_t{settings.tile->width} * settings.tile->height;
-  if (settings.segmentsPerDispatch) options.fixedSegments = std::min(*settings.segmentsPerDispatch, budget.maxSegments);
+  options.workgroupPixels = settings.execution.workgroupInUse().width * settings.execution.workgroupInUse().height;
+  if (settings.execution.tile) options.fixedPixels = std::uint64_t{settings.execution.tile->width} * settings.execution.tile->height;
+  if (settings.execution.segmentsPerDispatch) options.fixedSegments = std::min(*settings.execution.segmentsPerDispatch, budget.maxSegments);
   return options;
 }
 
 TileCursor cursorOver(render::Extent band, const render::RenderSettings& settings) {
-  return settings.tile ? TileCursor::ofTiles(band, *settings.tile) : TileCursor(band, settings.workgroupInUse());
+  return settings.execution.tile ? TileCursor::ofTiles(band, *settings.execution.tile) : TileCursor(band, settings.execution.workgroupInUse());
 }
 
 render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
@@ -64,16 +64,16 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 }  // namespace
 
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings) {
-  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.size.width;
+  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.size.width;
   // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
   const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
   const std::uint64_t head = headBytes(kernel, 0);
   const std::uint64_t rows = mostBytes <= head ? 0 : (mostBytes - head) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
+                                settings.image.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
   }
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.size.height));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.size.height));
 }
 
 Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
@@ -82,7 +82,7 @@ Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const
       kernel_(kernel),
       pipelines_(pipelines),
       settings_(settings),
-      width_(settings.size.width),
+      width_(settings.image.size.width),
       states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
@@ -103,13 +103,13 @@ void Band::start(BandRows rows) {
 double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudget& budget) {
   gpu::DispatchConstants constants;
   constants.region = {region.x, rows_.first + region.y, region.width, region.height};
-  constants.work = {rows_.first, segments, settings_.sampleCount, budget.laneTurns};
-  const render::Extent workgroup = settings_.workgroupInUse();
+  constants.work = {rows_.first, segments, settings_.image.sampleCount, budget.laneTurns};
+  const render::Extent workgroup = settings_.execution.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
       constants.work.w = static_cast<std::uint32_t>(pixels());
-      const std::uint64_t longestPixel = std::uint64_t{settings_.sampleCount} * settings_.maxDepth;
+      const std::uint64_t longestPixel = std::uint64_t{settings_.image.sampleCount} * settings_.image.maxDepth;
       const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
       recordRounds(recorder, pipelines_, bindings_, results_, constants, count, rounds);
     } else {
@@ -133,7 +133,7 @@ std::uint64_t Band::takeFinishedSamples() {
 }
 
 void Band::warmUp(const LoopBudget& budget) {
-  const render::Extent workgroup = settings_.workgroupInUse();
+  const render::Extent workgroup = settings_.execution.workgroupInUse();
   const render::Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
   dispatch({0, 0, corner.width, corner.height}, 1, budget);
 }
@@ -198,7 +198,7 @@ void Band::readBack(render::RenderResult& result) {
   }
   result.statistics.truncated += counters().truncated;
   readCounts(result.statistics);
-  if (settings_.recordPaths) readRecords(result.paths);
+  if (settings_.execution.recordPaths) readRecords(result.paths);
 }
 
 }  // namespace candela::device

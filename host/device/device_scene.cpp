@@ -48,9 +48,9 @@ bool canBind(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, ren
 
 render::SceneLoads loadsFor(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
                             const render::RenderSettings& settings) {
-  if (!canBind(info, flat, settings.sceneLoads)) refuse(info, flat, settings.sceneLoads);
-  if (settings.sceneLoads != render::SceneLoads::automatic) return settings.sceneLoads;
-  const render::SceneLoads preferred = settings.automatic.sceneLoads;
+  if (!canBind(info, flat, settings.execution.sceneLoads)) refuse(info, flat, settings.execution.sceneLoads);
+  if (settings.execution.sceneLoads != render::SceneLoads::automatic) return settings.execution.sceneLoads;
+  const render::SceneLoads preferred = settings.execution.automatic.sceneLoads;
   if (canBind(info, flat, preferred)) return preferred;
   return preferred == render::SceneLoads::texel ? render::SceneLoads::storage : render::SceneLoads::texel;
 }

@@ -60,12 +60,12 @@ class GpuRenderer final : public render::ReplayingRenderer {
 };
 
 void describeBuild(const render::RenderSettings& settings, render::RenderStatistics& statistics) {
-  if (settings.bvhSplit == render::BvhSplit::midpoint) {
+  if (settings.structure.bvhSplit == render::BvhSplit::midpoint) {
     statistics.bvhSplit = "midpoint";
     return;
   }
   statistics.bvhSplit = "sah";
-  statistics.bvhQuality = flatten::buildQualityName(settings.bvhQuality);
+  statistics.bvhQuality = flatten::buildQualityName(settings.structure.bvhQuality);
 }
 
 flatten::FlattenLimits GpuRenderer::limitsFor(std::uint32_t raysPerSegment) const {
@@ -76,12 +76,12 @@ void GpuRenderer::describe(const Kernel& kernel, const flatten::FlatScene& flat,
                            bool texels, render::RenderStatistics& statistics) const {
   statistics.device = device_.info().name;
   statistics.driver = device_.info().driver;
-  statistics.structure = structureName(settings.accel);
-  if (settings.accel == render::AccelKind::bvh) describeBuild(settings, statistics);
+  statistics.structure = structureName(settings.structure.accel);
+  if (settings.structure.accel == render::AccelKind::bvh) describeBuild(settings, statistics);
   statistics.layout = flat.uniformSlots > 0 ? "row" : flatten::layoutName(flat.structure);
   statistics.kernel = kernel.name;
-  statistics.workgroup = settings.workgroupInUse();
-  statistics.automaticOrigin = settings.automatic.origin;
+  statistics.workgroup = settings.execution.workgroupInUse();
+  statistics.automaticOrigin = settings.execution.automatic.origin;
   statistics.sceneLoads = texels ? "texel" : "storage";
   statistics.structureQuality = flat.structureQuality;
 }
@@ -97,7 +97,7 @@ std::vector<const vulkan::ComputePipeline*> GpuRenderer::pipelinesOf(const Kerne
 
 render::RenderResult GpuRenderer::render(const scene::Scene& scene, const render::RenderSettings& settings,
                                          const render::RenderControl& control) {
-  requireWorkgroup(device_.info(), settings.workgroupInUse());
+  requireWorkgroup(device_.info(), settings.execution.workgroupInUse());
   render::RenderResult result;
   render::RenderStatistics& statistics = result.statistics;
   Stopwatch watch;
@@ -116,7 +116,7 @@ render::RenderResult GpuRenderer::render(const scene::Scene& scene, const render
   const std::vector<const vulkan::ComputePipeline*> pipelines = pipelinesOf(
       kernel, kernelOptions(flat, settings, deviceScene.readsTexels(), sizeof(gpu::DispatchConstants)));
   const std::uint32_t height = bandHeight(device_.info(), kernel, settings);
-  result.film = image::Film(settings.size.width, settings.size.height);
+  result.film = image::Film(settings.image.size.width, settings.image.size.height);
   Band band(device_, kernel, pipelines, deviceScene, settings, height);
   statistics.seconds["pipeline"] = watch.lap();
   renderBands(band, height, budget, settings, control, result);
@@ -127,16 +127,16 @@ render::RenderResult GpuRenderer::render(const scene::Scene& scene, const render
 void GpuRenderer::renderBands(Band& band, std::uint32_t height, const LoopBudget& budget,
                               const render::RenderSettings& settings, const render::RenderControl& control,
                               render::RenderResult& result) {
-  const double total = static_cast<double>(settings.size.width) * settings.size.height * settings.sampleCount;
+  const double total = static_cast<double>(settings.image.size.width) * settings.image.size.height * settings.image.sampleCount;
   std::uint64_t done = 0;
   const auto count = [&](std::uint64_t fresh) {
     done += fresh;
     if (control.progress) control.progress(static_cast<double>(done) / total, done);
   };
   render::RenderStatistics& statistics = result.statistics;
-  for (std::uint32_t first = 0; first < settings.size.height && !result.interrupted; first += height) {
+  for (std::uint32_t first = 0; first < settings.image.size.height && !result.interrupted; first += height) {
     Stopwatch watch;
-    band.start({first, std::min(height, settings.size.height - first)});
+    band.start({first, std::min(height, settings.image.size.height - first)});
     if (first == 0) {
       band.warmUp(budget);
       statistics.seconds["pipeline"] += watch.lap();

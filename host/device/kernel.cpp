@@ -56,23 +56,23 @@ void addTreeCounts(std::span<const std::byte> bytes, render::RenderStatistics& s
 std::string_view kernelsHash() { return spirv::hash; }
 
 std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings) {
-  if (settings.integrator != render::Integrator::whitted) return 2;
+  if (settings.image.integrator != render::Integrator::whitted) return 2;
   return 1 + static_cast<std::uint32_t>(std::min<std::size_t>(scene.pointLights.size(), gpu::kLightsPerSegment));
 }
 
 void requireKernel(const render::RenderSettings& settings) {
-  if (settings.kernel != render::KernelKind::wavefront || settings.integrator == render::Integrator::path) return;
+  if (settings.execution.kernel != render::KernelKind::wavefront || settings.image.integrator == render::Integrator::path) return;
   throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
 }
 
 Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
   requireKernel(settings);
-  if (settings.integrator == render::Integrator::whitted) {
+  if (settings.image.integrator == render::Integrator::whitted) {
     const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
     return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
   }
-  if (isView(settings.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
-  if (settings.kernelInUse() == render::KernelKind::megakernel) {
+  if (isView(settings.image.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
+  if (settings.execution.kernelInUse() == render::KernelKind::megakernel) {
     return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
   }
   return {"wavefront",

@@ -66,7 +66,7 @@ vulkan::Buffer storage(vulkan::Device& device, std::uint64_t count, std::uint64_
 }
 
 const render::RenderSettings& checked(const vulkan::Device& device, const render::RenderSettings& settings) {
-  requireWorkgroup(device.info(), settings.workgroupInUse());
+  requireWorkgroup(device.info(), settings.execution.workgroupInUse());
   return settings;
 }
 
@@ -86,7 +86,7 @@ RayCaster::RayCaster(vulkan::Device& device, flatten::FlatScene flat, const rend
 
 double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan::BindingSet& bindings,
                            std::uint32_t count) {
-  const std::uint32_t lanes = lanesOf(settings_.workgroupInUse());
+  const std::uint32_t lanes = lanesOf(settings_.execution.workgroupInUse());
   double seconds = 0;
   for (std::uint32_t first = 0; first < count;) {
     const std::uint32_t end = first + std::min(count - first, chunk_);
@@ -107,7 +107,7 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
 RaySets RayCaster::makeRays() {
   const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, flat_, settings_, readsTexels(),
                                                         false);
-  const std::uint32_t pixels = settings_.size.width * settings_.size.height;
+  const std::uint32_t pixels = settings_.image.size.width * settings_.image.size.height;
   const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));
   const vulkan::BindingSet bindings(
       pipeline, {&deviceScene_.rows(), &all, &hits_, &unused_, &deviceScene_.texels(), &deviceScene_.uniforms()});
@@ -115,7 +115,7 @@ RaySets RayCaster::makeRays() {
   std::vector<gpu::CastRay> made(std::size_t{gpu::kRayKindCount} * pixels);
   all.download(std::as_writable_bytes(std::span(made)));
   RaySets sets;
-  for (const std::uint32_t pixel : alongMortonCurve(settings_.size)) {
+  for (const std::uint32_t pixel : alongMortonCurve(settings_.image.size)) {
     for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
       const gpu::CastRay& ray = made[std::size_t{pixel} * gpu::kRayKindCount + kind];
       if (kind == gpu::kPrimaryRay && ray.direction.w != 0)

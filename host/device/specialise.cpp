@@ -7,12 +7,12 @@ namespace {
 
 std::uint32_t lensOf(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
   if (glm::vec3(flat.constants.lensUp) == glm::vec3(0)) return gpu::kLensNone;
-  return settings.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
+  return settings.image.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
 std::uint32_t filterOf(const render::RenderSettings& settings) {
-  if (!settings.jittersPixels()) return gpu::kFilterNone;
-  return settings.filter == render::FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
+  if (!settings.image.jittersPixels()) return gpu::kFilterNone;
+  return settings.image.filter == render::FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
 }
 
 std::uint32_t samplerOf(render::SamplerKind kind) {
@@ -53,8 +53,8 @@ std::uint32_t viewOf(render::Integrator integrator) {
 std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
                                                bool texels) {
   const flatten::SceneFeatures& has = flat.features;
-  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.workgroupInUse().width},
-                                                {gpu::kSpecWorkgroupY, settings.workgroupInUse().height},
+  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
+                                                {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
                                                 {gpu::kSpecSpheres, has.spheres},
                                                 {gpu::kSpecTriangles, has.triangles},
                                                 {gpu::kSpecBoxes, has.boxes},
@@ -70,20 +70,20 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecTriangleLights, has.triangleLights},
                                                 {gpu::kSpecPointLights, has.pointLights},
                                                 {gpu::kSpecSky, has.sky},
-                                                {gpu::kSpecOneSided, settings.oneSided},
+                                                {gpu::kSpecOneSided, settings.image.oneSided},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
-                                                {gpu::kSpecSampler, samplerOf(settings.sampler)},
+                                                {gpu::kSpecSampler, samplerOf(settings.image.sampler)},
                                                 {gpu::kSpecStructure, flat.structure},
                                                 {gpu::kSpecTexels, texels},
-                                                {gpu::kSpecRecord, settings.recordPaths},
+                                                {gpu::kSpecRecord, settings.execution.recordPaths},
                                                 {gpu::kSpecStackSize, flat.stackSize},
                                                 {gpu::kSpecMixtures, has.mixtures},
                                                 {gpu::kSpecInsideOnly, has.insideOnly},
                                                 {gpu::kSpecUniformSlots, flat.uniformSlots},
                                                 {gpu::kSpecRowsAhead, flat.rowsAhead},
-                                                {gpu::kSpecAreaLights, settings.lightSize > 0},
-                                                {gpu::kSpecView, viewOf(settings.integrator)}};
+                                                {gpu::kSpecAreaLights, settings.image.lightSize > 0},
+                                                {gpu::kSpecView, viewOf(settings.image.integrator)}};
   for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
     constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
   }

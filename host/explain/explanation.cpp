@@ -78,7 +78,7 @@ Explanation explainReplays(const scene::Scene& scene, const render::RenderSettin
   Explanation result;
   result.scene = scene.name;
   result.sample = sample;
-  result.seed = settings.seed;
+  result.seed = settings.image.seed;
   result.statistics = device.statistics;
   result.device = device.path;
   result.reference = reference.path;
@@ -99,7 +99,7 @@ std::optional<Explanation> explainWorst(const scene::Scene& scene, const render:
                                         render::ReplayingRenderer& reference) {
   if (pixels.equal == pixels.pixels) return std::nullopt;
   render::RenderSettings single = settings;
-  single.sampleCount = 1;
+  single.image.sampleCount = 1;
   return explainSample(scene, single, {pixels.worstX, pixels.worstY, 0}, device, reference);
 }
 

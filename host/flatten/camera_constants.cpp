@@ -17,11 +17,17 @@ Axis axisOf(std::uint32_t extent, render::PixelOrigin origin) {
   return {extent, 0.5f};
 }
 
+// The maximum length of the rays of `ao`.
+float aoDistance(const scene::Camera& camera, const render::ImageSettings& image) {
+  if (image.aoDistance) return *image.aoDistance;
+  return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
+}
+
 }  // namespace
 
-void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::RenderSettings& settings) {
-  const Axis across = axisOf(settings.size.width, settings.pixelOrigin);
-  const Axis down = axisOf(settings.size.height, settings.pixelOrigin);
+void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::ImageSettings& image) {
+  const Axis across = axisOf(image.size.width, image.pixelOrigin);
+  const Axis down = axisOf(image.size.height, image.pixelOrigin);
   const glm::dvec3 from(camera.from);
   const glm::dvec3 backward = from - glm::dvec3(camera.at);
   const double distance = glm::length(backward);
@@ -37,6 +43,7 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   constants.cameraUp = gpu::vec4(glm::vec3(height * v), 1.0f / static_cast<float>(down.pixels));
   constants.lensRight = gpu::vec4(glm::vec3(lensRadius * u), static_cast<float>(1.0 / camera.focal));
   constants.lensUp = gpu::vec4(glm::vec3(lensRadius * v), 0);
+  constants.background.w = aoDistance(camera, image);
 }
 
 }  // namespace candela::flatten

@@ -1,4 +1,4 @@
-// The camera as the kernel wants it: docs/light-transport.md section 3.
+// The camera in a kernel's constants: docs/light-transport.md section 3.
 #pragma once
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
@@ -6,8 +6,8 @@
 
 namespace candela::flatten {
 
-/// Fills the camera's rows of `constants`, computed in double and rounded once. Of `settings`, size and pixel origin
-/// count.
-void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::RenderSettings& settings);
+/// Sets everything in `constants` that depends on the camera, computed in double precision and rounded once: its vectors, the
+/// lens, and the maximum length of the rays of `ao`.
+void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::ImageSettings& image);
 
 }  // namespace candela::flatten

@@ -89,7 +89,7 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
 }
 
 void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
-  const Rows lights = pointLightRows(scene, lightSize);
+  const Rows lights = pointLightRows(scene.pointLights, *scene.camera, lightSize);
   flat.constants.sections.w = rowCount(flat.rows);
   flat.constants.limits.z = static_cast<std::uint32_t>(scene.pointLights.size());
   flat.features.pointLights = !scene.pointLights.empty();
@@ -129,29 +129,23 @@ void copySlotRows(FlatScene& flat) {
 
 // n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
 std::uint32_t strataPerSide(const render::RenderSettings& settings) {
-  if (settings.sampler != render::SamplerKind::stratified) return 0;
-  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.sampleCount)));
+  if (settings.image.sampler != render::SamplerKind::stratified) return 0;
+  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.image.sampleCount)));
   return std::min(side, 256u);
 }
 
-// Of `ao`, as far as its rays look.
-float aoDistance(const scene::Camera& camera, const render::RenderSettings& settings) {
-  if (settings.aoDistance) return *settings.aoDistance;
-  return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
-}
-
 void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
-  setCamera(constants, *scene.camera, settings);
-  constants.background = gpu::vec4(scene.background, aoDistance(*scene.camera, settings));
-  constants.imageSeed = {settings.size.width, settings.size.height, settings.seed, strataPerSide(settings)};
-  constants.limits = {settings.maxDepth, settings.rouletteStart, 0, 0};
+  constants.background = gpu::vec4(scene.background, 0);
+  setCamera(constants, *scene.camera, settings.image);
+  constants.imageSeed = {settings.image.size.width, settings.image.size.height, settings.image.seed, strataPerSide(settings)};
+  constants.limits = {settings.image.maxDepth, settings.image.rouletteStart, 0, 0};
 }
 
 // Whether a structure is asked for by more than the default.
 bool wantsStructure(const render::RenderSettings& settings) {
-  if (settings.accel == render::AccelKind::grid) return true;
-  return settings.accel == render::AccelKind::bvh &&
-         (settings.bvhSplit == render::BvhSplit::midpoint || settings.bvhLayout != render::BvhLayout::automatic);
+  if (settings.structure.accel == render::AccelKind::grid) return true;
+  return settings.structure.accel == render::AccelKind::bvh &&
+         (settings.structure.bvhSplit == render::BvhSplit::midpoint || settings.structure.bvhLayout != render::BvhLayout::automatic);
 }
 
 // Builds what the settings ask for as the first rows, and gives the finite primitives' order.
@@ -159,8 +153,8 @@ std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, con
                                            std::uint32_t maxGridSide, FlatScene& flat) {
   Stopwatch watch;
   std::vector<std::uint32_t> order = bounds.finite;
-  if (settings.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
-  if (settings.accel == render::AccelKind::grid) order = appendGrid(bounds, settings.gridDensity, maxGridSide, flat);
+  if (settings.structure.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
+  if (settings.structure.accel == render::AccelKind::grid) order = appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
   flat.structureSeconds = watch.lap();
   flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
   return order;
@@ -172,8 +166,8 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
-  flat.features = featuresOf(scene, settings.integrator);
-  const bool whitted = settings.integrator == render::Integrator::whitted;
+  flat.features = featuresOf(scene, settings.image.integrator);
+  const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const accel::SceneBounds bounds = accel::boundPrimitives(scene);
   const bool small = isSmall(scene, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
@@ -184,14 +178,14 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.constants.moreSections.w = flat.slotCount;
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
-                                                : buildLightTable(scene, settings.nextEventEstimation);
+                                                : buildLightTable(scene, settings.image.nextEventEstimation);
   appendPrimitives(scene, order, table, flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
   if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
-  appendMaterials(scene, settings.integrator, flat);
+  appendMaterials(scene, settings.image.integrator, flat);
   if (whitted) {
-    appendPointLights(scene, settings.lightSize, flat);
-    flat.constants.limits.w = treeRows(flat.features, settings.maxDepth);
+    appendPointLights(scene, settings.image.lightSize, flat);
+    flat.constants.limits.w = treeRows(flat.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, slotsOf(order), flat);
   }

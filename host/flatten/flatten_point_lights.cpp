@@ -23,10 +23,10 @@ glm::dvec3 facingOf(const scene::PointLight& light, const scene::Camera& camera)
 
 }  // namespace
 
-Rows pointLightRows(const scene::Scene& scene, double size) {
+Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size) {
   Rows rows;
-  for (const scene::PointLight& light : scene.pointLights) {
-    const Edges edges = edgesAround(facingOf(light, *scene.camera));
+  for (const scene::PointLight& light : lights) {
+    const Edges edges = edgesAround(facingOf(light, camera));
     rows.push_back(row(glm::dvec3(light.colour), 0.0));
     rows.push_back(row(glm::dvec3(light.position), 0.0));
     rows.push_back(row(size * edges.tangent, 0.0));

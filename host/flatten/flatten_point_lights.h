@@ -1,12 +1,14 @@
 // Rows of the lights of Whitted's tracer.
 #pragma once
+#include <span>
+
 #include "host/flatten/flat_rows.h"
 #include "host/scene/scene.h"
 
 namespace candela::flatten {
 
-/// All point lights in file order, as squares of side `size` (0: points) that face the camera's `at`: see
-/// docs/light-transport.md section 9 and shaders/shared/scene_rows.h. The scene has a camera.
-Rows pointLightRows(const scene::Scene& scene, double size);
+/// All point lights in the given order, as squares of side `size` (0: points) that face the camera's target: see
+/// docs/light-transport.md section 9 and shaders/shared/scene_rows.h.
+Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
 
 }  // namespace candela::flatten

@@ -6,8 +6,8 @@ namespace candela::flatten {
 namespace {
 
 // The point of the sphere nearest to the camera: rays meet a huge sphere near there, so its coordinates are small.
-glm::dvec3 sphereAnchor(const scene::Scene& scene, const glm::dvec3& centre, double radius) {
-  const glm::dvec3 towardsCamera = glm::dvec3(scene.camera->from) - centre;
+glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double radius) {
+  const glm::dvec3 towardsCamera = eye - centre;
   const double distance = glm::length(towardsCamera);
   const glm::dvec3 direction = distance > 0 ? towardsCamera / distance : glm::dvec3(1, 0, 0);
   return glm::dvec3(glm::vec3(centre + radius * direction));
@@ -22,13 +22,10 @@ std::uint32_t kindWord(const scene::Scene& scene, const scene::Primitive& primit
 void appendSphere(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
                   Rows& rows) {
   const scene::Sphere& sphere = scene.spheres[primitive.index];
-  const glm::dvec3 centre(sphere.centre);
-  const double radius = std::abs(double{sphere.radius});
-  const glm::dvec3 anchor = sphereAnchor(scene, centre, radius);
-  const glm::dvec3 k = radius > 0 ? (anchor - centre) / radius : glm::dvec3(0);
   const std::uint32_t inside = sphere.radius < 0 ? gpu::kFlagInsideOnly : 0;
-  rows.push_back(row(anchor, radius));
-  rows.push_back(row(k, context.primitive));
+  rows.push_back({});
+  rows.push_back({0, 0, 0, context.primitive});
+  placeSphere(sphere, scene.camera->from, std::span(rows).last<2>());
   rows.push_back({context.light, 0, 0, kindWord(scene, primitive, gpu::kKindSphere | inside)});
 }
 
@@ -77,6 +74,15 @@ void appendPlane(const scene::Scene& scene, const PrimitiveContext& context, con
 }
 
 }  // namespace
+
+void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows) {
+  const glm::dvec3 centre(sphere.centre);
+  const double radius = std::abs(double{sphere.radius});
+  const glm::dvec3 anchor = sphereAnchor(glm::dvec3(eye), centre, radius);
+  const glm::dvec3 k = radius > 0 ? (anchor - centre) / radius : glm::dvec3(0);
+  rows[0] = row(anchor, radius);
+  rows[1] = row(k, rows[1].w);
+}
 
 void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& normals) {
   const scene::Primitive& primitive = scene.primitives[context.primitive];

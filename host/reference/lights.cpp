@@ -28,8 +28,8 @@ struct SphereView {
 }  // namespace
 
 LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
-    : scene_(scene), oneSided_(settings.oneSided), entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
-  collect(settings.nextEventEstimation);
+    : scene_(scene), oneSided_(settings.image.oneSided), entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
+  collect(settings.image.nextEventEstimation);
   computeThresholds();
 }
 

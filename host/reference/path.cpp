@@ -84,7 +84,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     const Surface surface = surfaceAt(scene(), ray, hit);
     notes.hit(hit, surface);
     radiance += beta * emission(ray, hit.distance, surface, pdf, notes);
-    if (depth == settings_.maxDepth) return radiance;
+    if (depth == settings_.image.maxDepth) return radiance;
 
     const Vertex vertex(surface, bsdfs_[surface.material], ray.direction);
     const VertexNumbers u(numbers, depth);
@@ -97,7 +97,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     if (beta == dvec3(0)) return radiance;
     notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
 
-    if (depth > settings_.rouletteStart) {
+    if (depth > settings_.image.rouletteStart) {
       const double survival = std::min(1.0, std::sqrt(largestChannel(beta)));
       const bool survives = u.roulette() < survival;
       notes.roulette(survival, survives);
@@ -115,7 +115,7 @@ dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surfa
   const scene::Material& material = scene().materials[surface.material];
   if (!isEmissive(material)) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
-  if (settings_.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
+  if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
   const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
   const dvec3 found = weight * dvec3(material.emission);
   notes.emission(found, weight);

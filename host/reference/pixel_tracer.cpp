@@ -4,7 +4,7 @@ namespace candela::reference {
 
 PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : scene_(scene),
-      sampler_(settings.sampler, settings.seed, settings.sampleCount),
+      sampler_(settings.image.sampler, settings.image.seed, settings.image.sampleCount),
       camera_(*scene.camera, settings),
       tracing_(scene, settings) {}
 

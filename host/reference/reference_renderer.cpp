@@ -20,13 +20,13 @@ namespace {
 constexpr render::Extent kDefaultTile{16, 16};
 
 std::uint32_t threadCount(const render::RenderSettings& settings) {
-  return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+  return settings.execution.threads > 0 ? settings.execution.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
 std::unique_ptr<PixelTracer> makeTracer(const scene::Scene& scene, const render::RenderSettings& settings) {
-  if (settings.integrator == render::Integrator::whitted)
+  if (settings.image.integrator == render::Integrator::whitted)
     return std::make_unique<reference::WhittedTracer>(scene, settings);
-  if (isView(settings.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
+  if (isView(settings.image.integrator)) return std::make_unique<reference::ViewTracer>(scene, settings);
   return std::make_unique<reference::PathTracer>(scene, settings);
 }
 
@@ -39,9 +39,9 @@ class Job {
         settings_(settings),
         control_(control),
         result_(result),
-        tile_(settings.tile.value_or(kDefaultTile)),
-        tilesAcross_((settings.size.width + tile_.width - 1) / tile_.width),
-        tileCount_(std::uint64_t{tilesAcross_} * ((settings.size.height + tile_.height - 1) / tile_.height)) {}
+        tile_(settings.execution.tile.value_or(kDefaultTile)),
+        tilesAcross_((settings.image.size.width + tile_.width - 1) / tile_.width),
+        tileCount_(std::uint64_t{tilesAcross_} * ((settings.image.size.height + tile_.height - 1) / tile_.height)) {}
 
   render::Extent tile() const { return tile_; }
   bool wasInterrupted() const { return interrupted_; }
@@ -82,8 +82,8 @@ class Job {
   }
 
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters) {
-    const std::uint32_t right = std::min(left + tile_.width, settings_.size.width);
-    const std::uint32_t bottom = std::min(top + tile_.height, settings_.size.height);
+    const std::uint32_t right = std::min(left + tile_.width, settings_.image.size.width);
+    const std::uint32_t bottom = std::min(top + tile_.height, settings_.image.size.height);
     for (std::uint32_t y = top; y < bottom; ++y) {
       for (std::uint32_t x = left; x < right; ++x) {
         if (isStopped()) {
@@ -97,8 +97,8 @@ class Job {
   }
 
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
-    const std::size_t pixel = std::size_t{y} * settings_.size.width + x;
-    for (std::uint32_t sample = 0; sample < settings_.sampleCount; ++sample) {
+    const std::size_t pixel = std::size_t{y} * settings_.image.size.width + x;
+    for (std::uint32_t sample = 0; sample < settings_.image.sampleCount; ++sample) {
       render::PathRecord* record = result_.paths.empty() || sample > 0 ? nullptr : &result_.paths[pixel];
       result_.film.addSample(x, y, tracer_.sample(x, y, sample, counters, record), sample);
     }
@@ -107,7 +107,7 @@ class Job {
   void reportProgress() const {
     if (!control_.progress) return;
     const std::uint64_t done = samplesDone_.load();
-    const double total = double{1} * settings_.size.width * settings_.size.height * settings_.sampleCount;
+    const double total = double{1} * settings_.image.size.width * settings_.image.size.height * settings_.image.sampleCount;
     control_.progress(static_cast<double>(done) / total, done);
   }
 
@@ -140,7 +140,7 @@ void describeStructure(const reference::Tracing& tracing, const render::RenderSe
   statistics.structure = "none";
   if (tracing.hasHierarchy()) {
     statistics.structure = "bvh";
-    statistics.bvhSplit = settings.bvhSplit == render::BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::midpoint ? "midpoint" : "median";
     statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
   }
   if (tracing.hasGrid()) {
@@ -188,10 +188,10 @@ class ReferenceRenderer final : public render::ReplayingRenderer {
  private:
   static render::RenderResult renderUnguarded(const scene::Scene& scene, const render::RenderSettings& settings,
                                               const render::RenderControl& control) {
-    const auto [width, height] = settings.size;
+    const auto [width, height] = settings.image.size;
     render::RenderResult result;
     result.film = image::Film(width, height);
-    if (settings.recordPaths) result.paths.resize(std::size_t{width} * height);
+    if (settings.execution.recordPaths) result.paths.resize(std::size_t{width} * height);
 
     render::RenderStatistics& statistics = result.statistics;
     statistics.device = "cpu";
@@ -206,7 +206,7 @@ class ReferenceRenderer final : public render::ReplayingRenderer {
 
     watch.lap();
     Job job(*tracer, settings, control, result);
-    addCounters(job.run(statistics.threads), settings.integrator, statistics);
+    addCounters(job.run(statistics.threads), settings.image.integrator, statistics);
     statistics.seconds["trace"] = watch.lap();
     statistics.tile = job.tile();
     result.interrupted = job.wasInterrupted();

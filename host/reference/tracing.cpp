@@ -63,18 +63,18 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   }
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
-    addItem(scene, primitive, settings.oneSided && material.t == 0);
+    addItem(scene, primitive, settings.image.oneSided && material.t == 0);
   };
 
   items_.reserve(scene.primitives.size());
-  const bool wantsHierarchy = settings.bvhSplit == render::BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
-  if (settings.accel == render::AccelKind::bvh && wantsHierarchy) {
-    hierarchy_ = buildHierarchy(boxes, settings.bvhSplit);
+  const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
+  if (settings.structure.accel == render::AccelKind::bvh && wantsHierarchy) {
+    hierarchy_ = buildHierarchy(boxes, settings.structure.bvhSplit);
     for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
-  if (settings.accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.gridDensity});
+  if (settings.structure.accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
 }

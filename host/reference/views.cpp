@@ -8,7 +8,7 @@ namespace candela::reference {
 namespace {
 
 double aoDistanceOf(const scene::Camera& camera, const render::RenderSettings& settings) {
-  if (settings.aoDistance) return *settings.aoDistance;
+  if (settings.image.aoDistance) return *settings.image.aoDistance;
   return static_cast<float>(glm::length(dvec3(camera.at) - dvec3(camera.from)) / 4);
 }
 
@@ -26,7 +26,7 @@ dvec3 ownShadingNormal(const Surface& surface) {
 }  // namespace
 
 ViewTracer::ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), view_(settings.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
+    : PixelTracer(scene, settings), view_(settings.image.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
   for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
 }
 

@@ -41,7 +41,7 @@ struct WhittedTracer::Node {
 };
 
 WhittedTracer::WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), maxDepth_(settings.maxDepth), lightSize_(settings.lightSize), background_(scene) {
+    : PixelTracer(scene, settings), maxDepth_(settings.image.maxDepth), lightSize_(settings.image.lightSize), background_(scene) {
   for (const scene::PointLight& light : scene.pointLights) {
     const dvec3 position(light.position);
     const dvec3 towards = dvec3(scene.camera->at) - position;

@@ -13,7 +13,7 @@ namespace candela::reference {
 
 class WhittedTracer final : public PixelTracer {
  public:
-  /// The scene, which has a camera, must outlive the object. `settings.maxDepth` is at most kMaxTreeDepth.
+  /// The scene, which has a camera, must outlive the object. `settings.image.maxDepth` is at most kMaxTreeDepth.
   WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
  private:

@@ -10,6 +10,8 @@ namespace candela::render {
 struct Extent {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
+
+  bool operator==(const Extent&) const = default;
 };
 
 /// E.g. "512x384".

@@ -1,4 +1,4 @@
-// What a render is asked for. The first half decides the image; the second half only how it is computed.
+// The settings of a render, in three types: one decides the image, one the search structure, one how the work is executed.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -40,6 +40,8 @@ struct AutomaticChoices {
   Extent workgroup{8, 8};                      ///< one that every device has
   KernelKind kernel = KernelKind::megakernel;  ///< one of both
   std::string origin = "built-in";             ///< for reports
+
+  bool operator==(const AutomaticChoices&) const = default;
 };
 
 /// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
@@ -48,46 +50,67 @@ inline constexpr std::uint32_t kMaxTreeDepth = 20;
 /// Of a command line that does not say.
 constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 
-struct RenderSettings {
-  // --- These decide the image.
-  Extent size;                     ///< pixels, each in [1, 65535]
-  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1
+/// Everything that decides the image. Two renders of one scene with equal ImageSettings have equal films, bit for bit, on
+/// one device, whatever the other settings (but Integrator::cost shows the search structure).
+struct ImageSettings {
+  Extent size;                      ///< pixels, each in [1, 65535]
+  std::uint32_t sampleCount = 16;   ///< per pixel, >= 1; the total, in however many parts it is rendered
   std::uint32_t seed = 0;
-  std::uint32_t maxDepth = 64;      ///< longest path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
-  std::uint32_t rouletteStart = 4;  ///< path vertices that never face Russian roulette
+  std::uint32_t maxDepth = 64;      ///< maximum length of a path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
+  std::uint32_t rouletteStart = 4;  ///< the first path vertices, so many, are exempt from Russian roulette
   Integrator integrator = Integrator::path;
-  std::optional<float> aoDistance;  ///< reach of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
+  std::optional<float> aoDistance;  ///< maximum length of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   PixelOrigin pixelOrigin = PixelOrigin::centre;
-  float lightSize = 0;    ///< side of the squares that point lights become, >= 0; Whitted only
-  bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are dropped
+  bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
+  float lightSize = 0;       ///< side of the squares that point lights become, >= 0; Whitted only
+  bool oneSided = false;     ///< hits on the back of triangles and planes with T = 0 are ignored
 
-  // --- These never change a bit of it, but for Integrator::cost, which shows what `accel` makes of the scene.
+  /// Whether camera rays are distributed by the pixel filter; otherwise they pass through the pixels' origins.
+  bool jittersPixels() const { return antialiasing && (integrator == Integrator::path || sampleCount > 1); }
+
+  bool operator==(const ImageSettings&) const = default;
+};
+
+/// The search structure. It changes no bit of the image (except Integrator::cost).
+struct StructureSettings {
   AccelKind accel = AccelKind::bvh;
+  /// Whether `accel` is a preference: a device that cannot test all primitives of a scene one by one uses a BVH in place of
+  /// AccelKind::none, and says so in RenderStatistics::warnings, instead of throwing.
+  bool accelIsPreference = false;
   BvhSplit bvhSplit = BvhSplit::sah;
-  BuildQuality bvhQuality = BuildQuality::standard;  ///< the report's split knows no other
+  BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah alone
   BvhLayout bvhLayout = BvhLayout::automatic;
-  float gridDensity = 2;  ///< m of the report's rule: about m^3 cells a primitive, from 1/16 to 64
+  float gridDensity = 2;  ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
+
+  bool operator==(const StructureSettings&) const = default;
+};
+
+/// How the work is executed. It changes no bit of the image.
+struct ExecutionSettings {
   SceneLoads sceneLoads = SceneLoads::automatic;
   KernelKind kernel = KernelKind::automatic;
-  std::optional<Extent> workgroup;  ///< absent: as `automatic` says
+  std::optional<Extent> workgroup;  ///< absent: AutomaticChoices::workgroup
   AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
   std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
-
-  /// Records what each path decided (one sample per pixel only): see PathRecord.
-  bool recordPaths = false;
+  bool recordPaths = false;  ///< records the decisions of each pixel's path (one sample per pixel only): see PathRecord
 
   Extent workgroupInUse() const { return workgroup.value_or(automatic.workgroup); }
-  /// Of Integrator::path.
+  /// The kernel of Integrator::path.
   KernelKind kernelInUse() const { return kernel == KernelKind::automatic ? automatic.kernel : kernel; }
 
-  /// Whether camera rays are spread by the pixel filter; if not, they go through the pixels' origins.
-  bool jittersPixels() const { return integrator == Integrator::path || sampleCount > 1; }
+  bool operator==(const ExecutionSettings&) const = default;
+};
+
+struct RenderSettings {
+  ImageSettings image;
+  StructureSettings structure;
+  ExecutionSettings execution;
 };
 
 }  // namespace candela::render

@@ -24,7 +24,7 @@ const render::RenderStatistics& statisticsOf(const TuneReport& report) {
 
 std::string sceneTitle(const SweepRow& row) {
   const render::RenderSettings& settings = row.measurement.variant.settings;
-  return fmt::format("{}, {} x {} spp, ms", row.scene, extentText(settings.size), settings.sampleCount);
+  return fmt::format("{}, {} x {} spp, ms", row.scene, extentText(settings.image.size), settings.image.sampleCount);
 }
 
 std::string milliseconds(const SweepRow& row) {

@@ -43,13 +43,13 @@ double secondsOf(render::Renderer& renderer, const Work& work, const render::Ren
 // Multiplies the work by `factor`, in pixels as long as there are any, then in samples.
 void grow(double factor, const render::Extent& largest, const WorkSize& asked, render::RenderSettings& settings) {
   if (!asked.size) {
-    const double before = pixelsOf(settings.size);
-    settings.size = shrunk(largest, before * factor);
-    factor *= before / pixelsOf(settings.size);
+    const double before = pixelsOf(settings.image.size);
+    settings.image.size = shrunk(largest, before * factor);
+    factor *= before / pixelsOf(settings.image.size);
   }
   if (!asked.sampleCount) {
-    settings.sampleCount = static_cast<std::uint32_t>(
-        std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
+    settings.image.sampleCount = static_cast<std::uint32_t>(
+        std::clamp(std::round(settings.image.sampleCount * factor), 1.0, kMostSamples));
   }
 }
 
@@ -75,9 +75,9 @@ std::vector<scene::Scene> builtInScenes() {
 }
 
 void fitToDevice(render::Renderer& renderer, const WorkSize& asked, const render::RenderControl& control, Work& work) {
-  const render::Extent largest = work.settings.size;
-  work.settings.size = asked.size.value_or(shrunk(largest, kFirstPixels));
-  work.settings.sampleCount = asked.sampleCount.value_or(1);
+  const render::Extent largest = work.settings.image.size;
+  work.settings.image.size = asked.size.value_or(shrunk(largest, kFirstPixels));
+  work.settings.image.sampleCount = asked.sampleCount.value_or(1);
   if (asked.size && asked.sampleCount) return;
   constexpr int kMostSteps = 4;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -98,8 +98,8 @@ std::vector<Row> measureWork(render::Renderer& renderer, std::span<const Work> w
     std::vector<bench::Variant> variants;
     for (const Candidate& candidate : candidates) {
       variants.push_back({nameOf(candidate), work.settings});
-      variants.back().settings.automatic = choicesOf(candidate);
-      variants.back().settings.automatic.origin = "tried";
+      variants.back().settings.execution.automatic = choicesOf(candidate);
+      variants.back().settings.execution.automatic.origin = "tried";
     }
     std::vector<bench::Measurement> measurements = bench::measureInterleaved(
         renderer, work.scene, variants, repeats, shareOf(control, w, works.size(), samples));

@@ -75,8 +75,8 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
                                            render::Renderer& device, render::Renderer& reference,
                                            const render::RenderControl& control) {
   render::RenderSettings single = settings;
-  single.sampleCount = 1;
-  single.recordPaths = true;
+  single.image.sampleCount = 1;
+  single.execution.recordPaths = true;
   const render::RenderResult a = device.render(scene, single, control);
   const render::RenderResult b = reference.render(scene, single, control);
   return a.interrupted || b.interrupted ? std::nullopt : std::optional(comparePixels(a, b));
@@ -110,7 +110,7 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   report.pixels = pixels.value_or(PixelAgreement{});
   render::RenderResult deviceMany = talliedDevice.render(scene, settings, control);
   render::RenderResult referenceMany = talliedReference.render(scene, settings, control);
-  report.mean = {settings.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
+  report.mean = {settings.image.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
   report.deviceFilm = std::move(deviceMany.film);
   report.referenceFilm = std::move(referenceMany.film);

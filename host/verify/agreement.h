@@ -78,7 +78,7 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
                                            render::Renderer& device, render::Renderer& reference,
                                            const render::RenderControl& control);
 
-/// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.sampleCount` for the means.
+/// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the means.
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
                                render::Renderer& device, render::Renderer& reference,
                                const render::RenderControl& control);

@@ -23,14 +23,14 @@ std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, s
 
 Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scene,
                  const render::RenderSettings& settings, std::span<const Region> regions)
-    : side_(side), renderer_(renderer), scene_(scene), settings_(settings), runSeed_(settings.seed), regions_(regions) {
+    : side_(side), renderer_(renderer), scene_(scene), settings_(settings), runSeed_(settings.image.seed), regions_(regions) {
   for (std::vector<double>& sums : sums_) sums.resize(regions.size());
 }
 
 bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control) {
-  settings_.sampleCount = samples;
+  settings_.image.sampleCount = samples;
   for (std::uint32_t batch = 0; batch < kBatchCount; ++batch) {
-    settings_.seed = batchSeed(runSeed_, side_, batch, look);
+    settings_.image.seed = batchSeed(runSeed_, side_, batch, look);
     render::RenderResult result = renderer_.render(scene_, settings_, control);
     if (result.interrupted) return false;
     statistics_ = std::move(result.statistics);

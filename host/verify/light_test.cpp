@@ -26,13 +26,13 @@ class LightTest {
             render::Renderer& reference, const LightTestOptions& options, const render::RenderControl& control)
       : options_(options),
         control_(control),
-        regions_(withWatched(regionsOf(settings.size), options.watched)),
+        regions_(withWatched(regionsOf(settings.image.size), options.watched)),
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         device_(Side::device, device, scene, settings, regions_),
         reference_(Side::reference, reference, scene, settings, regions_) {
     if (!options.keepFilms) return;
-    device_.keepFilm(settings.size);
-    reference_.keepFilm(settings.size);
+    device_.keepFilm(settings.image.size);
+    reference_.keepFilm(settings.image.size);
   }
 
   LightTestResult run() {

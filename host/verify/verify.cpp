@@ -60,7 +60,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   // A stated answer is a test of its own: the run's false alarms are shared evenly.
   LightTestOptions own = options;
   own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
-  if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.size);
+  if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.image.size);
   report.light = testLight(scene, settings, talliedDevice, talliedReference, own, control);
   report.interrupted = report.light.interrupted;
   if (scene.exactMean && !report.interrupted) report.exact = testExact(*scene.exactMean, report.light, own.alpha);

@@ -37,7 +37,7 @@ struct VerifyReport {
   std::string verdict() const;
 };
 
-/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.sampleCount` is not
+/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.image.sampleCount` is not
 /// used. Throws as testLight does.
 VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
                          render::Renderer& reference, const LightTestOptions& options,

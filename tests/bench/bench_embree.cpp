@@ -26,7 +26,7 @@ RayReport measure(const scene::Scene& scene, const render::RenderSettings& setti
   for (const auto& tracer : tracers) all.push_back(tracer.get());
   all.push_back(&embree);
   const device::RaySets sets = tracers.front()->makeRays();
-  RayReport report{device.info().name, device.info().driver, settings.workgroupInUse(), settings.size, repeats, {}};
+  RayReport report{device.info().name, device.info().driver, settings.execution.workgroupInUse(), settings.image.size, repeats, {}};
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
     const std::size_t i = place++ % all.size();
@@ -73,7 +73,7 @@ int main(int argumentCount, char** arguments) {
   try {
     render::RenderSettings settings;
     const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
-    settings.size = {side, side};
+    settings.image.size = {side, side};
     const scene::Scene scene = loadScene(arguments[1]).scene;
     const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))),
                                      argument(4, ""));

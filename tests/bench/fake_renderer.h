@@ -21,8 +21,8 @@ class FakeRenderer final : public render::Renderer {
   render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
                               const render::RenderControl& control) override {
     const ScriptedRun& run = runs_.at(accels.size());
-    accels.push_back(settings.accel);
-    seeds.push_back(settings.seed);
+    accels.push_back(settings.structure.accel);
+    seeds.push_back(settings.image.seed);
     render::RenderResult result;
     result.film = image::Film(1, 1);
     result.film.addSample(0, 0, glm::dvec3(run.value), 0);
@@ -32,8 +32,8 @@ class FakeRenderer final : public render::Renderer {
     result.statistics.traversalSteps = 6000;
     result.statistics.truncated = run.truncated;
     result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
-    result.statistics.structure = settings.accel == render::AccelKind::grid ? "grid" : "bvh";
-    result.statistics.bvhSplit = settings.bvhSplit == render::BvhSplit::sah ? "sah" : "midpoint";
+    result.statistics.structure = settings.structure.accel == render::AccelKind::grid ? "grid" : "bvh";
+    result.statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::sah ? "sah" : "midpoint";
     result.interrupted = run.interrupted;
     if (control.progress) control.progress(1, 1000);
     return result;

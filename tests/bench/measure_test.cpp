@@ -14,7 +14,7 @@ std::vector<Variant> threeVariants() {
   std::vector<Variant> variants;
   for (const render::AccelKind kind : kKinds) {
     variants.push_back({"variant", render::RenderSettings{}});
-    variants.back().settings.accel = kind;
+    variants.back().settings.structure.accel = kind;
   }
   return variants;
 }

@@ -24,11 +24,11 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
 TEST_CASE("the structures compared are the report's two and the surface-area tree") {
   const auto variants = structureVariants(render::RenderSettings{});
   REQUIRE(variants.size() == 3);
-  CHECK(variants[0].settings.accel == render::AccelKind::grid);
-  CHECK(variants[1].settings.accel == render::AccelKind::bvh);
-  CHECK(variants[1].settings.bvhSplit == render::BvhSplit::midpoint);
-  CHECK(variants[2].settings.accel == render::AccelKind::bvh);
-  CHECK(variants[2].settings.bvhSplit == render::BvhSplit::sah);
+  CHECK(variants[0].settings.structure.accel == render::AccelKind::grid);
+  CHECK(variants[1].settings.structure.accel == render::AccelKind::bvh);
+  CHECK(variants[1].settings.structure.bvhSplit == render::BvhSplit::midpoint);
+  CHECK(variants[2].settings.structure.accel == render::AccelKind::bvh);
+  CHECK(variants[2].settings.structure.bvhSplit == render::BvhSplit::sah);
 }
 
 TEST_CASE("a structure with another image has no figures") {

@@ -11,7 +11,7 @@ using Catch::Contains;
 
 Measurement measurementOf(const std::string& name, double seconds) {
   Measurement m{.variant = {name, render::RenderSettings{}}};
-  m.variant.settings.size = {10, 10};
+  m.variant.settings.image.size = {10, 10};
   m.statistics.samples = 1'000'000;
   m.statistics.cameraRays = 1'000'000;
   m.statistics.bounceRays = 2'000'000;

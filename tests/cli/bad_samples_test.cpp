@@ -14,8 +14,8 @@ RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
   RenderJob job;
   job.arguments.files = {"a scene.p3f"};
   job.arguments.sampleCount = 64;
-  job.arguments.settings.integrator = job.settings.integrator = integrator;
-  job.arguments.settings.sampler = job.settings.sampler = sampler;
+  job.arguments.settings.image.integrator = job.settings.image.integrator = integrator;
+  job.arguments.settings.image.sampler = job.settings.image.sampler = sampler;
   return job;
 }
 
@@ -24,8 +24,8 @@ render::BadSampleTally tallyOfOne() {
   film.addSample(2, 1, glm::dvec3(1e9), 5);
   film.addSample(2, 1, glm::dvec3(1e9), 6);
   render::RenderSettings settings;
-  settings.seed = 9;
-  settings.sampleCount = 64;
+  settings.image.seed = 9;
+  settings.image.sampleCount = 64;
   render::BadSampleTally tally;
   tally.add(film, settings);
   return tally;

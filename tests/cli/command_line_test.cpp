@@ -41,18 +41,18 @@ TEST_CASE("defaults are those of the settings") {
   CHECK_FALSE(arguments.accel);
   CHECK_FALSE(arguments.maxDepth);
   CHECK(arguments.device.empty());
-  CHECK(arguments.settings.seed == 0);
-  CHECK(arguments.settings.maxDepth == 64);
-  CHECK(arguments.settings.rouletteStart == 4);
-  CHECK(arguments.settings.nextEventEstimation);
-  CHECK(arguments.settings.sampler == render::SamplerKind::sobol);
+  CHECK(arguments.settings.image.seed == 0);
+  CHECK(arguments.settings.image.maxDepth == 64);
+  CHECK(arguments.settings.image.rouletteStart == 4);
+  CHECK(arguments.settings.image.nextEventEstimation);
+  CHECK(arguments.settings.image.sampler == render::SamplerKind::sobol);
   CHECK(arguments.verbosity() == Verbosity::normal);
 }
 
 TEST_CASE("options may be repeated: outputs add up, of others the last counts") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
   CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
-  CHECK(arguments.settings.seed == 2);
+  CHECK(arguments.settings.image.seed == 2);
 }
 
 TEST_CASE("a negative number is a value, not an option") {

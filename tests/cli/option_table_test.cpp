@@ -204,8 +204,8 @@ TEST_CASE("a value out of range or of another kind is refused") {
 
 TEST_CASE("settings print as the command line that states them") {
   Arguments arguments;
-  arguments.settings.seed = 7;
-  arguments.settings.oneSided = true;
+  arguments.settings.image.seed = 7;
+  arguments.settings.image.oneSided = true;
   CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");
   arguments.device = "Radeon (TM) 'X'";
   CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");

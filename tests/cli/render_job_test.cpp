@@ -24,18 +24,18 @@ TEST_CASE("the command line wins over the file, the file over the default") {
 
   Arguments byDefault;
   resolveRequests(byDefault, scene, log);
-  CHECK(byDefault.settings.sampleCount == 16);
-  CHECK(byDefault.settings.accel == render::AccelKind::bvh);
-  CHECK(byDefault.settings.size.width == 40);
-  CHECK(byDefault.settings.size.height == 30);
+  CHECK(byDefault.settings.image.sampleCount == 16);
+  CHECK(byDefault.settings.structure.accel == render::AccelKind::bvh);
+  CHECK(byDefault.settings.image.size.width == 40);
+  CHECK(byDefault.settings.image.size.height == 30);
   CHECK(sink.str().empty());
 
   scene.requestedSamples = 225;
   scene.requestedAccel = 0;
   Arguments byFile;
   resolveRequests(byFile, scene, log);
-  CHECK(byFile.settings.sampleCount == 225);
-  CHECK(byFile.settings.accel == render::AccelKind::none);
+  CHECK(byFile.settings.image.sampleCount == 225);
+  CHECK(byFile.settings.structure.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel in total, as the file asks\n");
 
   Arguments byOption;
@@ -43,9 +43,9 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   byOption.accel = render::AccelKind::bvh;
   byOption.size = render::Extent{5, 6};
   resolveRequests(byOption, scene, log);
-  CHECK(byOption.settings.sampleCount == 3);
-  CHECK(byOption.settings.accel == render::AccelKind::bvh);
-  CHECK(byOption.settings.size.height == 6);
+  CHECK(byOption.settings.image.sampleCount == 3);
+  CHECK(byOption.settings.structure.accel == render::AccelKind::bvh);
+  CHECK(byOption.settings.image.size.height == 6);
 }
 
 TEST_CASE("the longest path is the integrator's unless the command line says") {
@@ -53,16 +53,16 @@ TEST_CASE("the longest path is the integrator's unless the command line says") {
   const Log log(sink, Verbosity::normal);
   Arguments path;
   resolveRequests(path, sceneWithCamera(), log);
-  CHECK(path.settings.maxDepth == 64);
+  CHECK(path.settings.image.maxDepth == 64);
   Arguments whitted;
-  whitted.settings.integrator = render::Integrator::whitted;
+  whitted.settings.image.integrator = render::Integrator::whitted;
   resolveRequests(whitted, sceneWithCamera(), log);
-  CHECK(whitted.settings.maxDepth == 4);
+  CHECK(whitted.settings.image.maxDepth == 4);
   Arguments stated;
-  stated.settings.integrator = render::Integrator::whitted;
+  stated.settings.image.integrator = render::Integrator::whitted;
   stated.maxDepth = 7;
   resolveRequests(stated, sceneWithCamera(), log);
-  CHECK(stated.settings.maxDepth == 7);
+  CHECK(stated.settings.image.maxDepth == 7);
 }
 
 TEST_CASE("a file may ask for each of the structures") {
@@ -73,7 +73,7 @@ TEST_CASE("a file may ask for each of the structures") {
     scene.requestedAccel = number;
     Arguments arguments;
     resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
-    CHECK(arguments.settings.accel == accel);
+    CHECK(arguments.settings.structure.accel == accel);
   }
   CHECK(sink.str().empty());
 }

@@ -69,9 +69,9 @@ TEST_CASE("a report of nothing divides by nothing") {
 
 TEST_CASE("settings are typed: numbers, words and flags") {
   RenderJob job;
-  job.arguments.settings.oneSided = true;
+  job.arguments.settings.image.oneSided = true;
   job.arguments.maxDepth = 64;
-  job.arguments.settings.seed = 4294967295u;
+  job.arguments.settings.image.seed = 4294967295u;
   const auto settings = toJson(RenderReport{job, render::RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);
   CHECK(settings["seed"] == 4294967295u);

@@ -34,7 +34,7 @@ bool seesLitFloor(const render::VertexTrace& vertex) {
 
 render::RenderSettings testSettings() {
   render::RenderSettings settings = device::squareSettings(16, 1);
-  settings.rouletteStart = 0;
+  settings.image.rouletteStart = 0;
   return settings;
 }
 
@@ -46,8 +46,8 @@ render::ReplayingRenderer& replayingDevice() {
 // A pixel whose first vertex is as wanted, by the reference.
 render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSettings& settings, const Wanted& wanted) {
   const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
-  for (std::uint32_t y = 0; y < settings.size.height; ++y) {
-    for (std::uint32_t x = 0; x < settings.size.width; ++x) {
+  for (std::uint32_t y = 0; y < settings.image.size.height; ++y) {
+    for (std::uint32_t x = 0; x < settings.image.size.width; ++x) {
       const render::Replay replay = reference->replay(scene, settings, {x, y, 0});
       if (wanted(replay.path.vertices.front())) return {x, y, 0};
     }
@@ -153,7 +153,7 @@ TEST_CASE("something in the way of the light is named by the shadow ray") {
 
 TEST_CASE("another roulette is named as a decision") {
   requireFirst([](const render::VertexTrace& v) { return seesLitFloor(v) && v.roulette && v.roulette->survived; },
-               [](scene::Scene&, render::RenderSettings& settings) { settings.rouletteStart = 5; }, "vertex 1",
+               [](scene::Scene&, render::RenderSettings& settings) { settings.image.rouletteStart = 5; }, "vertex 1",
                "roulette");
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("another camera is named by its ray, another seed by the first random 
       seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.camera->angle += 0.1f; }, "camera",
       "ray direction");
   requireFirst(
-      seesLitFloor, [](scene::Scene&, render::RenderSettings& settings) { settings.seed = 1; }, "camera", "filter x");
+      seesLitFloor, [](scene::Scene&, render::RenderSettings& settings) { settings.image.seed = 1; }, "camera", "filter x");
 }
 
 TEST_CASE("a difference at a later vertex is named there") {

@@ -31,9 +31,9 @@ void forEachPixel(const render::Extent& size, const std::function<void(std::uint
 // The film that all samples give when they are replayed one by one.
 image::Film filmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene& scene,
                           const render::RenderSettings& settings) {
-  image::Film film(settings.size.width, settings.size.height);
-  forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
-    for (std::uint32_t i = 0; i < settings.sampleCount; ++i) {
+  image::Film film(settings.image.size.width, settings.image.size.height);
+  forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
+    for (std::uint32_t i = 0; i < settings.image.sampleCount; ++i) {
       film.addSample(x, y, tracer.replay(scene, settings, {x, y, i}).path.radiance, i);
     }
   });
@@ -46,7 +46,7 @@ void requireFilmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene&
   const image::Film rendered = tracer.render(scene, settings, {}).film;
   const image::Film replayed = filmOfReplays(tracer, scene, settings);
   std::uint32_t lit = 0;
-  forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
+  forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
     CAPTURE(scene.name, x, y);
     const image::FilmPixel& a = rendered.at(x, y);
     const image::FilmPixel& b = replayed.at(x, y);
@@ -56,7 +56,7 @@ void requireFilmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene&
     CHECK(a.sampleCount == b.sampleCount);
     lit += a.red != image::FixedSum{} ? 1 : 0;
   });
-  CHECK(lit > settings.size.width * settings.size.height / 2);
+  CHECK(lit > settings.image.size.width * settings.image.size.height / 2);
 }
 
 }  // namespace
@@ -71,9 +71,9 @@ TEST_CASE("the samples that are replayed add up to the rendered film, bit for bi
   }
   SECTION("strata, whose numbers depend on how many samples there are; a lens and a tent") {
     render::RenderSettings settings = device::squareSettings(6, 4);
-    settings.sampler = render::SamplerKind::stratified;
-    settings.filter = render::FilterKind::tent;
-    settings.rouletteStart = 1;
+    settings.image.sampler = render::SamplerKind::stratified;
+    settings.image.filter = render::FilterKind::tent;
+    settings.image.rouletteStart = 1;
     onBoth(device::loadTestScene("depth_of_field.p3f"), settings);
   }
 }
@@ -81,7 +81,7 @@ TEST_CASE("the samples that are replayed add up to the rendered film, bit for bi
 TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of which the first 64 are kept") {
   const scene::Scene scene = device::loadTestScene("mirrors.p3f");
   render::RenderSettings settings = device::squareSettings(4, 1);
-  settings.maxDepth = 3000;
+  settings.image.maxDepth = 3000;
   const render::PixelSample place{0, 0, 0};  // between the mirrors
   for (render::ReplayingRenderer* tracer : {&deviceTracer(), &referenceTracer()}) {
     const render::Replay replay = tracer->replay(scene, settings, place);
@@ -98,16 +98,16 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of 
 TEST_CASE("roulette spares the first vertices, and a path survives it by the square root of its throughput") {
   const scene::Scene scene = device::loadTestScene("cornell.p3f");
   render::RenderSettings settings = device::squareSettings(6, 1);
-  settings.rouletteStart = 2;
+  settings.image.rouletteStart = 2;
   for (render::ReplayingRenderer* tracer : {&deviceTracer(), &referenceTracer()}) {
     std::uint32_t played = 0;
-    forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
+    forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
       const render::PathTrace path = tracer->replay(scene, settings, {x, y, 0}).path;
       for (std::size_t i = 0; i < path.vertices.size(); ++i) {
         const render::VertexTrace& vertex = path.vertices[i];
         if (!vertex.roulette) continue;
         CAPTURE(x, y, i);
-        CHECK(i >= settings.rouletteStart);
+        CHECK(i >= settings.image.rouletteStart);
         REQUIRE(vertex.scattering);
         const glm::dvec3 throughput = vertex.throughput * vertex.scattering->weight;
         const double largest = std::max({throughput.x, throughput.y, throughput.z});
@@ -122,13 +122,13 @@ TEST_CASE("roulette spares the first vertices, and a path survives it by the squ
 TEST_CASE("the two tracers' replays agree where their pixels do, and part by the same decision where they do not") {
   const scene::Scene scene = device::loadTestScene("primitives.p3f");
   render::RenderSettings settings = device::squareSettings(12, 1);
-  settings.recordPaths = true;
+  settings.execution.recordPaths = true;
   const render::RenderResult a = deviceTracer().render(scene, settings, {});
   const render::RenderResult b = referenceTracer().render(scene, settings, {});
-  settings.recordPaths = false;
+  settings.execution.recordPaths = false;
   std::uint32_t agreeing = 0;
-  forEachPixel(settings.size, [&](std::uint32_t x, std::uint32_t y) {
-    const std::size_t pixel = std::size_t{y} * settings.size.width + x;
+  forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
+    const std::size_t pixel = std::size_t{y} * settings.image.size.width + x;
     const explain::Explanation explanation = explain::explainSample(scene, settings, {x, y, 0}, deviceTracer(),
                                                                     referenceTracer());
     agreeing += explanation.firstDifference ? 0 : 1;
@@ -141,5 +141,5 @@ TEST_CASE("the two tracers' replays agree where their pixels do, and part by the
     }
   });
   CAPTURE(agreeing);
-  CHECK(agreeing > 0.9 * settings.size.width * settings.size.height);
+  CHECK(agreeing > 0.9 * settings.image.size.width * settings.image.size.height);
 }

@@ -15,8 +15,8 @@ namespace {
 // Only what camera rays meet.
 render::RenderSettings directView(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = test::settingsOf(side, side, samples);
-  settings.maxDepth = 1;
-  settings.nextEventEstimation = false;
+  settings.image.maxDepth = 1;
+  settings.image.nextEventEstimation = false;
   return settings;
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, 
 
   for (const render::LensKind lens : {render::LensKind::disc, render::LensKind::square}) {
     render::RenderSettings settings = directView(kSide, 256);
-    settings.lens = lens;
+    settings.image.lens = lens;
     const Moments seen = momentsOf(renderScene(b.scene, settings).film);
     const bool disc = lens == render::LensKind::disc;
     CAPTURE(disc);
@@ -117,7 +117,7 @@ TEST_CASE("an edge shows the pixel filter's distribution function, across and do
 
   for (const render::FilterKind filter : {render::FilterKind::box, render::FilterKind::tent}) {
     render::RenderSettings settings = directView(kSide, 4096);
-    settings.filter = filter;
+    settings.image.filter = filter;
     const image::Film film = renderScene(b.scene, settings).film;
     const auto below = filter == render::FilterKind::box ? boxBelow : tentBelow;
     for (std::uint32_t y = 0; y < kSide; ++y) {

@@ -39,10 +39,10 @@ scene::Scene lampsOverFloor() {
 
 Estimate rendered(bool nextEventEstimation) {
   render::RenderSettings settings = test::settingsOf(32, 32, kEstimatorSamples >> 10);
-  settings.sampler = render::SamplerKind::independent;
-  settings.maxDepth = 2;
-  settings.nextEventEstimation = nextEventEstimation;
-  settings.seed = nextEventEstimation ? 1 : 2;
+  settings.image.sampler = render::SamplerKind::independent;
+  settings.image.maxDepth = 2;
+  settings.image.nextEventEstimation = nextEventEstimation;
+  settings.image.seed = nextEventEstimation ? 1 : 2;
   return test::estimateOf(renderScene(lampsOverFloor(), settings).film);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 render::RenderSettings longPaths(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
   render::RenderSettings settings = test::settingsOf(width, height, samples);
-  settings.rouletteStart = settings.maxDepth;
+  settings.image.rouletteStart = settings.image.maxDepth;
   return settings;
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a corridor of two mirrors dims its end once for every mirror that unf
   b.material(diffuseMaterial(vec3(0), {1, 2, 3})).plane({0, kLength, 0}, {0, kLength, 1}, {1, kLength, 0});
   b.view({kStart, 0, 0}, {kStart, 1, 0}, {0, 0, 1}, 2.7f);
   render::RenderSettings settings = longPaths(kWidth, kHeight, 1);
-  settings.nextEventEstimation = false;
+  settings.image.nextEventEstimation = false;
   const render::RenderResult result = renderScene(b.scene, settings);
 
   // Where the straight ray through the image's column `x` ends, in the row of mirrored corridors of width 1.
@@ -82,7 +82,7 @@ TEST_CASE("a slab of glass transmits and reflects by the series of its inner ref
     b.scene.background = {0, 1, 0};
     b.view(vec3(5 * std::sin(angle), 0, 5 * std::cos(angle)), {0, 0, 0}, {0, 1, 0}, 1e-3f);
     render::RenderSettings settings = longPaths(16, 16, 1024);
-    settings.nextEventEstimation = false;
+    settings.image.nextEventEstimation = false;
     const dvec3 shown = test::meanOf(renderScene(b.scene, settings).film);
     const Slab slab(std::cos(angle), 1.5, 0.875);
     CAPTURE(degrees);

@@ -49,8 +49,8 @@ double irradianceOfBall(const dvec3& at) {
 
 render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = test::settingsOf(side, side, samples);
-  settings.maxDepth = 64;
-  settings.rouletteStart = 64;
+  settings.image.maxDepth = 64;
+  settings.image.rouletteStart = 64;
   return settings;
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
                                      8 * irradianceOfTriangle(kFar, at)) +
                            kAlbedo * 0.125 * towardsPoint.z / length(towardsPoint);
     render::RenderSettings settings = withoutRoulette(16, 4096);
-    settings.maxDepth = 2;
+    settings.image.maxDepth = 2;
     const dvec3 shown = test::meanOf(renderScene(lampsOverFloor(seen), settings).film);
     CAPTURE(seen.x);
     for (int channel = 0; channel < 3; ++channel) {
@@ -86,11 +86,11 @@ TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo)
     const double expected = 1 / (1 - double{albedo});
     CAPTURE(albedo);
     render::RenderSettings settings = withoutRoulette(16, 16);
-    settings.nextEventEstimation = false;
+    settings.image.nextEventEstimation = false;
     CHECK(test::meanOf(renderScene(furnace, settings).film).y == Approx(expected).epsilon(1e-6 + kRounding));
     settings = test::settingsOf(32, 32, 256);
-    settings.nextEventEstimation = false;
-    settings.rouletteStart = 1;
+    settings.image.nextEventEstimation = false;
+    settings.image.rouletteStart = 1;
     // A path's length is geometric: its deviation is sqrt(albedo) / (1 - albedo), of 2^18 paths.
     const double error = std::sqrt(double{albedo}) * expected / 512;
     CHECK(std::abs(test::meanOf(renderScene(furnace, settings).film).y - expected) < 4 * error);

@@ -125,8 +125,8 @@ inline SceneBuilder cornellBox() {
 
 inline render::RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t sampleCount) {
   render::RenderSettings settings;
-  settings.size = {width, height};
-  settings.sampleCount = sampleCount;
+  settings.image.size = {width, height};
+  settings.image.sampleCount = sampleCount;
   return settings;
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("a pixel's rays cross the view plane within the pixel, row 0 on top") 
 
 TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre") {
   render::RenderSettings settings = test::settingsOf(80, 40, 1);
-  settings.filter = render::FilterKind::tent;
+  settings.image.filter = render::FilterKind::tent;
   double least = 9, most = -9;
   for (std::uint32_t sample = 0; sample < 2000; ++sample) {
     const double x = crossing(generate(lookingAtOrigin(), settings, 40, 20, sample), 0).x / 0.2;
@@ -62,7 +62,7 @@ TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre
 
 TEST_CASE("without jitter rays go through pixels' centres, or through the corners of a grid of one pixel less") {
   render::RenderSettings settings = test::settingsOf(5, 3, 1);
-  settings.integrator = render::Integrator::whitted;
+  settings.image.integrator = render::Integrator::whitted;
   const auto at = [&](std::uint32_t x, std::uint32_t y) {
     return crossing(generate(lookingAtOrigin(), settings, x, y), 0);
   };
@@ -70,17 +70,17 @@ TEST_CASE("without jitter rays go through pixels' centres, or through the corner
   // The view is 8 high; centres are 8 / 3 apart, corners 8 / 2.
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(4, 0), {2 * 8.0 / 3, 8.0 / 3}));
-  settings.pixelOrigin = render::PixelOrigin::corner;
+  settings.image.pixelOrigin = render::PixelOrigin::corner;
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(0, 0), {-8, 4}));
   CHECK(isNear(at(4, 2), {8, -4}));
-  settings.size = {1, 3};  // one column keeps its centre
+  settings.image.size = {1, 3};  // one column keeps its centre
   CHECK(isNear(at(0, 0), {0, 4}));
 }
 
 TEST_CASE("corners are jittered about") {
   render::RenderSettings settings = test::settingsOf(5, 3, 1);
-  settings.pixelOrigin = render::PixelOrigin::corner;
+  settings.image.pixelOrigin = render::PixelOrigin::corner;
   double most = 0;
   for (std::uint32_t sample = 0; sample < 200; ++sample) {
     const dvec2 offset = crossing(generate(lookingAtOrigin(), settings, 0, 0, sample), 0) - dvec2(-8, 4);
@@ -96,7 +96,7 @@ TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the
   camera.focal = 1.5f;  // at z = -2
   for (const render::LensKind lens : {render::LensKind::disc, render::LensKind::square}) {
     render::RenderSettings settings = test::settingsOf(4000, 2000, 1);
-    settings.lens = lens;
+    settings.image.lens = lens;
     double farthest = 0, widest = 0;
     for (std::uint32_t sample = 0; sample < 3000; ++sample) {
       const Ray ray = generate(camera, settings, 3000, 500, sample);

@@ -31,7 +31,7 @@ SceneBuilder& lookDownAt(SceneBuilder& b, float x, float y) { return b.view({x, 
 
 render::RenderSettings onePixel(std::uint32_t sampleCount, std::uint32_t maxDepth = 64) {
   render::RenderSettings settings = settingsOf(1, 1, sampleCount);
-  settings.maxDepth = maxDepth;
+  settings.image.maxDepth = maxDepth;
   return settings;
 }
 
@@ -41,23 +41,23 @@ TEST_CASE("a closed furnace of albedo a shows 1 / (1 - a) everywhere") {
   SceneBuilder box = closedBox(diffuseMaterial(vec3(0.5f), vec3(1)));
   render::RenderSettings settings = settingsOf(16, 16, 4);
 
-  settings.nextEventEstimation = false;
-  settings.rouletteStart = 64;
+  settings.image.nextEventEstimation = false;
+  settings.image.rouletteStart = 64;
   const render::RenderResult plain = renderScene(box.scene, settings);
   for (std::uint32_t i = 0; i < 16; ++i) CHECK(plain.film.mean(i, i).y == Approx(2).epsilon(1e-9));
 
-  settings.nextEventEstimation = true;
-  settings.sampleCount = 256;
+  settings.image.nextEventEstimation = true;
+  settings.image.sampleCount = 256;
   CHECK(meanOf(renderScene(box.scene, settings).film).x == Approx(2).epsilon(1e-3));
 
-  settings.nextEventEstimation = false;
-  settings.rouletteStart = 5;  // by it the standard deviation of a sample is less than 0.25
+  settings.image.nextEventEstimation = false;
+  settings.image.rouletteStart = 5;  // by it the standard deviation of a sample is less than 0.25
   CHECK(meanOf(renderScene(box.scene, settings).film).x == Approx(2).epsilon(2e-3));
 }
 
 TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
   render::RenderSettings settings = settingsOf(8, 8, 4);
-  settings.rouletteStart = 64;
+  settings.image.rouletteStart = 64;
   const auto checkFurnace = [&](SceneBuilder& b, double expected) {
     b.view({0.2f, 0.1f, 0.3f}, {0, 0, 0}, {0, 1, 0}, 90);
     const dvec3 mean = meanOf(renderScene(b.scene, settings).film);
@@ -84,7 +84,7 @@ TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
   mirrors.material(glowingMirror).box({-1, -1, -1}, {1, 1, 1});
   checkFurnace(mirrors, 2);
 
-  settings.nextEventEstimation = false;
+  settings.image.nextEventEstimation = false;
   SceneBuilder ball;
   ball.material(wall).sphere({0, 0, 0}, 1);
   checkFurnace(ball, 2);
@@ -112,8 +112,8 @@ TEST_CASE("walls of radius 100,000 make a furnace without acne or leaks") {
   b.material(glassMaterial(vec3(1), 1.5f)).sphere({73, 16.5f, 78}, 16.5f);
   b.view({50, 52, 160}, {50, 48, 100}, {0, 1, 0}, 60);
   render::RenderSettings settings = settingsOf(24, 24, 4);
-  settings.nextEventEstimation = false;
-  settings.rouletteStart = 64;
+  settings.image.nextEventEstimation = false;
+  settings.image.rouletteStart = 64;
   const render::RenderResult result = renderScene(b.scene, settings);
   for (std::uint32_t y = 0; y < 24; ++y) {
     for (std::uint32_t x = 0; x < 24; ++x) {
@@ -129,9 +129,9 @@ TEST_CASE("colourless glass is invisible in a furnace, whatever stands in it") {
   b.sphere({-0.4f, 0, 0}, 0.3f).box({0.1f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.1f});
   b.cone({0, 0.5f, 0}, 0.3f, {0, 0.9f, 0}, 0.1f);
   render::RenderSettings settings = settingsOf(24, 24, 9);
-  settings.maxDepth = 400;
-  settings.rouletteStart = 400;
-  settings.nextEventEstimation = false;
+  settings.image.maxDepth = 400;
+  settings.image.rouletteStart = 400;
+  settings.image.nextEventEstimation = false;
   CHECK(meanOf(renderScene(b.scene, settings).film).x == Approx(2).epsilon(1e-3));
 }
 
@@ -145,8 +145,8 @@ TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
     const double expected = double{0.8f} * 5 * 0.25 * 2.5 / std::pow(x * x + 2.5 * 2.5, 1.5);
     render::RenderSettings settings = onePixel(1024);
     CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(2e-3));
-    settings.sampleCount = 65536;
-    settings.nextEventEstimation = false;
+    settings.image.sampleCount = 65536;
+    settings.image.nextEventEstimation = false;
     CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(expected).epsilon(1e-2));
   }
 }
@@ -160,7 +160,7 @@ TEST_CASE("a point light shows Kd Lc cd (N.L), with next-event estimation or wit
   lookDownAt(b, 1, 1);
   for (const bool nextEvent : {true, false}) {
     render::RenderSettings settings = onePixel(1);
-    settings.nextEventEstimation = nextEvent;
+    settings.image.nextEventEstimation = nextEvent;
     const dvec3 seen = renderScene(b.scene, settings).film.mean(0, 0);
     CHECK(seen.x == Approx(0.5 * 2 * 0.25 * 0.8).epsilon(1e-7));
     CHECK(seen.y == Approx(0.5 * 4 * 0.5 * 0.8).epsilon(1e-7));
@@ -190,10 +190,10 @@ TEST_CASE("next-event estimation leaves the mean of a box with every kind of sur
   b.material(glassMaterial(vec3(0.9f), 1.5f)).box({-0.6f, -1, -0.5f}, {-0.1f, -0.5f, 0});
   b.material(mixtureMaterial(0.2f, 0.5f, 300, 0.3f, 1.4f)).sphere({0, 0, -0.6f}, 0.3f);
   render::RenderSettings settings = settingsOf(24, 24, 256);
-  settings.sampler = render::SamplerKind::independent;
+  settings.image.sampler = render::SamplerKind::independent;
   const Estimate with = estimateOf(renderScene(b.scene, settings).film);
-  settings.nextEventEstimation = false;
-  settings.seed = 1;
+  settings.image.nextEventEstimation = false;
+  settings.image.seed = 1;
   checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
@@ -205,11 +205,11 @@ TEST_CASE("next-event estimation leaves the mean of a gloss under large lights, 
   b.scene.background = {0.3f, 0.3f, 0.3f};
   b.view({0, -4, 1.5f}, {0, 0, 0.2f}, {0, 0, 1}, 40);
   render::RenderSettings settings = settingsOf(24, 24, 256);
-  settings.sampler = render::SamplerKind::independent;
-  settings.maxDepth = 2;
+  settings.image.sampler = render::SamplerKind::independent;
+  settings.image.maxDepth = 2;
   const Estimate with = estimateOf(renderScene(b.scene, settings).film);
-  settings.nextEventEstimation = false;
-  settings.seed = 1;
+  settings.image.nextEventEstimation = false;
+  settings.image.seed = 1;
   checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
@@ -220,15 +220,15 @@ TEST_CASE("one-sided lights shine from their front, with next-event estimation o
   b.quad({-2, 2, 1}, {2, 2, 1}, {2, -2, 1}, {-2, -2, 1});  // its front is below
   lookDownAt(b, 3, 0);
   render::RenderSettings settings = onePixel(16384);
-  settings.oneSided = true;
-  settings.sampler = render::SamplerKind::independent;
+  settings.image.oneSided = true;
+  settings.image.sampler = render::SamplerKind::independent;
   const Estimate front = estimateOf(renderScene(b.scene, settings).film);
-  settings.nextEventEstimation = false;
+  settings.image.nextEventEstimation = false;
   checkEqualMeans(front, estimateOf(renderScene(b.scene, settings).film), 0.03);
 
   for (scene::Triangle& triangle : b.scene.triangles) std::swap(triangle.p[1], triangle.p[2]);
   for (const bool nextEvent : {true, false}) {
-    settings.nextEventEstimation = nextEvent;
+    settings.image.nextEventEstimation = nextEvent;
     CHECK(estimateOf(renderScene(b.scene, settings).film).mean == 0);
   }
 }
@@ -237,11 +237,11 @@ TEST_CASE("Russian roulette leaves the mean") {
   SceneBuilder b = closedBox(diffuseMaterial({0.8f, 0.7f, 0.6f}));
   b.material(diffuseMaterial(vec3(0.2f), vec3(5))).sphere({0, 0.3f, -0.3f}, 0.5f);
   render::RenderSettings settings = settingsOf(16, 16, 100);
-  settings.sampler = render::SamplerKind::independent;
-  settings.rouletteStart = 64;
+  settings.image.sampler = render::SamplerKind::independent;
+  settings.image.rouletteStart = 64;
   const render::RenderResult without = renderScene(b.scene, settings);
-  settings.rouletteStart = 1;
-  settings.seed = 1;
+  settings.image.rouletteStart = 1;
+  settings.image.seed = 1;
   const render::RenderResult with = renderScene(b.scene, settings);
   CHECK(with.statistics.vertices * 2 < without.statistics.vertices);
   checkEqualMeans(estimateOf(without.film), estimateOf(with.film), 0.01);
@@ -254,8 +254,8 @@ TEST_CASE("a path between two parallel mirrors goes on for 5000 rays") {
   b.material(material).plane({0, 0, -1}, {1, 0, -1}, {0, 1, -1}).plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   b.view({0, 0, 0}, {0, 0.1f, 1}, {0, 1, 0}, 5);
   render::RenderSettings settings = settingsOf(2, 2, 2);
-  settings.maxDepth = 5000;
-  settings.rouletteStart = 5000;
+  settings.image.maxDepth = 5000;
+  settings.image.rouletteStart = 5000;
   const render::RenderResult result = renderScene(b.scene, settings);
   CHECK(result.statistics.vertices == 8 * 5000);
   const double a = double{0.999f};
@@ -271,7 +271,7 @@ TEST_CASE("emitters outside the table are found by paths, at full weight") {
     b.sphere({900, 0, -900}, 1);  // a light in the table, below the floor
     lookDownAt(b, 0, 0);
     render::RenderSettings settings = onePixel(16);
-    settings.nextEventEstimation = nextEvent;
+    settings.image.nextEventEstimation = nextEvent;
     // All directions but those that run to infinity below the other plane's horizon: the whole half-space.
     CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(0.5).epsilon(1e-9));
   }

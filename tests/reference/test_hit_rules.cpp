@@ -35,9 +35,9 @@ TEST_CASE("one-sided rendering drops the backs of opaque triangles and planes, a
   b.box({-1, -1, 2}, {1, 1, 3}).sphere({0, 0, 0}, 1);
   b.material(test::glassMaterial(vec3(1), 1.5f)).triangle({-9, -9, 1.2f}, {9, -9, 1.2f}, {0, 9, 1.2f});
   render::RenderSettings settings;
-  settings.accel = render::AccelKind::bvh;
+  settings.structure.accel = render::AccelKind::bvh;
   const Tracing twoSided(b.scene, settings);
-  settings.oneSided = true;
+  settings.image.oneSided = true;
   const Tracing oneSided(b.scene, settings);
   Counters counters;
   const auto first = [&](const Tracing& tracing, double z, double dz) {

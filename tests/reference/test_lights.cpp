@@ -36,8 +36,8 @@ double estimate(const LightTable& lights, const Surface& surface, const Function
 
 render::RenderSettings settingsWith(bool nextEvent, bool oneSided = false) {
   render::RenderSettings settings;
-  settings.nextEventEstimation = nextEvent;
-  settings.oneSided = oneSided;
+  settings.image.nextEventEstimation = nextEvent;
+  settings.image.oneSided = oneSided;
   return settings;
 }
 

@@ -22,8 +22,8 @@ SceneBuilder mirroredFloor() {
 
 render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
   render::RenderSettings settings = settingsOf(1, 1, 1);
-  settings.recordPaths = true;
-  settings.maxDepth = maxDepth;
+  settings.execution.recordPaths = true;
+  settings.image.maxDepth = maxDepth;
   return renderScene(scene, settings).paths.at(0);
 }
 
@@ -36,35 +36,35 @@ TEST_CASE("neither threads nor tiles nor the structure change a byte of the film
     scene.primitives.push_back({scene::PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size() - 1), 1});
   }
   render::RenderSettings settings = settingsOf(24, 17, 4);
-  settings.threads = 1;
+  settings.execution.threads = 1;
   const render::RenderResult first = renderScene(scene, settings);
   const std::uint64_t hash = first.film.hash();
   CHECK(first.statistics.structure == "bvh");
   CHECK(first.statistics.bvhSplit == "median");
 
-  settings.threads = 2;
+  settings.execution.threads = 2;
   CHECK(renderScene(scene, settings).film.hash() == hash);
-  settings.threads = 7;
-  settings.tile = render::Extent{5, 3};
+  settings.execution.threads = 7;
+  settings.execution.tile = render::Extent{5, 3};
   CHECK(renderScene(scene, settings).film.hash() == hash);
-  settings.accel = render::AccelKind::none;
+  settings.structure.accel = render::AccelKind::none;
   const render::RenderResult brute = renderScene(scene, settings);
   CHECK(brute.statistics.structure == "none");
   CHECK(brute.film.hash() == hash);
-  settings.accel = render::AccelKind::bvh;
-  settings.bvhSplit = render::BvhSplit::midpoint;
+  settings.structure.accel = render::AccelKind::bvh;
+  settings.structure.bvhSplit = render::BvhSplit::midpoint;
   const render::RenderResult midpoint = renderScene(scene, settings);
   CHECK(midpoint.statistics.structure == "bvh");
   CHECK(midpoint.statistics.bvhSplit == "midpoint");
   CHECK(midpoint.film.hash() == hash);
-  settings.accel = render::AccelKind::grid;
+  settings.structure.accel = render::AccelKind::grid;
   const render::RenderResult grid = renderScene(scene, settings);
   CHECK(grid.statistics.structure == "grid");
   CHECK(grid.film.hash() == hash);
   CHECK(std::set{first.statistics.traversalSteps, brute.statistics.traversalSteps, midpoint.statistics.traversalSteps,
                  grid.statistics.traversalSteps}
             .size() == 4);
-  settings.seed = 1;
+  settings.image.seed = 1;
   CHECK(renderScene(scene, settings).film.hash() != hash);
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("a lens of aperture 0 is a pinhole, bit for bit") {
   const std::uint64_t pinhole = renderScene(scene, settings).film.hash();
   scene.camera->focal = 0.3f;
   CHECK(renderScene(scene, settings).film.hash() == pinhole);
-  settings.lens = render::LensKind::square;
+  settings.image.lens = render::LensKind::square;
   CHECK(renderScene(scene, settings).film.hash() == pinhole);
   scene.camera->aperture = 1;
   CHECK(renderScene(scene, settings).film.hash() != pinhole);
@@ -90,22 +90,22 @@ TEST_CASE("samplers, filters, lenses and sides each change the film") {
     change(changed);
     hashes.push_back(renderScene(scene, changed).film.hash());
   };
-  add([](render::RenderSettings& s) { s.sampler = render::SamplerKind::independent; });
-  add([](render::RenderSettings& s) { s.sampler = render::SamplerKind::stratified; });
-  add([](render::RenderSettings& s) { s.filter = render::FilterKind::tent; });
-  add([](render::RenderSettings& s) { s.lens = render::LensKind::square; });
-  add([](render::RenderSettings& s) { s.oneSided = true; });
-  add([](render::RenderSettings& s) { s.nextEventEstimation = false; });
-  add([](render::RenderSettings& s) { s.rouletteStart = 1; });
-  add([](render::RenderSettings& s) { s.maxDepth = 3; });
-  add([](render::RenderSettings& s) { s.pixelOrigin = render::PixelOrigin::corner; });
+  add([](render::RenderSettings& s) { s.image.sampler = render::SamplerKind::independent; });
+  add([](render::RenderSettings& s) { s.image.sampler = render::SamplerKind::stratified; });
+  add([](render::RenderSettings& s) { s.image.filter = render::FilterKind::tent; });
+  add([](render::RenderSettings& s) { s.image.lens = render::LensKind::square; });
+  add([](render::RenderSettings& s) { s.image.oneSided = true; });
+  add([](render::RenderSettings& s) { s.image.nextEventEstimation = false; });
+  add([](render::RenderSettings& s) { s.image.rouletteStart = 1; });
+  add([](render::RenderSettings& s) { s.image.maxDepth = 3; });
+  add([](render::RenderSettings& s) { s.image.pixelOrigin = render::PixelOrigin::corner; });
   std::sort(hashes.begin(), hashes.end());
   CHECK(std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end());
 }
 
 TEST_CASE("statistics count what was done") {
   render::RenderSettings settings = settingsOf(7, 5, 3);
-  settings.threads = 2;
+  settings.execution.threads = 2;
   const render::RenderStatistics direct = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(direct.device == "cpu");
   CHECK(direct.kernel == "reference");
@@ -117,13 +117,13 @@ TEST_CASE("statistics count what was done") {
   CHECK(direct.seconds.count("trace") == 1);
   CHECK(direct.badSamples == 0);
 
-  settings.maxDepth = 2;  // mirror, floor, no light sample at the last vertex
+  settings.image.maxDepth = 2;  // mirror, floor, no light sample at the last vertex
   const render::RenderStatistics two = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(two.bounceRays == 105);
   CHECK(two.vertices == 210);
   CHECK(two.shadowRays == 0);
   CHECK(two.traversalSteps == 210 * 3);
-  settings.maxDepth = 3;
+  settings.image.maxDepth = 3;
   const render::RenderStatistics three = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(three.bounceRays == 210);
   CHECK(three.shadowRays == 105);
@@ -164,8 +164,8 @@ TEST_CASE("a record ends with the miss, or where roulette ended the path") {
 
   b.material(mirrorMaterial(vec3(1e-6f))).plane({0, 0, -1}, {1, 0, -1}, {0, 1, -1});
   render::RenderSettings settings = settingsOf(1, 1, 1);
-  settings.recordPaths = true;
-  settings.rouletteStart = 0;
+  settings.execution.recordPaths = true;
+  settings.image.rouletteStart = 0;
   const render::PathRecord ended = renderScene(b.scene, settings).paths.at(0);
   REQUIRE(ended.vertexCount == 1);
   CHECK(ended.vertices[0] == render::VertexRecord{0, render::Lobe::mirror, render::ShadowOutcome::notTraced, false});
@@ -188,7 +188,7 @@ TEST_CASE("progress reaches the end, on the calling thread") {
     samples = done;
   };
   render::RenderSettings settings = settingsOf(40, 40, 2);
-  settings.threads = 1;
+  settings.execution.threads = 1;
   reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control);
   REQUIRE(fractions.size() == 9);
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
@@ -202,7 +202,7 @@ TEST_CASE("a render that is stopped says so and keeps what was done") {
   control.stop = &stop;
   control.progress = [&](double, std::uint64_t) { stop = true; };
   render::RenderSettings settings = settingsOf(64, 64, 2);
-  settings.threads = 2;
+  settings.execution.threads = 2;
   const render::RenderResult result = reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control);
   CHECK(result.interrupted);
   CHECK(result.statistics.samples >= 512);
@@ -220,6 +220,6 @@ TEST_CASE("what a progress callback throws ends the render") {
   render::RenderControl control;
   control.progress = [](double, std::uint64_t) { throw std::runtime_error("enough"); };
   render::RenderSettings settings = settingsOf(64, 64, 1);
-  settings.threads = 2;
+  settings.execution.threads = 2;
   CHECK_THROWS_WITH(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control), "enough");
 }

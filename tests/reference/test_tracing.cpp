@@ -15,19 +15,19 @@ namespace {
 
 render::RenderSettings withAccel(render::AccelKind accel) {
   render::RenderSettings settings;
-  settings.accel = accel;
+  settings.structure.accel = accel;
   return settings;
 }
 
 render::RenderSettings withMidpoints() {
   render::RenderSettings settings;
-  settings.bvhSplit = render::BvhSplit::midpoint;
+  settings.structure.bvhSplit = render::BvhSplit::midpoint;
   return settings;
 }
 
 render::RenderSettings withGrid(float density) {
   render::RenderSettings settings = withAccel(render::AccelKind::grid);
-  settings.gridDensity = density;
+  settings.structure.gridDensity = density;
   return settings;
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("every structure finds what brute force finds, in scenes of all kinds 
   for (const render::RenderSettings& settings :
        {withAccel(render::AccelKind::bvh), withMidpoints(), withGrid(1), withGrid(2), withGrid(5)}) {
     structures.emplace_back(scene, settings);
-    REQUIRE(structures.back().hasHierarchy() == (settings.accel == render::AccelKind::bvh));
-    REQUIRE(structures.back().hasGrid() == (settings.accel == render::AccelKind::grid));
+    REQUIRE(structures.back().hasHierarchy() == (settings.structure.accel == render::AccelKind::bvh));
+    REQUIRE(structures.back().hasGrid() == (settings.structure.accel == render::AccelKind::grid));
   }
 
   Counters bruteWork, setupWork;

@@ -10,9 +10,9 @@ namespace {
 
 render::RenderSettings whittedSettings(std::uint32_t maxDepth) {
   render::RenderSettings settings = settingsOf(1, 1, 1);
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = maxDepth;
-  settings.recordPaths = true;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = maxDepth;
+  settings.execution.recordPaths = true;
   return settings;
 }
 
@@ -95,14 +95,14 @@ TEST_CASE("with several samples pixels are jittered, with one they are not") {
   b.view({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40);
   b.material(diffuseMaterial(vec3(0), vec3(1))).sphere({0, 0, 0}, 1);
   render::RenderSettings settings = whittedSettings(1);
-  settings.size = {16, 16};
-  settings.recordPaths = false;
+  settings.image.size = {16, 16};
+  settings.execution.recordPaths = false;
   std::uint64_t seeds[2];
-  for (settings.seed = 0; settings.seed < 2; ++settings.seed)
-    seeds[settings.seed] = renderScene(b.scene, settings).film.hash();
+  for (settings.image.seed = 0; settings.image.seed < 2; ++settings.image.seed)
+    seeds[settings.image.seed] = renderScene(b.scene, settings).film.hash();
   CHECK(seeds[0] == seeds[1]);
-  settings.sampleCount = 2;
-  for (settings.seed = 0; settings.seed < 2; ++settings.seed)
-    seeds[settings.seed] = renderScene(b.scene, settings).film.hash();
+  settings.image.sampleCount = 2;
+  for (settings.image.seed = 0; settings.image.seed < 2; ++settings.image.seed)
+    seeds[settings.image.seed] = renderScene(b.scene, settings).film.hash();
   CHECK(seeds[0] != seeds[1]);
 }

@@ -20,8 +20,8 @@ render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, r
   flatten::FlatScene flat;
   flat.rows.resize(100);
   render::RenderSettings settings;
-  settings.sceneLoads = asked;
-  settings.automatic.sceneLoads = preferred;
+  settings.execution.sceneLoads = asked;
+  settings.execution.automatic.sceneLoads = preferred;
   return loadsFor(info, flat, settings);
 }
 
@@ -49,14 +49,14 @@ TEST_CASE("loads that are asked for and do not fit are refused with the way that
 TEST_CASE("a layout that is asked for is used, others as preferred, but midpoint splits have two-wide nodes") {
   render::RenderSettings settings;
   for (const render::BvhLayout preferred : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
-    settings.automatic.bvhLayout = preferred;
+    settings.execution.automatic.bvhLayout = preferred;
     for (const render::BvhSplit split : {render::BvhSplit::sah, render::BvhSplit::midpoint}) {
-      settings.bvhSplit = split;
+      settings.structure.bvhSplit = split;
       for (const render::BvhLayout asked : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
-        settings.bvhLayout = asked;
+        settings.structure.bvhLayout = asked;
         CHECK(flatten::layoutFor(settings) == asked);
       }
-      settings.bvhLayout = render::BvhLayout::automatic;
+      settings.structure.bvhLayout = render::BvhLayout::automatic;
       CHECK(flatten::layoutFor(settings) ==
             (split == render::BvhSplit::midpoint ? render::BvhLayout::bvh2 : preferred));
     }
@@ -65,25 +65,25 @@ TEST_CASE("a layout that is asked for is used, others as preferred, but midpoint
 
 TEST_CASE("a workgroup that is asked for is used, else the preferred one") {
   render::RenderSettings settings;
-  CHECK(extentText(settings.workgroupInUse()) == "8x8");
-  settings.automatic.workgroup = {32, 1};
-  CHECK(extentText(settings.workgroupInUse()) == "32x1");
-  settings.workgroup = render::Extent{4, 4};
-  CHECK(extentText(settings.workgroupInUse()) == "4x4");
+  CHECK(extentText(settings.execution.workgroupInUse()) == "8x8");
+  settings.execution.automatic.workgroup = {32, 1};
+  CHECK(extentText(settings.execution.workgroupInUse()) == "32x1");
+  settings.execution.workgroup = render::Extent{4, 4};
+  CHECK(extentText(settings.execution.workgroupInUse()) == "4x4");
 }
 
 TEST_CASE("a kernel that is asked for is used, others as preferred, but integrators that have but one keep it") {
   render::RenderSettings settings;
   const auto nameOf = [&] { return std::string(kernelFor(flatten::FlatScene{}, settings).name); };
   CHECK(nameOf() == "megakernel");
-  settings.automatic.kernel = render::KernelKind::wavefront;
+  settings.execution.automatic.kernel = render::KernelKind::wavefront;
   CHECK(nameOf() == "wavefront");
-  settings.kernel = render::KernelKind::megakernel;
+  settings.execution.kernel = render::KernelKind::megakernel;
   CHECK(nameOf() == "megakernel");
-  settings.kernel = render::KernelKind::automatic;
-  settings.integrator = render::Integrator::whitted;
+  settings.execution.kernel = render::KernelKind::automatic;
+  settings.image.integrator = render::Integrator::whitted;
   CHECK(nameOf() == "whitted");
-  settings.integrator = render::Integrator::depth;
+  settings.image.integrator = render::Integrator::depth;
   CHECK(nameOf() == "views");
 }
 

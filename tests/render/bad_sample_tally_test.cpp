@@ -11,9 +11,9 @@ const glm::dvec3 kTooBright(1e9);
 
 render::RenderSettings settingsOf(std::uint32_t seed) {
   render::RenderSettings settings;
-  settings.size = {4, 3};
-  settings.seed = seed;
-  settings.sampleCount = 8;
+  settings.image.size = {4, 3};
+  settings.image.seed = seed;
+  settings.image.sampleCount = 8;
   return settings;
 }
 
@@ -23,7 +23,7 @@ class BadRenderer final : public render::Renderer {
   render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
                               const render::RenderControl&) override {
     render::RenderResult result;
-    result.film = image::Film(settings.size.width, settings.size.height);
+    result.film = image::Film(settings.image.size.width, settings.image.size.height);
     result.film.addSample(3, 0, kTooBright, 6);
     result.statistics.device = "bad";
     return result;

@@ -17,8 +17,8 @@ scene::Scene furnace(const std::string& albedo) {
 // Without roulette every path has the exact value, up to what lies beyond the depth limit: 0.8^100 = 2e-10.
 render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
-  settings.maxDepth = 100;
-  settings.rouletteStart = 100;
+  settings.image.maxDepth = 100;
+  settings.image.rouletteStart = 100;
   return settings;
 }
 
@@ -29,7 +29,7 @@ TEST_CASE("a furnace of albedo a shows 1 / (1 - a)") {
   const bool nextEventEstimation = GENERATE(true, false);
   onBothTracers([&, text = text, albedo = albedo](const RenderFunction& renderScene) {
     render::RenderSettings settings = withoutRoulette(8, nextEventEstimation ? 64 : 4);
-    settings.nextEventEstimation = nextEventEstimation;
+    settings.image.nextEventEstimation = nextEventEstimation;
     const double mean = meanLuminance(renderScene(furnace(text), settings).film);
     CAPTURE(albedo, nextEventEstimation);
     CHECK(mean == Approx(1 / (1 - albedo)).epsilon(1e-3));
@@ -68,7 +68,7 @@ TEST_CASE("a point light shows Kd Lc cd cos on a diffuse plane") {
   const bool nextEventEstimation = GENERATE(true, false);
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = squareSettings(4, 4);
-    settings.nextEventEstimation = nextEventEstimation;
+    settings.image.nextEventEstimation = nextEventEstimation;
     const glm::dvec3 mean = renderScene(scene, settings).film.mean(2, 2);
     CHECK(mean.x == Approx(0.8 * 1 * 0.6).epsilon(1e-3));
     CHECK(mean.y == Approx(0.5 * 2 * 0.6).epsilon(1e-3));
@@ -86,7 +86,7 @@ TEST_CASE("a lens of radius 0 is a pinhole, bit for bit") {
     scene::Scene refocused = scene;
     refocused.camera->focal = 0.37f;
     render::RenderSettings square = settings;
-    square.lens = render::LensKind::square;
+    square.image.lens = render::LensKind::square;
     CHECK(renderScene(refocused, square).film.hash() == pinhole);
     refocused.camera->aperture = 1e-30f;  // the lens is compiled in and has no width
     CHECK(renderScene(refocused, square).film.hash() == pinhole);

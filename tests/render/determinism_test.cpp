@@ -10,7 +10,7 @@ namespace {
 
 render::RenderSettings baseSettings() {
   render::RenderSettings settings = squareSettings(72, 4);
-  settings.size.height = 50;  // no multiple of any workgroup
+  settings.image.size.height = 50;  // no multiple of any workgroup
   return settings;
 }
 
@@ -23,7 +23,7 @@ TEST_CASE("the workgroup does not change the image") {
   const std::uint64_t expected = baseHash(scene);
   for (const render::Extent workgroup : {render::Extent{16, 4}, render::Extent{64, 1}, render::Extent{1, 1}}) {
     render::RenderSettings settings = baseSettings();
-    settings.workgroup = workgroup;
+    settings.execution.workgroup = workgroup;
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.workgroup.width == workgroup.width);
@@ -37,9 +37,9 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   std::size_t fewerDispatches = ~std::size_t{0};
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
     render::RenderSettings settings = baseSettings();
-    settings.segmentsPerDispatch = segments;
-    settings.bvhLayout = render::BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
-    settings.tile = settings.size;                  // so that the number of dispatches depends on nothing else
+    settings.execution.segmentsPerDispatch = segments;
+    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
+    settings.execution.tile = settings.image.size;                  // so that the number of dispatches depends on nothing else
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.maxSegmentsPerDispatch == segments);
@@ -54,11 +54,11 @@ TEST_CASE("the tile does not change the image") {
   for (const render::Extent tile :
        {render::Extent{8, 8}, render::Extent{17, 5}, render::Extent{72, 1}, render::Extent{500, 500}}) {
     render::RenderSettings settings = baseSettings();
-    settings.tile = tile;
+    settings.execution.tile = tile;
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
-    CHECK(result.statistics.tile.width == std::min(tile.width, settings.size.width));
-    CHECK(result.statistics.tile.height == std::min(tile.height, settings.size.height));
+    CHECK(result.statistics.tile.width == std::min(tile.width, settings.image.size.width));
+    CHECK(result.statistics.tile.height == std::min(tile.height, settings.image.size.height));
   }
 }
 
@@ -66,13 +66,13 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
   for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
     const scene::Scene scene = loadTestScene(name);
     render::RenderSettings settings = baseSettings();
-    settings.sceneLoads = render::SceneLoads::texel;
+    settings.execution.sceneLoads = render::SceneLoads::texel;
     const render::RenderResult texel = renderOnDevice(scene, settings);
     CHECK(texel.statistics.sceneLoads == "texel");
-    settings.sceneLoads = render::SceneLoads::storage;
+    settings.execution.sceneLoads = render::SceneLoads::storage;
     const render::RenderResult storage = renderOnDevice(scene, settings);
     CHECK(storage.statistics.sceneLoads == "storage");
-    settings.accel = render::AccelKind::none;
+    settings.structure.accel = render::AccelKind::none;
     const render::RenderResult bruteForce = renderOnDevice(scene, settings);
     CHECK(bruteForce.statistics.structure == "none");
     CAPTURE(name);
@@ -84,9 +84,9 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
 TEST_CASE("the reference's threads do not change its image") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = baseSettings();
-  settings.threads = 1;
+  settings.execution.threads = 1;
   const render::RenderResult one = renderOnReference(scene, settings);
-  settings.threads = 2;
+  settings.execution.threads = 2;
   const render::RenderResult two = renderOnReference(scene, settings);
   CHECK(one.statistics.threads == 1);
   CHECK(two.statistics.threads == 2);
@@ -96,6 +96,6 @@ TEST_CASE("the reference's threads do not change its image") {
 TEST_CASE("another seed gives another image") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = baseSettings();
-  settings.seed = 1;
+  settings.image.seed = 1;
   CHECK(renderOnDevice(scene, settings).film.hash() != baseHash(scene));
 }

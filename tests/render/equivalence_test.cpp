@@ -11,17 +11,17 @@ namespace {
 
 render::RenderSettings settingsFor(const scene::Scene& scene, std::uint32_t side, bool nextEventEstimation) {
   render::RenderSettings settings = squareSettings(side, 1);
-  settings.nextEventEstimation = nextEventEstimation;
-  settings.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
+  settings.image.nextEventEstimation = nextEventEstimation;
+  settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
   return settings;
 }
 
 // Of pictures of one sample per pixel.
 void requireSamePixels(const scene::Scene& scene, render::RenderSettings settings) {
-  settings.recordPaths = true;
+  settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
                                                               renderOnReference(scene, settings));
-  CAPTURE(scene.name, settings.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes,
+  CAPTURE(scene.name, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes,
           pixels.worst, pixels.worstX, pixels.worstY);
   CHECK(pixels.share() >= verify::kRequiredShare);
   CHECK(pixels.litShare() >= verify::kRequiredLitShare);
@@ -39,7 +39,7 @@ void requireSameMeans(std::uint32_t side, std::uint32_t samples) {
     const scene::Scene scene = scene::loadScene(file).scene;
     for (const bool nextEventEstimation : {true, false}) {
       render::RenderSettings settings = settingsFor(scene, side, nextEventEstimation);
-      settings.sampleCount = samples;
+      settings.image.sampleCount = samples;
       const double device = meanLuminance(renderOnDevice(scene, settings).film);
       const double reference = meanLuminance(renderOnReference(scene, settings).film);
       CAPTURE(scene.name, nextEventEstimation);
@@ -80,17 +80,17 @@ TEST_CASE("samplers, filters and lenses agree with the reference", "[swiftshader
        {render::SamplerKind::sobol, render::FilterKind::tent, render::LensKind::square}}));
   const scene::Scene scene = loadTestScene("depth_of_field.p3f");
   render::RenderSettings settings = squareSettings(64, 1);
-  settings.sampler = sampler;
-  settings.filter = filter;
-  settings.lens = lens;
+  settings.image.sampler = sampler;
+  settings.image.filter = filter;
+  settings.image.lens = lens;
   requireSamePixels(scene, settings);
 }
 
 TEST_CASE("depth limit and roulette agree with the reference") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = squareSettings(64, 1);
-  settings.maxDepth = GENERATE(1u, 2u, 5u);
-  settings.rouletteStart = GENERATE(0u, 2u);
+  settings.image.maxDepth = GENERATE(1u, 2u, 5u);
+  settings.image.rouletteStart = GENERATE(0u, 2u);
   requireSamePixels(scene, settings);
 }
 
@@ -133,16 +133,16 @@ pp 3
 TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshader-slow]") {
   const scene::Scene scene = sceneFromText(kSeldomMet);
   render::RenderSettings settings = squareSettings(128, 1);
-  settings.nextEventEstimation = GENERATE(true, false);
-  settings.oneSided = GENERATE(false, true);
-  CAPTURE(settings.oneSided);
+  settings.image.nextEventEstimation = GENERATE(true, false);
+  settings.image.oneSided = GENERATE(false, true);
+  CAPTURE(settings.image.oneSided);
   requireSamePixels(scene, settings);
 }
 
 TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
   const scene::Scene scene = loadTestScene("smallpt.p3f");
   render::RenderSettings settings = squareSettings(96, 4);
-  settings.nextEventEstimation = GENERATE(true, false);
+  settings.image.nextEventEstimation = GENERATE(true, false);
   const image::Film device = renderOnDevice(scene, settings).film;
   const image::Film reference = renderOnReference(scene, settings).film;
   // Acne darkens and leaks brighten: pixel by pixel, with the same samples, next to nothing may differ.

@@ -19,7 +19,7 @@ scene::Scene loadFixture(const char* name) {
 
 render::RenderSettings smallSettings() {
   render::RenderSettings settings;
-  settings.size = {64, 64};
+  settings.image.size = {64, 64};
   return settings;
 }
 
@@ -33,7 +33,7 @@ TEST_CASE("every primitive has one slot, with infinite planes last") {
   const scene::Scene scene = loadFixture("primitives.p3f");
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     render::RenderSettings settings = smallSettings();
-    settings.accel = accel;
+    settings.structure.accel = accel;
     const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
     REQUIRE(flat.slotCount == scene.primitives.size());
     std::set<std::uint32_t> seen;
@@ -53,7 +53,7 @@ TEST_CASE("every primitive has one slot, with infinite planes last") {
 TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
   const scene::Scene scene = loadFixture("smallpt.p3f");
   render::RenderSettings settings = smallSettings();
-  settings.accel = render::AccelKind::none;
+  settings.structure.accel = render::AccelKind::none;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
     const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
@@ -88,7 +88,7 @@ TEST_CASE("what a scene does not use is not among its features") {
   CHECK(!smallpt.features.glossy);
   CHECK(!smallpt.features.sky);
   render::RenderSettings withoutLightSampling = smallSettings();
-  withoutLightSampling.nextEventEstimation = false;
+  withoutLightSampling.image.nextEventEstimation = false;
   CHECK(!flatten::flattenScene(loadFixture("smallpt.p3f"), withoutLightSampling).features.sphereLights);
   CHECK(flatten::flattenScene(loadFixture("sky.p3f"), smallSettings()).features.sky);
 }
@@ -98,7 +98,7 @@ TEST_CASE("a scene without primitives has no structure and no slots") {
   scene.camera = scene::Camera{};
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     render::RenderSettings settings = smallSettings();
-    settings.accel = accel;
+    settings.structure.accel = accel;
     const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
     CHECK(flat.slotCount == 0);
     CHECK(flat.structure == gpu::kStructureNone);
@@ -108,8 +108,8 @@ TEST_CASE("a scene without primitives has no structure and no slots") {
 TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to a row") {
   const scene::Scene scene = loadFixture("primitives.p3f");
   render::RenderSettings settings = smallSettings();
-  settings.accel = render::AccelKind::grid;
-  settings.gridDensity = 3;
+  settings.structure.accel = render::AccelKind::grid;
+  settings.structure.gridDensity = 3;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   REQUIRE(flat.structure == gpu::kStructureGrid);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene);
@@ -135,7 +135,7 @@ TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to 
 
 TEST_CASE("a grid has no more cells along an axis than flatten is told") {
   render::RenderSettings settings = smallSettings();
-  settings.accel = render::AccelKind::grid;
+  settings.structure.accel = render::AccelKind::grid;
   const scene::Scene scene = loadFixture("primitives.p3f");
   const flatten::FlatScene free = flatten::flattenScene(scene, settings);
   const flatten::FlatScene limited = flatten::flattenScene(scene, settings, {.maxGridSide = 4, .smallScene = {}});
@@ -149,9 +149,9 @@ TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
   scene::Scene scene = loadFixture("point_light.p3f");
   scene.pointLights.push_back({scene.camera->at, glm::vec3(1)});  // faces z
   render::RenderSettings settings = smallSettings();
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = 4;
-  settings.lightSize = 0.5f;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = 4;
+  settings.image.lightSize = 0.5f;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   REQUIRE(flat.constants.limits.z == scene.pointLights.size());
   for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
@@ -169,8 +169,8 @@ TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
 
 TEST_CASE("room for rays that wait is made where there is glass, one for each depth but the first") {
   render::RenderSettings settings = smallSettings();
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = 5;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = 5;
   CHECK(flatten::flattenScene(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
   CHECK(flatten::flattenScene(loadFixture("primitives.p3f"), settings).constants.limits.w ==
         gpu::kTreeRows + 4 * gpu::kWaitingRows);

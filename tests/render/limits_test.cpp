@@ -56,17 +56,17 @@ TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the 
   const scene::Scene scene = heightField(64);
   REQUIRE(scene.primitives.size() > 8000);
   render::RenderSettings settings = squareSettings(32, 1);
-  settings.accel = render::AccelKind::none;
-  settings.maxDepth = 8;
-  settings.recordPaths = true;
+  settings.structure.accel = render::AccelKind::none;
+  settings.image.maxDepth = 8;
+  settings.execution.recordPaths = true;
   const render::RenderResult free = renderOnDevice(scene, settings);
   CHECK(free.statistics.structure == "none");
   const verify::PixelAgreement pixels = verify::comparePixels(free, renderOnReference(scene, settings));
   CHECK(pixels.share() >= verify::kRequiredShare);
   CHECK(pixels.litShare() >= verify::kRequiredLitShare);
-  settings.segmentsPerDispatch = 1;
+  settings.execution.segmentsPerDispatch = 1;
   CHECK(renderOnDevice(scene, settings).film.hash() == free.film.hash());
-  settings.accel = render::AccelKind::bvh;
+  settings.structure.accel = render::AccelKind::bvh;
   const render::RenderResult hierarchy = renderOnDevice(scene, settings);
   CHECK(hierarchy.film.hash() == free.film.hash());
   CHECK(hierarchy.statistics.traversalSteps < free.statistics.traversalSteps / 10);
@@ -75,13 +75,13 @@ TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the 
 TEST_CASE("paths of thousands of segments equal the reference, whatever the segments per dispatch") {
   const scene::Scene scene = loadTestScene("mirrors.p3f");
   render::RenderSettings settings = squareSettings(16, 1);
-  settings.maxDepth = 5000;
-  settings.recordPaths = true;
+  settings.image.maxDepth = 5000;
+  settings.execution.recordPaths = true;
   const render::RenderResult reference = renderOnReference(scene, settings);
   CHECK(reference.statistics.vertices > 1000 * reference.statistics.samples);
   std::uint64_t hash = 0;
   for (const std::uint32_t segments : {1000u, 7u}) {
-    settings.segmentsPerDispatch = segments;
+    settings.execution.segmentsPerDispatch = segments;
     const render::RenderResult device = renderOnDevice(scene, settings);
     const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
     CHECK(pixels.share() >= verify::kRequiredShare);
@@ -97,8 +97,8 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
   render::RenderSettings settings = squareSettings(8, 1);
-  settings.maxDepth = limited ? 100000 : 100;
-  settings.segmentsPerDispatch = 100000;
+  settings.image.maxDepth = limited ? 100000 : 100;
+  settings.execution.segmentsPerDispatch = 100000;
   const scene::Scene scene = loadTestScene("mirrors.p3f");
   const render::RenderResult result = careless->render(scene, settings, {});
   if (limited) {
@@ -114,12 +114,12 @@ TEST_CASE("dispatches leave no memory behind") {
   // has a loop with such bounds, as the second scene's over its infinite plane.
   const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
   render::RenderSettings settings = squareSettings(16, 1);
-  settings.oneSided = true;
-  settings.segmentsPerDispatch = 1;
-  settings.tile = settings.size;
+  settings.image.oneSided = true;
+  settings.execution.segmentsPerDispatch = 1;
+  settings.execution.tile = settings.image.size;
   renderOnDevice(scene, settings);
   const std::uint64_t before = residentBytes();
-  settings.sampleCount = 64;
+  settings.image.sampleCount = 64;
   const render::RenderResult result = renderOnDevice(scene, settings);
   REQUIRE(result.statistics.dispatchSeconds.size() >= 100);
   CHECK(residentBytes() < before + (std::uint64_t{64} << 20));
@@ -128,7 +128,7 @@ TEST_CASE("dispatches leave no memory behind") {
 TEST_CASE("brute force beyond the device's loop limit is refused with a message") {
   const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 65535});
   render::RenderSettings settings = squareSettings(8, 1);
-  settings.accel = render::AccelKind::none;
+  settings.structure.accel = render::AccelKind::none;
   CHECK_THROWS_WITH(renderer->render(heightField(129), settings, {}), Catch::Contains("use --accel bvh"));
 }
 
@@ -137,15 +137,15 @@ TEST_CASE("brute force is refused the sooner, the more lights a ray asks") {
   scene::Scene scene = heightField(64);
   for (int i = 0; i < 20; ++i) scene.pointLights.push_back({glm::vec3(0.5f, 0.5f, 3), glm::vec3(0.1f)});
   render::RenderSettings settings = squareSettings(8, 1);
-  settings.accel = render::AccelKind::none;
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = 4;
+  settings.structure.accel = render::AccelKind::none;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = 4;
   CHECK_THROWS_WITH(renderer->render(scene, settings, {}), Catch::Contains("at most 3633 primitives"));
 }
 
 TEST_CASE("a workgroup that the device does not have is refused with a message") {
   render::RenderSettings settings = squareSettings(8, 1);
-  settings.workgroup = {1024, 1024};
+  settings.execution.workgroup = {1024, 1024};
   CHECK_THROWS_AS(testRenderer().render(loadTestScene("balls.p3f"), settings, {}), UsageError);
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("a stopped render returns what was done") {
 TEST_CASE("an image of 4096 x 2160 renders in bands that do not show", "[slow]") {
   const scene::Scene scene = loadTestScene("lamp_over_plane.p3f");
   render::RenderSettings settings = squareSettings(1, 1);
-  settings.size = {4096, 2160};
-  settings.maxDepth = 3;
+  settings.image.size = {4096, 2160};
+  settings.image.maxDepth = 3;
   const render::RenderResult result = renderOnDevice(scene, settings);
   CHECK(result.statistics.samples == std::uint64_t{4096} * 2160);
   for (const image::FilmPixel& pixel : result.film.pixels()) REQUIRE(pixel.sampleCount == 1);

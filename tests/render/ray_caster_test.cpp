@@ -57,9 +57,9 @@ TEST_CASE("rays alone find the same hits through every layout, however it is rea
        {Layout{render::AccelKind::none, render::BvhLayout::automatic, render::SceneLoads::storage},
         Layout{render::AccelKind::bvh, render::BvhLayout::cwbvh, render::SceneLoads::texel},
         Layout{render::AccelKind::bvh, render::BvhLayout::cwbvh, render::SceneLoads::storage}}) {
-    settings.accel = layout.accel;
-    settings.bvhLayout = layout.layout;
-    settings.sceneLoads = layout.loads;
+    settings.structure.accel = layout.accel;
+    settings.structure.bvhLayout = layout.layout;
+    settings.execution.sceneLoads = layout.loads;
     RayCaster caster(device, flatten::flattenScene(scene, settings), settings);
     if (!sets) sets = caster.makeRays();
     REQUIRE((*sets)[gpu::kPrimaryRay].size() == 48 * 48);
@@ -82,7 +82,7 @@ TEST_CASE("a terrain scaled into a unit cube has the same hits") {
   const scene::Scene scene = generatedScene("terrain", 40).scene;
   REQUIRE(scene.primitives.size() == scene.triangles.size());
   render::RenderSettings settings = squareSettings(64, 1);
-  settings.bvhLayout = GENERATE(render::BvhLayout::bvh2, render::BvhLayout::cwbvh);
+  settings.structure.bvhLayout = GENERATE(render::BvhLayout::bvh2, render::BvhLayout::cwbvh);
   RayCaster large(device, flatten::flattenScene(scene, settings), settings);
   RayCaster small(device, flatten::flattenScene(scaledTriangles(scene, factor), settings), settings);
   const RaySets sets = large.makeRays();

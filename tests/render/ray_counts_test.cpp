@@ -30,9 +30,9 @@ const std::vector<PublishedCounts> kPublished{{"balls", 4, 263169, 175095, 0, 95
 
 render::RenderSettings hainesSettings() {
   render::RenderSettings settings = squareSettings(513, 1);
-  settings.integrator = render::Integrator::whitted;
-  settings.pixelOrigin = render::PixelOrigin::corner;
-  settings.maxDepth = 5;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.pixelOrigin = render::PixelOrigin::corner;
+  settings.image.maxDepth = 5;
   return settings;
 }
 

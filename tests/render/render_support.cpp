@@ -38,8 +38,8 @@ scene::Scene sceneFromText(const std::string& text) { return scene::parseScene(t
 
 render::RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings;
-  settings.size = {side, side};
-  settings.sampleCount = samples;
+  settings.image.size = {side, side};
+  settings.image.sampleCount = samples;
   return settings;
 }
 

@@ -60,19 +60,19 @@ TEST_CASE("a small scene has its rows in the uniform buffer too, unless a struct
   const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,
                                       .smallScene = {.mostCost = 128, .rowsAhead = false}};
   render::RenderSettings settings;
-  settings.size = {8, 8};
+  settings.image.size = {8, 8};
   const flatten::FlatScene row = flatten::flattenScene(scene, settings, limits);
   REQUIRE(row.uniformSlots == scene.primitives.size());
   CHECK(row.structure == gpu::kStructureNone);
   for (std::uint32_t i = 0; i < row.uniformSlots * gpu::kPrimitiveRows; ++i) {
     CHECK(row.slotRows[i] == row.rows[row.constants.sections.y + i]);
   }
-  settings.bvhLayout = render::BvhLayout::cwbvh;
+  settings.structure.bvhLayout = render::BvhLayout::cwbvh;
   CHECK(flatten::flattenScene(scene, settings, limits).structure == gpu::kStructureWideBvh);
-  settings.bvhLayout = render::BvhLayout::automatic;
-  settings.accel = render::AccelKind::grid;
+  settings.structure.bvhLayout = render::BvhLayout::automatic;
+  settings.structure.accel = render::AccelKind::grid;
   CHECK(flatten::flattenScene(scene, settings, limits).uniformSlots == 0);
-  settings.accel = render::AccelKind::bvh;
+  settings.structure.accel = render::AccelKind::bvh;
   CHECK(flatten::flattenScene(scene, settings).structure ==
         gpu::kStructureWideBvh);  // by the other rule it is not small
 }

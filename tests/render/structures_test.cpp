@@ -37,11 +37,11 @@ const std::vector<Way> kWays{
     {"bvh", "midpoint", render::AccelKind::bvh, render::BvhSplit::midpoint, 2, render::BvhLayout::cwbvh}};
 
 render::RenderSettings along(const Way& way, render::RenderSettings settings) {
-  settings.accel = way.accel;
-  settings.bvhSplit = way.split;
-  settings.bvhLayout = way.layout;
-  settings.gridDensity = way.density;
-  settings.bvhQuality = way.quality;
+  settings.structure.accel = way.accel;
+  settings.structure.bvhSplit = way.split;
+  settings.structure.bvhLayout = way.layout;
+  settings.structure.gridDensity = way.density;
+  settings.structure.bvhQuality = way.quality;
   return settings;
 }
 
@@ -147,7 +147,7 @@ scene::Scene triples() {
 
 render::RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
-  settings.maxDepth = 6;
+  settings.image.maxDepth = 6;
   return settings;
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("a structure that is asked for by name is used even where a few tests 
 
 TEST_CASE("rays that come to a grid from very far away miss nothing", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(48, 4);
-  settings.maxDepth = 4;
+  settings.image.maxDepth = 4;
   requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});
 }
 
@@ -287,7 +287,7 @@ TEST_CASE("a segment too long for the device's loop limit is caught, whatever th
   const scene::Scene scene = crowdedCell();
   for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {
     render::RenderSettings settings = along(way, squareSettings(8, 1));
-    settings.maxDepth = 2;
+    settings.image.maxDepth = 2;
     const render::RenderResult result = careless->render(scene, settings, {});
     CAPTURE(way.structure);
     CHECK((result.statistics.truncated > 0) == limited);

@@ -51,8 +51,8 @@ scene::Scene lookingAt(const vec3& at, const vec3& from) {
 
 render::RenderSettings viewSettings(render::Integrator integrator, std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
-  settings.integrator = integrator;
-  settings.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
+  settings.image.integrator = integrator;
+  settings.execution.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
   return settings;
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are
   constexpr render::Integrator kAo = render::Integrator::ao;
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = viewSettings(kAo, 8, 256);
-    settings.aoDistance = 8.f;
+    settings.image.aoDistance = 8.f;
     const auto above = [](double distance, float height) {
       const vec3 foot(0, -static_cast<float>(distance), 0);
       return lookingAt(foot, foot + vec3(0, 0, height));
@@ -178,7 +178,7 @@ TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are
     const double a = 0.25;
     const double expected = 1 - (std::acos(a) - a * std::sqrt(1 - a * a)) / 3.14159265358979;
     CHECK(mean(renderScene(above(2, 4), settings).film) == Approx(expected).margin(0.016));
-    settings.aoDistance.reset();  // a quarter of the way from eye to target
+    settings.image.aoDistance.reset();  // a quarter of the way from eye to target
     CHECK(mean(renderScene(above(2, 32), settings).film) == Approx(expected).margin(0.016));
     CHECK(mean(renderScene(above(2, 4), settings).film) == 1);
     const render::RenderResult missed = renderScene(lookingAt(kAway, kOutside), settings);
@@ -194,11 +194,11 @@ TEST_CASE("cost is what the statistics count, pixel by pixel") {
   // Mean cost with a tree.
   const auto meanCost = [&](const RenderFunction& renderScene) {
     render::RenderSettings settings = viewSettings(render::Integrator::cost, 64, 4);
-    settings.accel = render::AccelKind::none;
+    settings.structure.accel = render::AccelKind::none;
     const image::Film all = renderScene(scene, settings).film;
     for (std::uint32_t i = 0; i < 64; ++i) CHECK(all.mean(i, 63 - i) == dvec3(primitives));
-    settings.accel = render::AccelKind::bvh;
-    settings.bvhLayout = render::BvhLayout::cwbvh;  // the device would else test so few in a row
+    settings.structure.accel = render::AccelKind::bvh;
+    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // the device would else test so few in a row
     const render::RenderResult tree = renderScene(scene, settings);
     CHECK(mean(tree.film) * 4 * 64 * 64 == static_cast<double>(tree.statistics.traversalSteps));
     return mean(tree.film);
@@ -218,22 +218,22 @@ TEST_CASE("neither work's division, nor its structure, nor what concerns paths a
           "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = viewSettings(render::Integrator::ao, 64, 4);
-  settings.size.height = 50;  // no multiple of any workgroup
+  settings.image.size.height = 50;  // no multiple of any workgroup
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
   const auto check = [&](auto change) {
     render::RenderSettings changed = settings;
     change(changed);
     CHECK(renderOnDevice(scene, changed).film.hash() == expected);
   };
-  check([](render::RenderSettings& s) { s.segmentsPerDispatch = 1; });
-  check([](render::RenderSettings& s) { s.tile = render::Extent{17, 5}; });
-  check([](render::RenderSettings& s) { s.maxDepth = 1; });
-  check([](render::RenderSettings& s) { s.rouletteStart = 0; });
-  check([](render::RenderSettings& s) { s.nextEventEstimation = false; });
-  check([](render::RenderSettings& s) { s.accel = render::AccelKind::grid; });
-  check([](render::RenderSettings& s) { s.accel = render::AccelKind::none; });
-  check([](render::RenderSettings& s) { s.workgroup = {16, 4}; });
+  check([](render::RenderSettings& s) { s.execution.segmentsPerDispatch = 1; });
+  check([](render::RenderSettings& s) { s.execution.tile = render::Extent{17, 5}; });
+  check([](render::RenderSettings& s) { s.image.maxDepth = 1; });
+  check([](render::RenderSettings& s) { s.image.rouletteStart = 0; });
+  check([](render::RenderSettings& s) { s.image.nextEventEstimation = false; });
+  check([](render::RenderSettings& s) { s.structure.accel = render::AccelKind::grid; });
+  check([](render::RenderSettings& s) { s.structure.accel = render::AccelKind::none; });
+  check([](render::RenderSettings& s) { s.execution.workgroup = {16, 4}; });
   render::RenderSettings reseeded = settings;
-  reseeded.seed = 1;
+  reseeded.image.seed = 1;
   CHECK(renderOnDevice(scene, reseeded).film.hash() != expected);
 }

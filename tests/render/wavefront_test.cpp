@@ -13,13 +13,13 @@ namespace {
 
 render::RenderSettings wavefrontSettings() {
   render::RenderSettings settings = squareSettings(44, 3);
-  settings.size.height = 29;  // no multiple of any workgroup
-  settings.maxDepth = 9;
+  settings.image.size.height = 29;  // no multiple of any workgroup
+  settings.image.maxDepth = 9;
   return settings;
 }
 
 render::RenderResult renderWith(render::KernelKind kernel, const scene::Scene& scene, render::RenderSettings settings) {
-  settings.kernel = kernel;
+  settings.execution.kernel = kernel;
   return renderOnDevice(scene, settings);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
     for (const bool samplesLights : {true, false}) {
       CAPTURE(file.filename(), samplesLights);
       render::RenderSettings settings = wavefrontSettings();
-      settings.nextEventEstimation = samplesLights;
+      settings.image.nextEventEstimation = samplesLights;
       requireSame(loadTestScene(file.filename()), settings);
     }
   }
@@ -77,12 +77,12 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
 TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples",
           "[swiftshader-slow]") {
   render::RenderSettings settings = wavefrontSettings();
-  settings.nextEventEstimation = false;
-  settings.oneSided = true;
-  settings.filter = render::FilterKind::tent;
-  settings.sampler = render::SamplerKind::stratified;
-  settings.sampleCount = 4;
-  settings.rouletteStart = 1;
+  settings.image.nextEventEstimation = false;
+  settings.image.oneSided = true;
+  settings.image.filter = render::FilterKind::tent;
+  settings.image.sampler = render::SamplerKind::stratified;
+  settings.image.sampleCount = 4;
+  settings.image.rouletteStart = 1;
   requireSame(primitivesUnderLights(), settings);
 }
 
@@ -91,8 +91,8 @@ TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]")
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     CAPTURE(static_cast<int>(accel));
     render::RenderSettings settings = wavefrontSettings();
-    settings.accel = accel;
-    settings.sceneLoads = render::SceneLoads::storage;
+    settings.structure.accel = accel;
+    settings.execution.sceneLoads = render::SceneLoads::storage;
     requireSame(scene, settings);
   }
 }
@@ -107,18 +107,18 @@ TEST_CASE("neither workgroup nor segments nor tile change what the wavefront giv
   };
   for (const render::Extent workgroup : {render::Extent{1, 1}, render::Extent{3, 1}, render::Extent{16, 16}}) {
     CAPTURE(workgroup.width, workgroup.height);
-    requireSameWith([&](render::RenderSettings& settings) { settings.workgroup = workgroup; });
+    requireSameWith([&](render::RenderSettings& settings) { settings.execution.workgroup = workgroup; });
   }
   for (const std::uint32_t segments : {1u, 2u, 3u, 1000u}) {
     CAPTURE(segments);
-    requireSameWith([&](render::RenderSettings& settings) { settings.segmentsPerDispatch = segments; });
+    requireSameWith([&](render::RenderSettings& settings) { settings.execution.segmentsPerDispatch = segments; });
   }
   for (const render::Extent tile :
        {render::Extent{8, 8}, render::Extent{17, 5}, render::Extent{44, 1}, render::Extent{500, 500}}) {
     CAPTURE(tile.width, tile.height);
     requireSameWith([&](render::RenderSettings& settings) {
-      settings.tile = tile;
-      settings.segmentsPerDispatch = 2;
+      settings.execution.tile = tile;
+      settings.execution.segmentsPerDispatch = 2;
     });
   }
 }
@@ -129,8 +129,8 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
     for (const std::uint32_t depth : {1u, 9u}) {
       CAPTURE(size.width, size.height, depth);
       render::RenderSettings settings = wavefrontSettings();
-      settings.size = size;
-      settings.maxDepth = depth;
+      settings.image.size = size;
+      settings.image.maxDepth = depth;
       requireSame(scene, settings);
     }
   }
@@ -138,20 +138,20 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
 
 TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(1, 1);
-  settings.size = {520, 130};
-  REQUIRE(settings.size.width * settings.size.height > 65535);
-  settings.workgroup = {1, 1};
-  settings.tile = settings.size;
-  settings.maxDepth = 2;
+  settings.image.size = {520, 130};
+  REQUIRE(settings.image.size.width * settings.image.size.height > 65535);
+  settings.execution.workgroup = {1, 1};
+  settings.execution.tile = settings.image.size;
+  settings.image.maxDepth = 2;
   requireSame(loadTestScene("lamp_over_plane.p3f"), settings);
 }
 
 TEST_CASE("the wavefront records the megakernel's paths") {
   render::RenderSettings settings = wavefrontSettings();
-  settings.sampleCount = 1;
-  settings.recordPaths = true;
-  settings.maxDepth = 40;  // longer than what is recorded
-  settings.rouletteStart = 3;
+  settings.image.sampleCount = 1;
+  settings.execution.recordPaths = true;
+  settings.image.maxDepth = 40;  // longer than what is recorded
+  settings.image.rouletteStart = 3;
   for (const char* name : {"primitives.p3f", "mirrors.p3f"}) {
     CAPTURE(name);
     const scene::Scene scene = loadTestScene(name);
@@ -182,7 +182,7 @@ TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slo
   control.stop = &stop;
   control.progress = [&](double, std::uint64_t done) { stop = done > 0; };
   render::RenderSettings settings = squareSettings(64, 4096);
-  settings.kernel = render::KernelKind::wavefront;
+  settings.execution.kernel = render::KernelKind::wavefront;
   const render::RenderResult result = testRenderer().render(loadTestScene("balls.p3f"), settings, control);
   CHECK(result.interrupted);
   CHECK(result.statistics.samples > 0);
@@ -199,13 +199,13 @@ TEST_CASE("segments add up towards a device's loop limit in the megakernel, and 
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
   const scene::Scene scene = generatedScene("balls", 4).scene;
   render::RenderSettings settings = squareSettings(8, 8);
-  settings.accel = render::AccelKind::none;
-  settings.maxDepth = 4;
-  settings.segmentsPerDispatch = 1000;
-  settings.kernel = render::KernelKind::megakernel;
+  settings.structure.accel = render::AccelKind::none;
+  settings.image.maxDepth = 4;
+  settings.execution.segmentsPerDispatch = 1000;
+  settings.execution.kernel = render::KernelKind::megakernel;
   CHECK((careless->render(scene, settings, {}).statistics.truncated > 0) == limited);
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
-  settings.kernel = render::KernelKind::wavefront;
+  settings.execution.kernel = render::KernelKind::wavefront;
   const render::RenderResult waves = careless->render(scene, settings, {});
   CHECK(waves.statistics.truncated == 0);
   CHECK(waves.film.hash() == expected);
@@ -213,10 +213,10 @@ TEST_CASE("segments add up towards a device's loop limit in the megakernel, and 
 
 TEST_CASE("an integrator that traces no paths has no wavefront") {
   render::RenderSettings settings = wavefrontSettings();
-  settings.kernel = render::KernelKind::wavefront;
+  settings.execution.kernel = render::KernelKind::wavefront;
   for (const render::Integrator integrator : {render::Integrator::whitted, render::Integrator::normal}) {
-    settings.integrator = integrator;
-    settings.maxDepth = 4;
+    settings.image.integrator = integrator;
+    settings.image.maxDepth = 4;
     CHECK_THROWS_WITH(testRenderer().render(loadTestScene("balls.p3f"), settings, {}),
                       Catch::Contains("--kernel wavefront: is for --integrator path alone"));
   }

@@ -11,9 +11,9 @@ namespace {
 
 render::RenderSettings whittedSettings(std::uint32_t side) {
   render::RenderSettings settings = squareSettings(side, 1);
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = 5;
-  settings.recordPaths = true;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = 5;
+  settings.execution.recordPaths = true;
   return settings;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("the other scenes and databases look as in the reference", "[slow]") {
   for (const auto& file : sceneFiles()) {
     render::RenderSettings settings = whittedSettings(256);
     const scene::Scene scene = scene::loadScene(file).scene;
-    settings.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
+    settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
     requireAgreement(scene, settings, kFlat);
   }
 }
@@ -84,20 +84,20 @@ TEST_CASE("corners of pixels, lenses and lights with a size agree with the refer
   scene::Scene scene = loadTestScene("point_light.p3f");
   scene.camera->aperture = 4;
   render::RenderSettings settings = whittedSettings(96);
-  settings.size.height = 64;
-  settings.lightSize = 2;
-  settings.pixelOrigin = GENERATE(render::PixelOrigin::centre, render::PixelOrigin::corner);
+  settings.image.size.height = 64;
+  settings.image.lightSize = 2;
+  settings.image.pixelOrigin = GENERATE(render::PixelOrigin::centre, render::PixelOrigin::corner);
   requireAgreement(scene, settings, kFlat);
 }
 
 TEST_CASE("several samples, jittered about corners, agree with the reference") {
   const scene::Scene scene = loadTestScene("point_light.p3f");
   render::RenderSettings settings = whittedSettings(48);
-  settings.recordPaths = false;
-  settings.sampleCount = 4;
-  settings.lightSize = 1;
-  settings.filter = render::FilterKind::tent;
-  settings.pixelOrigin = render::PixelOrigin::corner;
+  settings.execution.recordPaths = false;
+  settings.image.sampleCount = 4;
+  settings.image.lightSize = 1;
+  settings.image.filter = render::FilterKind::tent;
+  settings.image.pixelOrigin = render::PixelOrigin::corner;
   const render::RenderResult device = renderOnDevice(scene, settings);
   const render::RenderResult reference = renderOnReference(scene, settings);
   CHECK(meanLuminance(device.film) == Approx(meanLuminance(reference.film)).epsilon(1e-5));

@@ -12,8 +12,8 @@ namespace {
 
 render::RenderSettings whittedSettings(std::uint32_t side, std::uint32_t maxDepth) {
   render::RenderSettings settings = squareSettings(side, 1);
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = maxDepth;
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = maxDepth;
   return settings;
 }
 
@@ -126,9 +126,9 @@ TEST_CASE("half of a square light, cut off by an edge, is half of its light") {
   const scene::Scene cut = sceneFromText(view("1 -4 1") + floor + "p 3\n0 -50 2\n90 0 2\n0 50 2\n");
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = whittedSettings(4, 1);
-    settings.lightSize = 1;
-    settings.sampleCount = 1024;
-    settings.sampler = render::SamplerKind::stratified;
+    settings.image.lightSize = 1;
+    settings.image.sampleCount = 1024;
+    settings.image.sampler = render::SamplerKind::stratified;
     const double whole = pixelLuminance(renderScene(open, settings).film, 1, 1);
     // cos = 4 / sqrt(16 + x^2 + y^2), about 1 - (x^2 + y^2) / 32, with x and y uniform in [-1/2, 1/2].
     CHECK(whole == Approx(0.9 * (1 - (1.0 / 6) / 32)).epsilon(3e-4));

@@ -10,10 +10,10 @@ namespace {
 
 render::RenderSettings whittedSettings() {
   render::RenderSettings settings = squareSettings(72, 2);
-  settings.size.height = 50;  // no multiple of any workgroup
-  settings.integrator = render::Integrator::whitted;
-  settings.maxDepth = 8;
-  settings.lightSize = 0.5f;
+  settings.image.size.height = 50;  // no multiple of any workgroup
+  settings.image.integrator = render::Integrator::whitted;
+  settings.image.maxDepth = 8;
+  settings.image.lightSize = 0.5f;
   return settings;
 }
 
@@ -34,17 +34,17 @@ TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader
   };
   for (const std::uint32_t segments : {1u, 4u, 1000u}) {
     render::RenderSettings settings = whittedSettings();
-    settings.segmentsPerDispatch = segments;
+    settings.execution.segmentsPerDispatch = segments;
     requireSame(settings);
   }
   for (const render::Extent tile : {render::Extent{8, 8}, render::Extent{17, 5}}) {
     render::RenderSettings settings = whittedSettings();
-    settings.tile = tile;
-    settings.segmentsPerDispatch = 3;
+    settings.execution.tile = tile;
+    settings.execution.segmentsPerDispatch = 3;
     requireSame(settings);
   }
   render::RenderSettings settings = whittedSettings();
-  settings.workgroup = {16, 2};
+  settings.execution.workgroup = {16, 2};
   requireSame(settings);
 }
 
@@ -53,10 +53,10 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
   std::vector<std::uint64_t> bounceRays;
   for (const std::uint32_t depth : {1u, 2u, 8u, render::kMaxTreeDepth}) {
     render::RenderSettings settings = whittedSettings();
-    settings.size = {36, 25};
-    settings.maxDepth = depth;
+    settings.image.size = {36, 25};
+    settings.image.maxDepth = depth;
     const render::RenderResult free = renderOnDevice(scene, settings);
-    settings.segmentsPerDispatch = 1;
+    settings.execution.segmentsPerDispatch = 1;
     const render::RenderResult stepped = renderOnDevice(scene, settings);
     CAPTURE(depth);
     CHECK(stepped.film.hash() == free.film.hash());
@@ -72,22 +72,22 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
 TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   render::RenderSettings settings = whittedSettings();
-  settings.sceneLoads = render::SceneLoads::texel;
+  settings.execution.sceneLoads = render::SceneLoads::texel;
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
-  settings.accel = render::AccelKind::grid;
+  settings.structure.accel = render::AccelKind::grid;
   const render::RenderResult grid = renderOnDevice(scene, settings);
   CHECK(grid.statistics.structure == "grid");
   CHECK(grid.film.hash() == expected);
-  settings.sceneLoads = render::SceneLoads::storage;
+  settings.execution.sceneLoads = render::SceneLoads::storage;
   CHECK(renderOnDevice(scene, settings).film.hash() == expected);
 }
 
 TEST_CASE("the reference's threads do not change a tree") {
   const scene::Scene scene = primitivesUnderLights();
   render::RenderSettings settings = whittedSettings();
-  settings.threads = 1;
+  settings.execution.threads = 1;
   const render::RenderResult one = renderOnReference(scene, settings);
-  settings.threads = 2;
+  settings.execution.threads = 2;
   const render::RenderResult two = renderOnReference(scene, settings);
   CHECK(one.film.hash() == two.film.hash());
   CHECK(one.statistics.treeRays->reflected == two.statistics.treeRays->reflected);

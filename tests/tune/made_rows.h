@@ -22,7 +22,7 @@ inline Row madeRow(const Candidate& candidate, const std::vector<MadeTime>& time
       scene.measurement.traceSeconds.push_back(time.seconds * (1 + place * time.deviation));
     }
     scene.measurement.agrees = time.agrees;
-    scene.measurement.variant.settings.size = {4, 4};
+    scene.measurement.variant.settings.image.size = {4, 4};
     row.scenes.push_back(std::move(scene));
   }
   return row;

@@ -27,7 +27,7 @@ class MadeRenderer final : public render::Renderer {
     return result;
   }
   double secondsOf(const render::RenderSettings& s) const {
-    return 1e-4 + static_cast<double>(s.size.width) * s.size.height * s.sampleCount / samplesPerSecond_;
+    return 1e-4 + static_cast<double>(s.image.size.width) * s.image.size.height * s.image.sampleCount / samplesPerSecond_;
   }
 
   std::vector<render::RenderSettings> renders;
@@ -40,7 +40,7 @@ class MadeRenderer final : public render::Renderer {
 Work workOf(render::Extent size) {
   Work work;
   work.scene.name = "made";
-  work.settings.size = size;
+  work.settings.image.size = size;
   return work;
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a run takes a fifth of a second on devices of any speed that allows i
     fitToDevice(renderer, {}, {}, work);
     CHECK(renderer.secondsOf(work.settings) > 0.4 * kRunSeconds);
     CHECK(renderer.secondsOf(work.settings) < 1.6 * kRunSeconds);
-    CHECK(work.settings.size.width / 1.6 == Approx(work.settings.size.height).margin(1));
+    CHECK(work.settings.image.size.width / 1.6 == Approx(work.settings.image.size.height).margin(1));
   }
 }
 
@@ -60,30 +60,30 @@ TEST_CASE("the image grows to the scene's size before it gets more than one samp
   MadeRenderer slow(5e5);
   Work work = workOf({640, 400});
   fitToDevice(slow, {}, {}, work);
-  CHECK(work.settings.sampleCount == 1);
-  CHECK(work.settings.size.width > 128);
-  CHECK(work.settings.size.width < 640);
+  CHECK(work.settings.image.sampleCount == 1);
+  CHECK(work.settings.image.size.width > 128);
+  CHECK(work.settings.image.size.width < 640);
   MadeRenderer fast(1e8);
   work = workOf({640, 400});
   fitToDevice(fast, {}, {}, work);
-  CHECK(extentText(work.settings.size) == "640x400");
-  CHECK(work.settings.sampleCount > 10);
+  CHECK(extentText(work.settings.image.size) == "640x400");
+  CHECK(work.settings.image.sampleCount > 10);
 }
 
 TEST_CASE("size and samples that were asked for stay") {
   MadeRenderer renderer(1e6);
   Work work = workOf({640, 400});
   fitToDevice(renderer, {render::Extent{8, 6}, 3}, {}, work);
-  CHECK(extentText(work.settings.size) == "8x6");
-  CHECK(work.settings.sampleCount == 3);
+  CHECK(extentText(work.settings.image.size) == "8x6");
+  CHECK(work.settings.image.sampleCount == 3);
   CHECK(renderer.renders.empty());
   fitToDevice(renderer, {render::Extent{64, 60}, {}}, {}, work);
-  CHECK(extentText(work.settings.size) == "64x60");
-  CHECK(work.settings.sampleCount > 10);
+  CHECK(extentText(work.settings.image.size) == "64x60");
+  CHECK(work.settings.image.sampleCount > 10);
   work = workOf({640, 400});
   fitToDevice(renderer, {{}, 3}, {}, work);
-  CHECK(work.settings.sampleCount == 3);
-  CHECK(work.settings.size.width > 128);
+  CHECK(work.settings.image.sampleCount == 3);
+  CHECK(work.settings.image.size.width > 128);
 }
 
 TEST_CASE("every candidate renders every scene with its own choices and no other difference") {
@@ -101,11 +101,11 @@ TEST_CASE("every candidate renders every scene with its own choices and no other
   REQUIRE(renderer.renders.size() == 8);
   for (std::size_t i = 0; i < renderer.renders.size(); ++i) {
     const render::RenderSettings& settings = renderer.renders[i];
-    CHECK(settings.size.width == (i < 4 ? 8 : 16));
-    CHECK(extentText(settings.workgroupInUse()) == (i % 2 == 0 ? "8x8" : "32x1"));
-    CHECK(settings.automatic.bvhLayout == (i % 2 == 0 ? render::BvhLayout::cwbvh : render::BvhLayout::bvh2));
-    CHECK(settings.bvhLayout == render::BvhLayout::automatic);
-    CHECK_FALSE(settings.workgroup);
+    CHECK(settings.image.size.width == (i < 4 ? 8 : 16));
+    CHECK(extentText(settings.execution.workgroupInUse()) == (i % 2 == 0 ? "8x8" : "32x1"));
+    CHECK(settings.execution.automatic.bvhLayout == (i % 2 == 0 ? render::BvhLayout::cwbvh : render::BvhLayout::bvh2));
+    CHECK(settings.structure.bvhLayout == render::BvhLayout::automatic);
+    CHECK_FALSE(settings.execution.workgroup);
   }
 }
 

@@ -27,10 +27,10 @@ scene::Scene ballUnderLamp(double strength) {
 image::Image render(const scene::Scene& scene, render::SamplerKind sampler, std::uint32_t seed) {
   static const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   render::RenderSettings settings;
-  settings.size = {16, 16};
-  settings.sampleCount = 16;
-  settings.sampler = sampler;
-  settings.seed = seed;
+  settings.image.size = {16, 16};
+  settings.image.sampleCount = 16;
+  settings.image.sampler = sampler;
+  settings.image.seed = seed;
   image::Image image = toImage(reference->render(scene, settings, {}).film);
   image.metadata[kSeedMetadata] = std::to_string(seed);
   return image;

@@ -13,8 +13,8 @@ LightTestResult run(const NoiseOptions& device, std::uint32_t seed, const LightT
   NoiseRenderer a(device);
   NoiseRenderer b;
   render::RenderSettings settings;
-  settings.size = {16, 16};
-  settings.seed = seed;
+  settings.image.size = {16, 16};
+  settings.image.seed = seed;
   return testLight(scene::Scene{}, settings, a, b, options, control);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("images without noise are equal up to rounding, or differ at once") {
     NoiseRenderer a({.deviation = 0, .factor = [factor](std::uint32_t, std::uint32_t) { return factor; }});
     NoiseRenderer b(exact);
     render::RenderSettings settings;
-    settings.size = {16, 16};
+    settings.image.size = {16, 16};
     return testLight(scene::Scene{}, settings, a, b, {}, {});
   };
   CHECK_FALSE(compare(1 + 1e-6).differs());
@@ -82,7 +82,7 @@ TEST_CASE("black against black agrees, black against light differs") {
   const NoiseOptions black{.factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   NoiseRenderer a(black), b(black);
   render::RenderSettings settings;
-  settings.size = {16, 16};
+  settings.image.size = {16, 16};
   CHECK_FALSE(testLight(scene::Scene{}, settings, a, b, {}, {}).differs());
   CHECK(run(black, 1).differs());
 }

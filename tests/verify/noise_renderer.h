@@ -21,17 +21,17 @@ class NoiseRenderer final : public render::Renderer {
   render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
                               const render::RenderControl& control) override {
     render::RenderResult result;
-    result.film = image::Film(settings.size.width, settings.size.height);
+    result.film = image::Film(settings.image.size.width, settings.image.size.height);
     result.interrupted = control.stop != nullptr && *control.stop;
-    std::mt19937 random(settings.seed);
-    std::normal_distribution<double> noise(0, options_.deviation / std::sqrt(double{1} * settings.sampleCount));
-    for (std::uint32_t y = 0; y < settings.size.height; ++y) {
-      for (std::uint32_t x = 0; x < settings.size.width; ++x) {
+    std::mt19937 random(settings.image.seed);
+    std::normal_distribution<double> noise(0, options_.deviation / std::sqrt(double{1} * settings.image.sampleCount));
+    for (std::uint32_t y = 0; y < settings.image.size.height; ++y) {
+      for (std::uint32_t x = 0; x < settings.image.size.width; ++x) {
         const double mean = (1 + 0.1 * x) * options_.factor(x, y);
         result.film.addSample(x, y, glm::dvec3(mean * std::max(0.0, 1 + noise(random))), 0);
       }
     }
-    samples += settings.sampleCount;
+    samples += settings.image.sampleCount;
     return result;
   }
 

@@ -42,10 +42,10 @@ int alarmsOf(float deviceAlbedo, double alpha) {
   ChangedRenderer device(device::testRenderer(), changed);
   const auto reference = reference::makeReferenceRenderer();
   render::RenderSettings settings = device::squareSettings(16, 1);
-  settings.maxDepth = 2;
+  settings.image.maxDepth = 2;
   int alarms = 0;
   for (int run = 0; run < kRuns; ++run) {
-    settings.seed = static_cast<std::uint32_t>(run);
+    settings.image.seed = static_cast<std::uint32_t>(run);
     const LightTestOptions options{.alpha = alpha, .bias = kBias};
     alarms += testLight(scene, settings, device, *reference, options, {}).differs() ? 1 : 0;
   }

@@ -17,7 +17,7 @@ VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact
   scene::Scene scene;
   scene.name = "a<b>.p3f";
   render::RenderSettings settings;
-  settings.size = {16, 16};
+  settings.image.size = {16, 16};
   VerifyReport report;
   report.scene = scene.name;
   report.light = testLight(scene, settings, a, b, report.options, {});

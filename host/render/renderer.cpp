@@ -1,0 +1,16 @@
+// Rendering in one go, for callers who need no session.
+#include "host/render/renderer.h"
+
+namespace candela::render {
+
+RenderResult Renderer::render(const scene::Scene& scene, const RenderSettings& settings, const RenderControl& control) {
+  const std::unique_ptr<Session> session = prepare(scene, settings);
+  RenderResult result;
+  result.interrupted = !session->advance({0, settings.image.sampleCount}, control);
+  result.film = session->film();
+  result.paths = session->paths();
+  result.statistics = session->statistics();
+  return result;
+}
+
+}  // namespace candela::render
