@@ -1,6 +1,7 @@
 // What host and kernel exchange besides the scene: constants, push constants, path states, film and counters.
 #ifndef CANDELA_SHARED_RENDER_DATA_H
 #define CANDELA_SHARED_RENDER_DATA_H
+#include "features.h"
 #include "language.h"
 CANDELA_BEGIN
 
@@ -127,12 +128,9 @@ CANDELA_CONST uint kRecordMiss = 0xffffffffu;
 CANDELA_CONST uint kRecordValid = 0x80000000u;
 CANDELA_CONST uint kRecordedLights = 14u;
 CANDELA_CONST uint kRecordLightShift = 17u;
-CANDELA_CONST uint kLobeNone = 0u;
-CANDELA_CONST uint kLobeDiffuse = 1u;
-CANDELA_CONST uint kLobeGlossy = 2u;
-CANDELA_CONST uint kLobeMirror = 3u;
-CANDELA_CONST uint kLobeReflect = 4u;
-CANDELA_CONST uint kLobeRefract = 5u;
+#define CANDELA_DECLARE_LOBE(lobe, name, value) CANDELA_CONST uint name = value;
+CANDELA_LOBES(CANDELA_DECLARE_LOBE)
+#undef CANDELA_DECLARE_LOBE
 CANDELA_CONST uint kShadowNotTraced = 0u;
 CANDELA_CONST uint kShadowVisible = 1u;
 CANDELA_CONST uint kShadowOccluded = 2u;

@@ -142,12 +142,6 @@ TEST_CASE("the film's pixel is what the device writes") {
 TEST_CASE("path records have the same vocabulary on both sides") {
   CHECK(render::PathRecord::kRecordedVertices == gpu::kRecordedVertices);
   CHECK(render::VertexRecord::kMiss == gpu::kRecordMiss);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::none) == gpu::kLobeNone);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::diffuse) == gpu::kLobeDiffuse);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::glossy) == gpu::kLobeGlossy);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::mirror) == gpu::kLobeMirror);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::reflect) == gpu::kLobeReflect);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::refract) == gpu::kLobeRefract);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::notTraced) == gpu::kShadowNotTraced);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::visible) == gpu::kShadowVisible);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::occluded) == gpu::kShadowOccluded);
