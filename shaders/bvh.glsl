@@ -61,7 +61,7 @@ void popSubtree() {
 
 // Goes to the nearer child that the ray meets before `limit` and keeps the other.
 void visitNode(BoxRay ray, float limit) {
-  uint row = constants.sections.x + current.reference * kNodeRows;
+  uint row = constants.firstStructureRow + current.reference * kNodeRows;
   uvec4 leftLow = sceneRow(row);
   uvec4 leftHigh = sceneRow(row + 1u);
   uvec4 rightLow = sceneRow(row + 2u);

@@ -11,6 +11,6 @@ DispatchConstants dispatch = pushed;  // before any branch: see `constants`
 layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 
 // Of a pixel of the image, in the band.
-uint pixelIndexOf(uvec2 pixel) { return (pixel.y - dispatch.work.x) * constants.imageSeed.x + pixel.x; }
+uint pixelIndexOf(uvec2 pixel) { return (pixel.y - dispatch.firstRow) * constants.imageWidth + pixel.x; }
 
 #endif

@@ -32,7 +32,7 @@ void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
 }
 
 void main() {
-  uvec2 pixel = dispatch.region.xy;
+  uvec2 pixel = dispatch.regionOrigin;
   PathState state = pathState;
   uint sampleIndex = state.radianceSample.w;
   SampleKey key = sampleKeyOf(pixel, sampleIndex);
@@ -52,7 +52,7 @@ void main() {
     goesOn = extendPath(path, key, work, counts, decisions);
     finishVertex(depth, path.radiance, decisions, goesOn);
     segments += 1u;
-    working = goesOn && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+    working = goesOn && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
     if (!working) break;
   }

@@ -39,7 +39,7 @@ uvec4 sceneRow(uint row) {
 
 vec4 sceneRowFloat(uint row) { return uintBitsToFloat(sceneRow(row)); }
 
-uint primitiveRow(uint slot) { return constants.sections.y + slot * kPrimitiveRows; }
+uint primitiveRow(uint slot) { return constants.firstPrimitiveRow + slot * kPrimitiveRows; }
 
 struct Material {
   vec3 diffuse;
@@ -54,7 +54,7 @@ struct Material {
 };
 
 uint materialRow(uint kindAndMaterial) {
-  return constants.sections.z + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
+  return constants.firstMaterialRow + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
 }
 
 Material loadMaterial(uint kindAndMaterial) {
@@ -99,7 +99,7 @@ struct Light {
   float radius;   // of a sphere
 };
 
-uint lightRow(uint light) { return constants.sections.w + light * kLightRows; }
+uint lightRow(uint light) { return constants.firstLightRow + light * kLightRows; }
 
 Light loadLight(uint light) {
   uint row = lightRow(light);
@@ -118,7 +118,7 @@ struct PointLight {
 
 // Of the rows that Whitted's tracer has.
 PointLight loadPointLight(uint light) {
-  uint row = constants.sections.w + light * kPointLightRows;
+  uint row = constants.firstLightRow + light * kPointLightRows;
   PointLight result = PointLight(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, vec3(0.0), vec3(0.0));
   if (kHasAreaLights) {
     result.edgeU = sceneRowFloat(row + 2u).xyz;
@@ -130,7 +130,7 @@ PointLight loadPointLight(uint light) {
 // The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
-  uint high = constants.limits.z - 1u;
+  uint high = constants.lightCount - 1u;
   uint cutShort = low < high ? 1u : 0u;  // see Work
   while (low < high) {
     uint middle = (low + high) / 2u;

@@ -105,21 +105,21 @@ Hit traceClosest(Ray ray, inout Work work) {
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
   else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
-  else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
-  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
+  else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, work);
+  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, work);
   return hit;
 }
 
 // True if something but `ignored` is hit before `limit`.
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
-  if (kLoopsOverPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) {
+  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, ignored, limit, work)) {
     return true;
   }
   if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);
-  return anyInRange(ray, 0u, constants.moreSections.z, ignored, limit, work);
+  return anyInRange(ray, 0u, constants.firstPlaneSlot, ignored, limit, work);
 }
 
 #endif

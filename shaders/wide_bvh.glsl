@@ -103,7 +103,7 @@ void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
 // Tests the children of the nearest node that waits.
 void visitWideNode(WideRay ray, float limit) {
   uint child = lowestBit(waiting & 255u) ^ ray.octant;
-  uint row = constants.sections.x + ((waiting >> 8) + child) * kWideNodeRows;
+  uint row = constants.firstStructureRow + ((waiting >> 8) + child) * kWideNodeRows;
   left = waiting & (waiting - 1u);
 
   uvec4 head = sceneRow(row);

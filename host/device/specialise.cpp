@@ -7,7 +7,7 @@ namespace candela::device {
 namespace {
 
 std::uint32_t lensOf(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
-  if (glm::vec3(flat.constants.lensUp) == glm::vec3(0)) return gpu::kLensNone;
+  if (flat.constants.lensUp == glm::vec3(0)) return gpu::kLensNone;
   return settings.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
