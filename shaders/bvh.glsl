@@ -41,7 +41,7 @@ uint stack[kStackSize];
 uint stackTop;
 Subtree current;
 bool finished;
-uint unfinished;  // 1 until the traversal ends: see Work
+uint unfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
 void startTraversal() {
   stackTop = 0u;

@@ -10,8 +10,8 @@ layout(push_constant) uniform Dispatch { CastConstants range; };
 layout(set = 0, binding = kBindingPathStates, std430) readonly buffer Rays { CastRay rays[]; };
 layout(set = 0, binding = kBindingFilm, std430) writeonly buffer Hits { CastHit hits[]; };
 
-// Some drivers give each thread of a pool one run of a dispatch's workgroups. Neighbours in the image cost alike: for
-// all threads to have as much to do, units of workgroups are taken in the order of a stride that is prime to their number.
+// Units of workgroups are taken in the order of a stride that is coprime to their number: docs/driver-workarounds.md
+// section 11.
 uint placeOfWorkgroup() {
   uint units = gl_NumWorkGroups.x / kCastUnit;
   uint unit = (gl_WorkGroupID.x / kCastUnit) * range.unitStride % units;

@@ -27,7 +27,7 @@ struct GridWalk {
   uint item;         // of the cell's items the next, and the end
   uint itemEnd;
   bool finished;
-  uint unfinished;   // 1 until the walk ends: see Work
+  uint unfinished;   // 1 until the walk ends: docs/driver-workarounds.md section 4
 };
 
 GridWalk walk;

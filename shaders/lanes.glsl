@@ -36,7 +36,7 @@ void advancePixel(uvec2 inRegion) {
   Work work = Work(0u, 0u);
   uint segments = 0u;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (path.depth == 0u) startPath(path, key, pixel);

@@ -44,7 +44,7 @@ void main() {
   uint depth = 0u;
   bool goesOn = true;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     depth = path.depth;
     startVertex(path, key);

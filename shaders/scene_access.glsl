@@ -11,11 +11,10 @@ layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows {
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
 layout(set = 0, binding = kBindingUniforms, std140) uniform Uniforms { RenderUniforms uniforms; };
 
-// Read before any branch or loop: behind one lavapipe reads a constant for each lane by itself, in some thirty
-// instructions (docs/performance.md).
+// Read before any branch or loop: docs/driver-workarounds.md section 1.
 RenderConstants constants = uniforms.constants;
 
-// The same of slots' rows, where kRowsAhead; else one row that nobody asks for.
+// The same of slots' rows, where kRowsAhead, else one row that nobody asks for: docs/driver-workarounds.md section 2.
 const uint kRowsReadAhead = kRowsAhead && kUniformSlots > 0u ? kUniformSlots * kPrimitiveRows : 1u;
 uvec4 slotRowsAhead[kRowsReadAhead];
 
@@ -31,7 +30,7 @@ uvec4 slotRow(uint row) {
   return uniforms.slotRows[row];
 }
 
-// Both ways give the same bits; which is faster depends on the device, and texel buffers are shorter on some.
+// Both ways give the same bits: docs/driver-workarounds.md section 9.
 uvec4 sceneRow(uint row) {
   if (kTexelLoads) return texelFetch(sceneTexels, int(row));
   return sceneRows[row];
@@ -131,7 +130,7 @@ PointLight loadPointLight(uint light) {
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
   uint high = constants.lightCount - 1u;
-  uint cutShort = low < high ? 1u : 0u;  // see Work
+  uint cutShort = low < high ? 1u : 0u;  // docs/driver-workarounds.md section 4
   while (low < high) {
     uint middle = (low + high) / 2u;
     bool right = k >= sceneRow(lightRow(middle)).x;

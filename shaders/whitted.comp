@@ -110,7 +110,7 @@ void main() {
   uint segments = 0u;
   uint lightTurns = 0u;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (tree.node == 0u) startTree(tree, key, pixel);

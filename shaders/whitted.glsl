@@ -100,7 +100,7 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
   vec3 wo = -tree.ray.direction;
   vec3 sum = vec3(0.0);
   uint end = min(constants.lightCount, tree.nextLight + kLightsPerSegment);
-  uint cutShort = tree.nextLight < end ? 1u : 0u;  // see Work
+  uint cutShort = tree.nextLight < end ? 1u : 0u;  // docs/driver-workarounds.md section 4
   while (tree.nextLight < end) {
     PointLight light = loadPointLight(tree.nextLight);
     uint shadow;
