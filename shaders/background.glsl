@@ -4,7 +4,7 @@
 #include "scene_access.glsl"
 
 float linearFromByte(uint value) {
-  uvec4 row = sceneRow(constants.moreSections.y + kSkyFaceCount + (value >> 2));
+  uvec4 row = sceneRow(constants.firstSkyRow + kSkyFaceCount + (value >> 2));
   return uintBitsToFloat(row[value & 3u]);
 }
 
@@ -12,7 +12,7 @@ vec3 skyTexel(uvec4 face, int x, int y) {
   uint column = uint(clamp(x, 0, int(face.x) - 1));
   uint line = uint(clamp(y, 0, int(face.y) - 1));
   uint texel = face.z + line * face.x + column;
-  uint packed = sceneRow(constants.moreSections.y + kSkyFaceCount + kSkyTableRows + (texel >> 2))[texel & 3u];
+  uint packed = sceneRow(constants.firstSkyRow + kSkyFaceCount + kSkyTableRows + (texel >> 2))[texel & 3u];
   return vec3(linearFromByte(packed & 255u), linearFromByte((packed >> 8) & 255u), linearFromByte(packed >> 16));
 }
 
@@ -33,7 +33,7 @@ uint skyFace(vec3 d, out vec2 place) {
 
 vec3 skyRadiance(vec3 direction) {
   vec2 place;
-  uvec4 face = sceneRow(constants.moreSections.y + skyFace(direction, place));
+  uvec4 face = sceneRow(constants.firstSkyRow + skyFace(direction, place));
   vec2 texel = 0.5 * vec2(place.x + 1.0, 1.0 - place.y) * vec2(face.xy) - 0.5;
   vec2 corner = floor(texel);
   vec2 weight = texel - corner;
@@ -46,7 +46,7 @@ vec3 skyRadiance(vec3 direction) {
 
 vec3 backgroundRadiance(vec3 direction) {
   if (kHasSky) return skyRadiance(direction);
-  return constants.background.rgb;
+  return constants.background;
 }
 
 #endif

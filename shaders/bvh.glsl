@@ -41,7 +41,7 @@ uint stack[kStackSize];
 uint stackTop;
 Subtree current;
 bool finished;
-uint unfinished;  // 1 until the traversal ends: see Work
+uint unfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
 void startTraversal() {
   stackTop = 0u;
@@ -61,7 +61,7 @@ void popSubtree() {
 
 // Goes to the nearer child that the ray meets before `limit` and keeps the other.
 void visitNode(BoxRay ray, float limit) {
-  uint row = constants.sections.x + current.reference * kNodeRows;
+  uint row = constants.firstStructureRow + current.reference * kNodeRows;
   uvec4 leftLow = sceneRow(row);
   uvec4 leftHigh = sceneRow(row + 1u);
   uvec4 rightLow = sceneRow(row + 2u);

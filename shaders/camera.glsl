@@ -6,7 +6,7 @@
 #include "scene_access.glsl"
 
 SampleKey sampleKeyOf(uvec2 pixel, uint sampleIndex) {
-  return SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.imageSeed.z, constants.imageSeed.w);
+  return SampleKey(pixel.x + 65536u * pixel.y, sampleIndex, constants.seed, constants.strataPerSide);
 }
 
 vec2 sampleLens(vec2 u) {
@@ -22,16 +22,17 @@ vec2 sampleFilter(vec2 u) {
 
 // The ray of one sample of a pixel; numbers are those of filter x, y and lens u, v.
 void cameraRay(uvec2 pixel, vec4 numbers, out vec3 origin, out vec3 direction) {
-  vec2 pixelOrigin = vec2(constants.cameraOrigin.w, constants.cameraForward.w);
-  vec2 raster = (vec2(pixel) + pixelOrigin + sampleFilter(numbers.xy)) * vec2(constants.cameraRight.w, constants.cameraUp.w);
-  precise vec3 toPlane = constants.cameraForward.xyz + (raster.x - 0.5) * constants.cameraRight.xyz +
-                         (0.5 - raster.y) * constants.cameraUp.xyz;
-  origin = constants.cameraOrigin.xyz;
+  vec2 pixelOrigin = vec2(constants.pixelOriginX, constants.pixelOriginY);
+  vec2 inversePixels = vec2(constants.inversePixelsAcross, constants.inversePixelsDown);
+  vec2 raster = (vec2(pixel) + pixelOrigin + sampleFilter(numbers.xy)) * inversePixels;
+  precise vec3 toPlane = constants.cameraForward + (raster.x - 0.5) * constants.cameraRight +
+                         (0.5 - raster.y) * constants.cameraUp;
+  origin = constants.cameraOrigin;
   if (kLens != kLensNone) {
     vec2 lens = sampleLens(numbers.zw);
-    vec3 shift = lens.x * constants.lensRight.xyz + lens.y * constants.lensUp.xyz;
+    vec3 shift = lens.x * constants.lensRight + lens.y * constants.lensUp;
     origin += shift;
-    toPlane -= shift * constants.lensRight.w;
+    toPlane -= shift * constants.inverseFocal;
   }
   direction = unit(toPlane);
 }

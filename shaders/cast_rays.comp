@@ -10,17 +10,17 @@ layout(push_constant) uniform Dispatch { CastConstants range; };
 layout(set = 0, binding = kBindingPathStates, std430) readonly buffer Rays { CastRay rays[]; };
 layout(set = 0, binding = kBindingFilm, std430) writeonly buffer Hits { CastHit hits[]; };
 
-// Some drivers give each thread of a pool one run of a dispatch's workgroups. Neighbours in the image cost alike: for
-// all threads to have as much to do, units of workgroups are taken in the order of a stride that is prime to their number.
+// Units of workgroups are taken in the order of a stride that is coprime to their number: docs/driver-workarounds.md
+// section 11.
 uint placeOfWorkgroup() {
   uint units = gl_NumWorkGroups.x / kCastUnit;
-  uint unit = (gl_WorkGroupID.x / kCastUnit) * range.work.w % units;
+  uint unit = (gl_WorkGroupID.x / kCastUnit) * range.unitStride % units;
   return unit * kCastUnit + gl_WorkGroupID.x % kCastUnit;
 }
 
 void main() {
-  uint i = range.work.x + placeOfWorkgroup() * range.work.z + gl_LocalInvocationIndex;
-  if (i >= range.work.y) return;
+  uint i = range.first + placeOfWorkgroup() * range.invocations + gl_LocalInvocationIndex;
+  if (i >= range.end) return;
   vec4 start = rays[i].originLimit;
   Ray ray = makeRay(start.xyz, rays[i].direction.xyz, kNoSlot);
   Work work = Work(0u, 0u);

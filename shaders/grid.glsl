@@ -27,7 +27,7 @@ struct GridWalk {
   uint item;         // of the cell's items the next, and the end
   uint itemEnd;
   bool finished;
-  uint unfinished;   // 1 until the walk ends: see Work
+  uint unfinished;   // 1 until the walk ends: docs/driver-workarounds.md section 4
 };
 
 GridWalk walk;
@@ -38,8 +38,8 @@ uvec3 drivingFirst(uvec3 v, int driving) { return driving == 0 ? v : driving == 
 // Where the ray is within the grid's bounds, widened by the walk's pad.
 void clipToGrid(Ray ray) {
   vec3 inverse = inverseDirection(ray.direction);
-  vec3 t0 = (constants.gridLow.xyz - (ray.origin + walk.pad)) * inverse;
-  vec3 t1 = (constants.gridHigh.xyz - (ray.origin - walk.pad)) * inverse;
+  vec3 t0 = (constants.gridLow - (ray.origin + walk.pad)) * inverse;
+  vec3 t1 = (constants.gridHigh - (ray.origin - walk.pad)) * inverse;
   vec3 far = max(t0, t1);
   walk.start = max(largest(min(t0, t1)), 0.0);
   walk.exit = min(far.x, min(far.y, far.z));
@@ -59,18 +59,18 @@ void startSlices() {
 }
 
 void startWalk(Ray ray) {
-  walk.pad = (largest(abs(ray.origin)) + constants.gridLow.w) * (1.0 / 524288.0);
+  walk.pad = (largest(abs(ray.origin)) + constants.gridReach) * (1.0 / 524288.0);
   clipToGrid(ray);
-  vec3 crossed = abs(ray.direction) * constants.gridScale.xyz;
+  vec3 crossed = abs(ray.direction) * constants.gridScale;
   int driving = crossed.x >= crossed.y && crossed.x >= crossed.z ? 0 : crossed.y >= crossed.z ? 1 : 2;
   walk.origin = drivingFirst(ray.origin, driving);
   walk.direction = drivingFirst(ray.direction, driving);
   walk.inverse = inverseDirection(walk.direction).x;
-  walk.low = drivingFirst(constants.gridLow.xyz, driving);
-  walk.scale = drivingFirst(constants.gridScale.xyz, driving);
-  walk.width = drivingFirst(constants.gridWidth.xyz, driving).x;
-  walk.lastCell = vec3(drivingFirst(constants.gridSides.xyz, driving) - 1u);
-  walk.strides = drivingFirst(constants.gridStrides.xyz, driving);
+  walk.low = drivingFirst(constants.gridLow, driving);
+  walk.scale = drivingFirst(constants.gridScale, driving);
+  walk.width = drivingFirst(constants.gridWidth, driving).x;
+  walk.lastCell = vec3(drivingFirst(constants.gridSides, driving) - 1u);
+  walk.strides = drivingFirst(constants.gridStrides, driving);
   startSlices();
   walk.item = 0u;
   walk.itemEnd = 0u;
@@ -103,7 +103,7 @@ void loadCell() {
   uint cell = uint(walk.slice) * walk.strides.x + walk.cell.x * walk.strides.y + walk.cell.y * walk.strides.z;
   uint row = cell / kCellsPerRow;
   uint place = cell - kCellsPerRow * row;
-  uvec4 starts = sceneRow(constants.sections.x + row);
+  uvec4 starts = sceneRow(constants.firstStructureRow + row);
   walk.item = place == 0u ? starts.x : place == 1u ? starts.y : starts.z;
   walk.itemEnd = place == 0u ? starts.y : place == 1u ? starts.z : starts.w;
 }
@@ -118,7 +118,7 @@ void nextCell(float limit) {
 }
 
 uint gridItem(uint item) {
-  uvec4 row = sceneRow(constants.gridSides.w + item / kItemsPerRow);
+  uvec4 row = sceneRow(constants.firstItemRow + item / kItemsPerRow);
   uint place = item % kItemsPerRow;
   return place < 2u ? (place == 0u ? row.x : row.y) : (place == 2u ? row.z : row.w);
 }

@@ -21,22 +21,22 @@ void record(uint pixelIndex, uint depth, Decisions decisions) {
 }
 
 void advancePixel(uvec2 inRegion) {
-  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
-  uvec2 pixel = dispatch.region.xy + inRegion;
+  if (any(greaterThanEqual(inRegion, dispatch.regionSize))) return;
+  uvec2 pixel = dispatch.regionOrigin + inRegion;
   uint pixelIndex = pixelIndexOf(pixel);
   PathState state = pathStates[pixelIndex];
   uint firstSample = state.radianceSample.w;
   uint sampleIndex = firstSample;
-  uint sampleEnd = dispatch.work.z;
+  uint sampleEnd = dispatch.sampleEnd;
   if (sampleIndex >= sampleEnd) return;
 
   Path path = unpackPath(state);
   FilmRows sums = film[pixelIndex];
-  RayCounts counts = RayCounts(state.counts.x, state.counts.y, state.counts.z);
+  RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint segments = 0u;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (path.depth == 0u) startPath(path, key, pixel);
@@ -50,14 +50,14 @@ void advancePixel(uvec2 inRegion) {
       sampleIndex += 1u;
     }
     segments += 1u;
-    working = sampleIndex < sampleEnd && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+    working = sampleIndex < sampleEnd && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
     if (!working) break;
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
   pathStates[pixelIndex] = packPath(path, sampleIndex,
-                                    uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w + work.steps));
+                                    PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps + work.steps));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);
   if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
   if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);

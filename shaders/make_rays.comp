@@ -32,9 +32,9 @@ CastRay shadowRay(Surface surface, Normals normals, SampleKey key, inout Work wo
 }
 
 void main() {
-  uint i = range.work.x + gl_WorkGroupID.x * range.work.z + gl_LocalInvocationIndex;
-  if (i >= range.work.y) return;
-  uvec2 pixel = uvec2(i % constants.imageSeed.x, i / constants.imageSeed.x);
+  uint i = range.first + gl_WorkGroupID.x * range.invocations + gl_LocalInvocationIndex;
+  if (i >= range.end) return;
+  uvec2 pixel = uvec2(i % constants.imageWidth, i / constants.imageWidth);
   SampleKey key = sampleKeyOf(pixel, 0u);
   vec3 origin, direction;
   cameraRay(pixel, toUnit(sampleGroup(key, 0u)), origin, direction);

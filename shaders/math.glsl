@@ -10,8 +10,7 @@ const uint kNotANumber = 0x7fc00000u;
 // By bits: comparisons with NaN are not relied on.
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7f800000u) != 0x7f800000u; }
 
-// Of two numbers, neither of which is NaN. Where one is, max() and min() of some drivers for CPUs give the other, and pay
-// for it with two more instructions.
+// Of two numbers, neither of which is NaN: docs/driver-workarounds.md section 8.
 float larger(float a, float b) { return a > b ? a : b; }
 float smaller(float a, float b) { return a < b ? a : b; }
 

@@ -1,25 +1,13 @@
 // The specialisation constants, by name.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
+#include "shared/features.h"
 #include "shared/scene_rows.h"
 #include "shared/specialization.h"
 
-layout(constant_id = kSpecSpheres) const bool kHasSpheres = true;
-layout(constant_id = kSpecTriangles) const bool kHasTriangles = true;
-layout(constant_id = kSpecBoxes) const bool kHasBoxes = true;
-layout(constant_id = kSpecCones) const bool kHasCones = true;
-layout(constant_id = kSpecPlanes) const bool kHasPlanes = true;
-layout(constant_id = kSpecSmooth) const bool kHasSmooth = true;
-layout(constant_id = kSpecDiffuse) const bool kHasDiffuse = true;
-layout(constant_id = kSpecGlossy) const bool kHasGlossy = true;
-layout(constant_id = kSpecMirror) const bool kHasMirror = true;
-layout(constant_id = kSpecDielectric) const bool kHasDielectric = true;
-layout(constant_id = kSpecEmission) const bool kHasEmission = true;
-layout(constant_id = kSpecSphereLights) const bool kHasSphereLights = true;
-layout(constant_id = kSpecTriangleLights) const bool kHasTriangleLights = true;
-layout(constant_id = kSpecPointLights) const bool kHasPointLights = true;
-layout(constant_id = kSpecInsideOnly) const bool kHasInsideOnly = true;
-layout(constant_id = kSpecSky) const bool kHasSky = true;
+#define DECLARE_FEATURE(member, name, id) layout(constant_id = id) const bool name = true;
+CANDELA_FEATURES(DECLARE_FEATURE)
+#undef DECLARE_FEATURE
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
 layout(constant_id = kSpecFilter) const uint kFilter = kFilterBox;
@@ -30,7 +18,6 @@ layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
 layout(constant_id = kSpecRowsAhead) const bool kRowsAhead = false;
-layout(constant_id = kSpecMixtures) const bool kHasMixtures = true;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
 layout(constant_id = kSpecView) const uint kView = kViewNone;
 layout(constant_id = kSpecUniformKinds + 0u) const uint kKinds0 = 0u;
@@ -49,10 +36,12 @@ const uvec4 kKindsOfSlots32 = uvec4(kKinds8, kKinds9, 0u, 0u);
 
 // The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
 const uint kManyKinds = 7u;
-const uint kKindCount = uint(kHasSpheres) + uint(kHasTriangles) + uint(kHasBoxes) + uint(kHasCones) + uint(kHasPlanes);
-const uint kOnlyKind = kKindCount != 1u ? kManyKinds
-                       : kHasSpheres ? kKindSphere
-                       : kHasTriangles ? kKindTriangle : kHasBoxes ? kKindBox : kHasCones ? kKindCone : kKindPlane;
+#define COUNT_KIND(kind, feature, name, value, flag) +uint(flag)
+const uint kKindCount = CANDELA_PRIMITIVE_KINDS(COUNT_KIND);
+#undef COUNT_KIND
+#define CHOOSE_KIND(kind, feature, name, value, flag) flag ? name :
+const uint kOnlyKind = kKindCount != 1u ? kManyKinds : CANDELA_PRIMITIVE_KINDS(CHOOSE_KIND) kManyKinds;
+#undef CHOOSE_KIND
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;

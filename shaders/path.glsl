@@ -120,7 +120,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
 // Russian roulette; true if the path survives. The square root of the throughput gives less noise for the same number of
 // rays than the throughput itself (docs/performance.md).
 bool survivesRoulette(inout Path path, float number) {
-  if (path.depth <= constants.limits.y) return true;
+  if (path.depth <= constants.rouletteStart) return true;
   float survival = min(1.0, sqrt(largest(path.throughput)));
   noteRoulette(survival);
   path.throughput /= survival;
@@ -144,7 +144,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   noteSurface(path.ray, surface, hit.t);
   Material material = loadMaterial(surface.kind);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
-  if (path.depth >= constants.limits.x) return false;
+  if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
   float lobeNumber = 0.0;

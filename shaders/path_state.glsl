@@ -15,7 +15,7 @@ Path unpackPath(PathState state) {
   return path;
 }
 
-PathState packPath(Path path, uint sampleIndex, uvec4 counts) {
+PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
   return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
                    uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
                    uvec4(floatBitsToUint(path.throughput), path.depth),

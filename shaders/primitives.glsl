@@ -84,7 +84,7 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
   surface.light = extra;
-  if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.moreSections.x + extra, weights);
+  if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.firstNormalRow + extra, weights);
 }
 
 // The surface of a slot at distance t of a ray that hits it.

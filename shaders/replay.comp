@@ -32,7 +32,7 @@ void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
 }
 
 void main() {
-  uvec2 pixel = dispatch.region.xy;
+  uvec2 pixel = dispatch.regionOrigin;
   PathState state = pathState;
   uint sampleIndex = state.radianceSample.w;
   SampleKey key = sampleKeyOf(pixel, sampleIndex);
@@ -44,7 +44,7 @@ void main() {
   uint depth = 0u;
   bool goesOn = true;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     depth = path.depth;
     startVertex(path, key);
@@ -52,7 +52,7 @@ void main() {
     goesOn = extendPath(path, key, work, counts, decisions);
     finishVertex(depth, path.radiance, decisions, goesOn);
     segments += 1u;
-    working = goesOn && segments < dispatch.work.y && work.steps + segments < dispatch.work.w;
+    working = goesOn && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
     if (!working) break;
   }

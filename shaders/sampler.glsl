@@ -88,7 +88,7 @@ uint permute(uint i, uint count, uint key) {
     i &= w;
     i ^= i >> 5;
     inside = i < count;
-    if (inside) break;  // spares lavapipe a turn: see Work in traversal.glsl
+    if (inside) break;  // docs/driver-workarounds.md section 3
   }
   return (i % count + key % count) % count;
 }

@@ -11,11 +11,10 @@ layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows {
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
 layout(set = 0, binding = kBindingUniforms, std140) uniform Uniforms { RenderUniforms uniforms; };
 
-// Read before any branch or loop: behind one lavapipe reads a constant for each lane by itself, in some thirty
-// instructions (docs/performance.md).
+// Read before any branch or loop: docs/driver-workarounds.md section 1.
 RenderConstants constants = uniforms.constants;
 
-// The same of slots' rows, where kRowsAhead; else one row that nobody asks for.
+// The same of slots' rows, where kRowsAhead, else one row that nobody asks for: docs/driver-workarounds.md section 2.
 const uint kRowsReadAhead = kRowsAhead && kUniformSlots > 0u ? kUniformSlots * kPrimitiveRows : 1u;
 uvec4 slotRowsAhead[kRowsReadAhead];
 
@@ -31,7 +30,7 @@ uvec4 slotRow(uint row) {
   return uniforms.slotRows[row];
 }
 
-// Both ways give the same bits; which is faster depends on the device, and texel buffers are shorter on some.
+// Both ways give the same bits: docs/driver-workarounds.md section 9.
 uvec4 sceneRow(uint row) {
   if (kTexelLoads) return texelFetch(sceneTexels, int(row));
   return sceneRows[row];
@@ -39,7 +38,7 @@ uvec4 sceneRow(uint row) {
 
 vec4 sceneRowFloat(uint row) { return uintBitsToFloat(sceneRow(row)); }
 
-uint primitiveRow(uint slot) { return constants.sections.y + slot * kPrimitiveRows; }
+uint primitiveRow(uint slot) { return constants.firstPrimitiveRow + slot * kPrimitiveRows; }
 
 struct Material {
   vec3 diffuse;
@@ -54,7 +53,7 @@ struct Material {
 };
 
 uint materialRow(uint kindAndMaterial) {
-  return constants.sections.z + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
+  return constants.firstMaterialRow + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
 }
 
 Material loadMaterial(uint kindAndMaterial) {
@@ -99,7 +98,7 @@ struct Light {
   float radius;   // of a sphere
 };
 
-uint lightRow(uint light) { return constants.sections.w + light * kLightRows; }
+uint lightRow(uint light) { return constants.firstLightRow + light * kLightRows; }
 
 Light loadLight(uint light) {
   uint row = lightRow(light);
@@ -118,7 +117,7 @@ struct PointLight {
 
 // Of the rows that Whitted's tracer has.
 PointLight loadPointLight(uint light) {
-  uint row = constants.sections.w + light * kPointLightRows;
+  uint row = constants.firstLightRow + light * kPointLightRows;
   PointLight result = PointLight(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, vec3(0.0), vec3(0.0));
   if (kHasAreaLights) {
     result.edgeU = sceneRowFloat(row + 2u).xyz;
@@ -130,8 +129,8 @@ PointLight loadPointLight(uint light) {
 // The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
-  uint high = constants.limits.z - 1u;
-  uint cutShort = low < high ? 1u : 0u;  // see Work
+  uint high = constants.lightCount - 1u;
+  uint cutShort = low < high ? 1u : 0u;  // docs/driver-workarounds.md section 4
   while (low < high) {
     uint middle = (low + high) / 2u;
     bool right = k >= sceneRow(lightRow(middle)).x;

@@ -1,5 +1,5 @@
-// Notes what a path computes, for the kernel that replays one sample. In every other kernel a note is no code at all, not
-// even code that a specialisation constant rules out: some drivers compile that before they drop it.
+// Notes what a path computes, for the kernel that replays one sample. In every other kernel a note is no code at all:
+// docs/driver-workarounds.md section 10.
 #ifndef CANDELA_TRACE_GLSL
 #define CANDELA_TRACE_GLSL
 

@@ -10,13 +10,8 @@ struct Hit {
   uint index;  // primitive index: the lower wins between equal distances
 };
 
-// Work done, and whether some loop was stopped before its end (a device may limit the turns of an invocation's loops).
-// Behind a loop compilers take for granted that its condition is false, and fold a test of that very variable away; but
-// it may have been the device that stopped the loop. So traversals keep a number beside the variable, and look at that.
-//
-// Loops test whether a lane goes on at their head and at their end. lavapipe looks behind the body whether any lane does:
-// with the test at the head alone every loop takes one more turn, with no lane in it, which costs as much as any other.
-// With the test at the end alone hits are wrong on lavapipe: lanes seem to lose the values that they left early with.
+// Work done, and whether a device that limits loops stopped one before its end. Why loops test their conditions twice, and
+// why `truncated` is not computed from these conditions: docs/driver-workarounds.md sections 3 and 4.
 struct Work {
   uint steps;
   uint truncated;
@@ -29,8 +24,7 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
   hit.index = better ? candidate.index : hit.index;
 }
 
-// 0, as no component of a direction reaches 2; but a compiler cannot know. For a loop with bounds that are the same in all
-// lanes lavapipe compiles the kernel anew at every dispatch, and never frees what it compiled (docs/performance.md).
+// 0, as no component of a direction reaches 2; but a compiler cannot know: docs/driver-workarounds.md section 5.
 uint zeroOfLane(Ray ray) { return (floatBitsToUint(ray.direction.x) >> 30) & 1u; }
 
 void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
@@ -61,10 +55,8 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
   return blocked;
 }
 
-// Of a small scene all primitives are tested, from the uniform buffer. Where compilers unroll the loops each value is
-// loaded once for all lanes, where a row that is looked up costs every lane a load of its own. Kinds are known when the
-// kernel is compiled: a slot pays for its own kind's test alone, and no branch hangs on a uniform value, for which lavapipe
-// would compile the kernel anew at every dispatch (docs/performance.md).
+// In a small scene, all primitives are tested, from the uniform buffer. Their kinds are known when the kernel is compiled,
+// and compilers may unroll the loops: docs/driver-workarounds.md section 6.
 uint uniformKind(uint slot) {
   uvec4 kinds = slot < 16u ? kKindsOfSlots0 : slot < 32u ? kKindsOfSlots16 : kKindsOfSlots32;
   return (kinds[(slot >> 2) & 3u] >> (8u * (slot & 3u))) & 255u;
@@ -105,21 +97,21 @@ Hit traceClosest(Ray ray, inout Work work) {
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
   else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
-  else closestInRange(hit, ray, 0u, constants.moreSections.z, work);
-  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.moreSections.z, constants.moreSections.w, work);
+  else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, work);
+  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, work);
   return hit;
 }
 
 // True if something but `ignored` is hit before `limit`.
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
-  if (kLoopsOverPlanes && anyInRange(ray, constants.moreSections.z, constants.moreSections.w, ignored, limit, work)) {
+  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, ignored, limit, work)) {
     return true;
   }
   if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, ignored, limit, work);
   if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);
-  return anyInRange(ray, 0u, constants.moreSections.z, ignored, limit, work);
+  return anyInRange(ray, 0u, constants.firstPlaneSlot, ignored, limit, work);
 }
 
 #endif

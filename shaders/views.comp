@@ -1,5 +1,4 @@
-// Entry point of the views. They have a kernel of their own since some drivers compile what a specialisation constant
-// rules out before they drop it: in one kernel with the path tracer SwiftShader takes twice as long for either.
+// Entry point of the views. They have a kernel of their own: docs/driver-workarounds.md section 10.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lanes.glsl"

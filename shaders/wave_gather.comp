@@ -6,9 +6,9 @@
 
 void main() {
   uvec2 inRegion = gl_GlobalInvocationID.xy;
-  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
-  uint pixelIndex = pixelIndexOf(dispatch.region.xy + inRegion);
-  if (waves[pixelIndex].path.radianceSample.w >= dispatch.work.z) return;
+  if (any(greaterThanEqual(inRegion, dispatch.regionSize))) return;
+  uint pixelIndex = pixelIndexOf(dispatch.regionOrigin + inRegion);
+  if (waves[pixelIndex].path.radianceSample.w >= dispatch.sampleEnd) return;
   bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
   if (hasPath) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);

@@ -19,7 +19,7 @@ void main() {
   uint pixelIndex;
   if (!takePixel(kQueueRenew, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   uint sampleIndex = finishSample(pixelIndex);
-  bool done = sampleIndex >= dispatch.work.z;
+  bool done = sampleIndex >= dispatch.sampleEnd;
   uvec2 pixel = pixelAt(pixelIndex);
   Path path;
   startPath(path, sampleKeyOf(pixel, sampleIndex), pixel);

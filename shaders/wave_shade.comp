@@ -26,7 +26,7 @@ void main() {
   PathState state = waves[pixelIndex].path;
   uvec3 found = waves[pixelIndex].hit.xyz;
   Path path = unpackPath(state);
-  RayCounts counts = RayCounts(state.counts.x, state.counts.y, state.counts.z);
+  RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), state.radianceSample.w);
@@ -34,7 +34,7 @@ void main() {
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
   waves[pixelIndex].path = packPath(path, state.radianceSample.w,
-                                    uvec4(counts.bounce, counts.shadow, counts.vertices, state.counts.w));
+                                    PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kRecordPaths) record(pixelIndex, depth, decisions);
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);

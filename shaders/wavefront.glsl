@@ -15,13 +15,13 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 };
 
 uint extendQueue(uint parity) { return parity == 0u ? kQueueExtendEven : kQueueExtendOdd; }
-uint queueNow() { return extendQueue(dispatch.work.y); }
-uint queueOfNextRound() { return extendQueue(1u - dispatch.work.y); }
+uint queueNow() { return extendQueue(dispatch.roundParity); }
+uint queueOfNextRound() { return extendQueue(1u - dispatch.roundParity); }
 
 // Lanes of a workgroup.
 uint laneCount() { return gl_WorkGroupSize.x * gl_WorkGroupSize.y; }
 
-uint queueWord(uint queue, uint place) { return queue * dispatch.work.w + place; }
+uint queueWord(uint queue, uint place) { return queue * dispatch.bandPixels + place; }
 
 // Takes the pixel of lane `lane` of a workgroup from a queue. False: there are fewer.
 bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
@@ -42,12 +42,12 @@ void pushPixel(uint queue, uint pixelIndex) {
 }
 
 uvec2 pixelAt(uint pixelIndex) {
-  uint width = constants.imageSeed.x;
-  return uvec2(pixelIndex % width, dispatch.work.x + pixelIndex / width);
+  uint width = constants.imageWidth;
+  return uvec2(pixelIndex % width, dispatch.firstRow + pixelIndex / width);
 }
 
 void addSteps(uint pixelIndex, Work work) {
-  waves[pixelIndex].path.counts.w += work.steps;
+  waves[pixelIndex].path.counts.steps += work.steps;
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
 }
 

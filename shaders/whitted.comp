@@ -12,17 +12,20 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 };
 
 TreeState loadTree(uint row) {
-  return TreeState(treeRows[row], treeRows[row + 1u], treeRows[row + 2u], treeRows[row + 3u], treeRows[row + 4u],
-                   treeRows[row + 5u]);
+  uvec4 place = treeRows[row + 2u];
+  uvec4 rays = treeRows[row + 4u];
+  uvec4 work = treeRows[row + 5u];
+  return TreeState(treeRows[row], treeRows[row + 1u], place.x, place.y, place.z, place.w, treeRows[row + 3u], rays.x,
+                   rays.y, rays.z, rays.w, work.x, work.y, 0u, 0u);
 }
 
 void storeTree(uint row, TreeState state) {
   treeRows[row] = state.originLeaving;
   treeRows[row + 1u] = state.directionWeight;
-  treeRows[row + 2u] = state.place;
+  treeRows[row + 2u] = uvec4(state.node, state.waiting, state.nextLight, state.nodesDone);
   treeRows[row + 3u] = state.radianceSample;
-  treeRows[row + 4u] = state.rays;
-  treeRows[row + 5u] = state.work;
+  treeRows[row + 4u] = uvec4(state.cameraHits, state.reflectedRays, state.refractedRays, state.shadowRays);
+  treeRows[row + 5u] = uvec4(state.vertices, state.steps, 0u, 0u);
 }
 
 Ray unpackRay(uvec4 originLeaving, uvec4 directionWeight) {
@@ -31,7 +34,7 @@ Ray unpackRay(uvec4 originLeaving, uvec4 directionWeight) {
 
 Tree unpackTree(TreeState state) {
   return Tree(unpackRay(state.originLeaving, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
-              state.place.x, state.place.y, state.place.z, uintBitsToFloat(state.radianceSample.xyz));
+              state.node, state.waiting, state.nextLight, uintBitsToFloat(state.radianceSample.xyz));
 }
 
 uint waitingRow(uint treeRow, uint depth) { return treeRow + kTreeRows + (depth - 2u) * kWaitingRows; }
@@ -89,25 +92,25 @@ void record(uint pixelIndex, uint number, Decisions decisions) {
 
 void main() {
   uvec2 inRegion = gl_GlobalInvocationID.xy;
-  if (any(greaterThanEqual(inRegion, dispatch.region.zw))) return;
-  uvec2 pixel = dispatch.region.xy + inRegion;
+  if (any(greaterThanEqual(inRegion, dispatch.regionSize))) return;
+  uvec2 pixel = dispatch.regionOrigin + inRegion;
   uint pixelIndex = pixelIndexOf(pixel);
-  uint treeRow = pixelIndex * constants.limits.w;
+  uint treeRow = pixelIndex * constants.stateRows;
   TreeState state = loadTree(treeRow);
   uint firstSample = state.radianceSample.w;
   uint sampleIndex = firstSample;
-  uint sampleEnd = dispatch.work.z;
+  uint sampleEnd = dispatch.sampleEnd;
   if (sampleIndex >= sampleEnd) return;
 
   Tree tree = unpackTree(state);
   FilmRows sums = film[pixelIndex];
-  RayCounts counts = RayCounts(state.rays.x, state.rays.y, state.rays.z, state.rays.w, state.work.x);
+  RayCounts counts = RayCounts(state.cameraHits, state.reflectedRays, state.refractedRays, state.shadowRays, state.vertices);
   Work work = Work(0u, 0u);
-  uint nodesDone = state.place.w;
+  uint nodesDone = state.nodesDone;
   uint segments = 0u;
   uint lightTurns = 0u;
   bool working = true;
-  uint cutShort = 1u;  // beside `working`, which a compiler takes for false behind the loop: see Work
+  uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     SampleKey key = sampleKeyOf(pixel, sampleIndex);
     if (tree.node == 0u) startTree(tree, key, pixel);
@@ -125,9 +128,9 @@ void main() {
       sampleIndex += 1u;
     }
     segments += 1u;
-    lightTurns += min(constants.limits.z, kLightsPerSegment);
-    working = sampleIndex < sampleEnd && segments < dispatch.work.y &&
-              work.steps + segments + lightTurns < dispatch.work.w;
+    lightTurns += min(constants.lightCount, kLightsPerSegment);
+    working = sampleIndex < sampleEnd && segments < dispatch.maxSegments &&
+              work.steps + segments + lightTurns < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
     if (!working) break;
   }
@@ -135,10 +138,9 @@ void main() {
   film[pixelIndex] = sums;
   storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.leaving),
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),
-                               uvec4(tree.node, tree.waiting, tree.nextLight, nodesDone),
-                               uvec4(floatBitsToUint(tree.radiance), sampleIndex),
-                               uvec4(counts.cameraHits, counts.reflected, counts.refracted, counts.shadow),
-                               uvec4(counts.vertices, state.work.y + work.steps, 0u, 0u)));
+                               tree.node, tree.waiting, tree.nextLight, nodesDone,
+                               uvec4(floatBitsToUint(tree.radiance), sampleIndex), counts.cameraHits, counts.reflected,
+                               counts.refracted, counts.shadow, counts.vertices, state.steps + work.steps, 0u, 0u));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);
   if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
   if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);

@@ -99,8 +99,8 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
   if (kHasAreaLights) words = sampleGroup(key, vertexGroup(tree.node, kDimensionLightU)).yz;
   vec3 wo = -tree.ray.direction;
   vec3 sum = vec3(0.0);
-  uint end = min(constants.limits.z, tree.nextLight + kLightsPerSegment);
-  uint cutShort = tree.nextLight < end ? 1u : 0u;  // see Work
+  uint end = min(constants.lightCount, tree.nextLight + kLightsPerSegment);
+  uint cutShort = tree.nextLight < end ? 1u : 0u;  // docs/driver-workarounds.md section 4
   while (tree.nextLight < end) {
     PointLight light = loadPointLight(tree.nextLight);
     uint shadow;
@@ -172,9 +172,9 @@ bool visitNode(inout Tree tree, SampleKey key, inout Work work, inout RayCounts 
   if (kHasEmission && first) tree.radiance += tree.weight * material.emission;
   if (kHasPointLights && material.diffuseWeight + material.glossyWeight > 0.0) {
     tree.radiance += tree.weight * directLight(tree, key, surface, normals, material, work, counts, decisions);
-    if (tree.nextLight < constants.limits.z) return false;
+    if (tree.nextLight < constants.lightCount) return false;
   }
-  if (depthOf(tree.node) < constants.limits.x) branches = branchesAt(normals, material, wo);
+  if (depthOf(tree.node) < constants.maxDepth) branches = branchesAt(normals, material, wo);
   // What is not finite must not be lost in silence: the film counts it as a bad sample.
   bool sound = isSound(branches.reflected, branches.reflectedFactor) && isSound(branches.refracted, branches.refractedFactor);
   if (!sound) tree.radiance = vec3(uintBitsToFloat(kNotANumber));

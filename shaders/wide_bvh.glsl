@@ -77,11 +77,10 @@ uint leafHits;        // of the current node's leaf mask, what is still to be te
 uint leafMask;
 uint firstPrimitive;
 bool noneWaits;       // of all nodes
-uint wideUnfinished;  // 1 until the traversal ends: see Work
+uint wideUnfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
-// The words above the current block's, the last one first, the rest 0. They are moved at every step rather than indexed:
-// a driver for CPUs moves a word of all lanes at once, but stores into an array lane by lane. Trees so deep that they
-// need more words have bvh.glsl's array.
+// The words above the current block's, the last one first, the rest 0; trees that need more words use bvh.glsl's array:
+// docs/driver-workarounds.md section 7.
 const uint kWordsKept = 12u;
 uvec4 kept0;
 uvec4 kept1;
@@ -103,7 +102,7 @@ void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
 // Tests the children of the nearest node that waits.
 void visitWideNode(WideRay ray, float limit) {
   uint child = lowestBit(waiting & 255u) ^ ray.octant;
-  uint row = constants.sections.x + ((waiting >> 8) + child) * kWideNodeRows;
+  uint row = constants.firstStructureRow + ((waiting >> 8) + child) * kWideNodeRows;
   left = waiting & (waiting - 1u);
 
   uvec4 head = sceneRow(row);

@@ -101,14 +101,18 @@ void Band::start(BandRows rows) {
 }
 
 double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudget& budget) {
-  gpu::DispatchConstants constants;
-  constants.region = {region.x, rows_.first + region.y, region.width, region.height};
-  constants.work = {rows_.first, segments, settings_.image.sampleCount, budget.laneTurns};
+  const gpu::DispatchConstants constants{.regionOrigin = {region.x, rows_.first + region.y},
+                                         .regionSize = {region.width, region.height},
+                                         .firstRow = rows_.first,
+                                         .maxSegments = segments,
+                                         .sampleEnd = settings_.image.sampleCount,
+                                         .maxIterations = budget.laneTurns,
+                                         .roundParity = 0,
+                                         .bandPixels = static_cast<std::uint32_t>(pixels())};
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
-      constants.work.w = static_cast<std::uint32_t>(pixels());
       const std::uint64_t longestPixel = std::uint64_t{settings_.image.sampleCount} * settings_.image.maxDepth;
       const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
       recordRounds(recorder, pipelines_, bindings_, results_, constants, count, rounds);

@@ -40,8 +40,10 @@ render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePi
   results.fill(0);
 
   gpu::DispatchConstants constants{};
-  constants.region = {sample.x, sample.y, 1, 1};
-  constants.work = {0, std::min(kSegmentsPerDispatch, budget.maxSegments), 0, budget.laneTurns};
+  constants.regionOrigin = {sample.x, sample.y};
+  constants.regionSize = {1, 1};
+  constants.maxSegments = std::min(kSegmentsPerDispatch, budget.maxSegments);
+  constants.maxIterations = budget.laneTurns;
   gpu::Counters counters{};
   while (counters.finishedSamples == 0 && counters.truncated == 0) {
     device.run([&](vulkan::CommandRecorder& recorder) {

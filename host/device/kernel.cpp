@@ -29,26 +29,26 @@ void addPathCounts(std::span<const std::byte> bytes, render::RenderStatistics& s
   // The wavefront may have made a camera ray that is not traced yet.
   const bool underWay = state.throughputDepth.w > 1;
   statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
-  statistics.bounceRays += state.counts.x;
-  statistics.shadowRays += state.counts.y;
-  statistics.vertices += state.counts.z;
-  statistics.traversalSteps += state.counts.w;
+  statistics.bounceRays += state.counts.bounceRays;
+  statistics.shadowRays += state.counts.shadowRays;
+  statistics.vertices += state.counts.vertices;
+  statistics.traversalSteps += state.counts.steps;
 }
 
 static_assert(sizeof(gpu::TreeState) == gpu::kTreeRows * sizeof(gpu::uvec4));
 
 void addTreeCounts(std::span<const std::byte> bytes, render::RenderStatistics& statistics) {
   const auto state = headOf<gpu::TreeState>(bytes);
-  const bool underWay = state.place.x > 0;
+  const bool underWay = state.node > 0;
   if (!statistics.treeRays) statistics.treeRays.emplace();
   statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
-  statistics.treeRays->cameraHits += state.rays.x;
-  statistics.treeRays->reflected += state.rays.y;
-  statistics.treeRays->refracted += state.rays.z;
-  statistics.bounceRays += std::uint64_t{state.rays.y} + state.rays.z;
-  statistics.shadowRays += state.rays.w;
-  statistics.vertices += state.work.x;
-  statistics.traversalSteps += state.work.y;
+  statistics.treeRays->cameraHits += state.cameraHits;
+  statistics.treeRays->reflected += state.reflectedRays;
+  statistics.treeRays->refracted += state.refractedRays;
+  statistics.bounceRays += std::uint64_t{state.reflectedRays} + state.refractedRays;
+  statistics.shadowRays += state.shadowRays;
+  statistics.vertices += state.vertices;
+  statistics.traversalSteps += state.steps;
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void requireKernel(const render::RenderSettings& settings) {
 Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
   requireKernel(settings);
   if (settings.image.integrator == render::Integrator::whitted) {
-    const std::uint32_t stateBytes = flat.constants.limits.w * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
+    const std::uint32_t stateBytes = flat.constants.stateRows * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
     return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
   }
   if (isView(settings.image.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};

@@ -91,7 +91,7 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
   for (std::uint32_t first = 0; first < count;) {
     const std::uint32_t end = first + std::min(count - first, chunk_);
     const std::uint32_t units = divideUp(divideUp(end - first, lanes), gpu::kCastUnit);
-    const gpu::CastConstants constants{{first, end, lanes, strideOver(units)}};
+    const gpu::CastConstants constants{first, end, lanes, strideOver(units)};
     const double took = device_.run([&](vulkan::CommandRecorder& recorder) {
       recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {units * gpu::kCastUnit});
     });

@@ -1,12 +1,13 @@
 #include "host/device/specialise.h"
 
+#include "shaders/shared/features.h"
 #include "shaders/shared/specialization.h"
 
 namespace candela::device {
 namespace {
 
 std::uint32_t lensOf(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
-  if (glm::vec3(flat.constants.lensUp) == glm::vec3(0)) return gpu::kLensNone;
+  if (flat.constants.lensUp == glm::vec3(0)) return gpu::kLensNone;
   return settings.image.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
@@ -52,24 +53,8 @@ std::uint32_t viewOf(render::Integrator integrator) {
 
 std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
                                                bool texels) {
-  const flatten::SceneFeatures& has = flat.features;
   std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
                                                 {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
-                                                {gpu::kSpecSpheres, has.spheres},
-                                                {gpu::kSpecTriangles, has.triangles},
-                                                {gpu::kSpecBoxes, has.boxes},
-                                                {gpu::kSpecCones, has.cones},
-                                                {gpu::kSpecPlanes, has.planes},
-                                                {gpu::kSpecSmooth, has.smooth},
-                                                {gpu::kSpecDiffuse, has.diffuse},
-                                                {gpu::kSpecGlossy, has.glossy},
-                                                {gpu::kSpecMirror, has.mirror},
-                                                {gpu::kSpecDielectric, has.dielectric},
-                                                {gpu::kSpecEmission, has.emission},
-                                                {gpu::kSpecSphereLights, has.sphereLights},
-                                                {gpu::kSpecTriangleLights, has.triangleLights},
-                                                {gpu::kSpecPointLights, has.pointLights},
-                                                {gpu::kSpecSky, has.sky},
                                                 {gpu::kSpecOneSided, settings.image.oneSided},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
@@ -78,12 +63,14 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecTexels, texels},
                                                 {gpu::kSpecRecord, settings.execution.recordPaths},
                                                 {gpu::kSpecStackSize, flat.stackSize},
-                                                {gpu::kSpecMixtures, has.mixtures},
-                                                {gpu::kSpecInsideOnly, has.insideOnly},
                                                 {gpu::kSpecUniformSlots, flat.uniformSlots},
                                                 {gpu::kSpecRowsAhead, flat.rowsAhead},
                                                 {gpu::kSpecAreaLights, settings.image.lightSize > 0},
                                                 {gpu::kSpecView, viewOf(settings.image.integrator)}};
+  const flatten::SceneFeatures& has = flat.features;
+#define CANDELA_SPECIALISE(member, name, id) constants.push_back({id, has.member});
+  CANDELA_FEATURES(CANDELA_SPECIALISE)
+#undef CANDELA_SPECIALISE
   for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
     constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
   }

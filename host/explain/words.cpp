@@ -9,18 +9,13 @@ namespace {
 
 const char* kindWord(scene::PrimitiveKind kind) {
   switch (kind) {
-    case scene::PrimitiveKind::sphere:
-      return "sphere";
-    case scene::PrimitiveKind::triangle:
-      return "triangle";
-    case scene::PrimitiveKind::box:
-      return "box";
-    case scene::PrimitiveKind::cone:
-      return "cone";
-    case scene::PrimitiveKind::plane:
-      break;
+#define CANDELA_NAME_KIND(kind, feature, name, value, flag) \
+  case scene::PrimitiveKind::kind:                          \
+    return #kind;
+    CANDELA_PRIMITIVE_KINDS(CANDELA_NAME_KIND)
+#undef CANDELA_NAME_KIND
   }
-  return "plane";
+  return "";
 }
 
 const char* materialWord(const scene::Material& material) {
@@ -51,20 +46,13 @@ std::string lightWords(std::uint32_t primitive, const scene::Scene& scene) {
 
 std::string lobeWords(render::Lobe lobe) {
   switch (lobe) {
-    case render::Lobe::none:
-      break;
-    case render::Lobe::diffuse:
-      return "diffuse";
-    case render::Lobe::glossy:
-      return "glossy";
-    case render::Lobe::mirror:
-      return "mirror";
-    case render::Lobe::reflect:
-      return "reflect";
-    case render::Lobe::refract:
-      return "refract";
+#define CANDELA_NAME_LOBE(lobe, name, value) \
+  case render::Lobe::lobe:                   \
+    return #lobe;
+    CANDELA_LOBES(CANDELA_NAME_LOBE)
+#undef CANDELA_NAME_LOBE
   }
-  return "none";
+  return "";
 }
 
 std::string shadowWords(render::ShadowOutcome outcome) {

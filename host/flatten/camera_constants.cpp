@@ -37,13 +37,18 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   const double height = 2 * distance * std::tan(camera.angle * std::numbers::pi / 360);
   const double width = height * across.pixels / down.pixels;
   const double lensRadius = camera.aperture * height / camera.height;
-  constants.cameraOrigin = gpu::vec4(glm::vec3(from), across.origin);
-  constants.cameraForward = gpu::vec4(glm::vec3(-backward), down.origin);
-  constants.cameraRight = gpu::vec4(glm::vec3(width * u), 1.0f / static_cast<float>(across.pixels));
-  constants.cameraUp = gpu::vec4(glm::vec3(height * v), 1.0f / static_cast<float>(down.pixels));
-  constants.lensRight = gpu::vec4(glm::vec3(lensRadius * u), static_cast<float>(1.0 / camera.focal));
-  constants.lensUp = gpu::vec4(glm::vec3(lensRadius * v), 0);
-  constants.background.w = aoDistance(camera, image);
+  constants.cameraOrigin = glm::vec3(from);
+  constants.pixelOriginX = across.origin;
+  constants.cameraForward = glm::vec3(-backward);
+  constants.pixelOriginY = down.origin;
+  constants.cameraRight = glm::vec3(width * u);
+  constants.inversePixelsAcross = 1.0f / static_cast<float>(across.pixels);
+  constants.cameraUp = glm::vec3(height * v);
+  constants.inversePixelsDown = 1.0f / static_cast<float>(down.pixels);
+  constants.lensRight = glm::vec3(lensRadius * u);
+  constants.inverseFocal = static_cast<float>(1.0 / camera.focal);
+  constants.lensUp = glm::vec3(lensRadius * v);
+  constants.aoDistance = aoDistance(camera, image);
 }
 
 }  // namespace candela::flatten

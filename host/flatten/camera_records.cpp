@@ -20,7 +20,7 @@ std::span<gpu::uvec4> slotOf(std::span<gpu::uvec4> rows, std::size_t slot) {
 // From the first to the last sphere of the primitives.
 RecordSpan sphereSpan(const FlatScene& flat) {
   if (!flat.features.spheres) return {};
-  const std::uint32_t base = flat.constants.sections.y;
+  const std::uint32_t base = flat.constants.firstPrimitiveRow;
   const std::span all = std::span(flat.rows).subspan(base, std::size_t{flat.slotCount} * gpu::kPrimitiveRows);
   const auto hasSphere = [&](std::size_t slot) {
     return isSphere(all.subspan(slot * gpu::kPrimitiveRows, gpu::kPrimitiveRows));
@@ -51,7 +51,7 @@ CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, 
                         .primitives = sphereSpan(flat),
                         .pointLights = {}};
   if (image.integrator != render::Integrator::whitted || image.lightSize == 0) return records;
-  records.pointLights = {flat.constants.sections.w,
+  records.pointLights = {flat.constants.firstLightRow,
                          pointLightRows(scene.pointLights, *scene.camera, image.lightSize)};
   return records;
 }

@@ -10,20 +10,17 @@
 #include "host/flatten/small_scene.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
+#include "shaders/shared/features.h"
 #include "shaders/shared/render_data.h"
 #include "shaders/shared/specialization.h"
 
 namespace candela::flatten {
 
-/// What of the kernel a scene needs; the rest is compiled out.
+/// Which parts of the kernel a scene needs, one flag for every entry of CANDELA_FEATURES; the others are compiled out.
 struct SceneFeatures {
-  bool spheres = false, triangles = false, boxes = false, cones = false, planes = false;
-  bool smooth = false;      ///< triangles with vertex normals
-  bool insideOnly = false;  ///< spheres of negative radius
-  bool diffuse = false, glossy = false, mirror = false, dielectric = false, mixtures = false;
-  bool emission = false;
-  bool sphereLights = false, triangleLights = false, pointLights = false;
-  bool sky = false;
+#define CANDELA_DECLARE_MEMBER(member, name, id) bool member = false;
+  CANDELA_FEATURES(CANDELA_DECLARE_MEMBER)
+#undef CANDELA_DECLARE_MEMBER
 };
 
 /// Of a structure's nodes, as --layout names them; empty where it has none of a BVH.

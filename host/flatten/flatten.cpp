@@ -37,7 +37,7 @@ void checkLimits(const scene::Scene& scene) {
 }
 
 void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
-  flat.constants.sections.z = rowCount(flat.rows);
+  flat.constants.firstMaterialRow = rowCount(flat.rows);
   for (const scene::Material& material : scene.materials) {
     const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
@@ -73,8 +73,8 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
 
 void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> slots,
                   FlatScene& flat) {
-  flat.constants.sections.w = rowCount(flat.rows);
-  flat.constants.limits.z = static_cast<std::uint32_t>(table.size());
+  flat.constants.firstLightRow = rowCount(flat.rows);
+  flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
   for (const LightEntry& entry : table) {
     if (entry.isPoint) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
@@ -90,8 +90,8 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
 
 void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
   const Rows lights = pointLightRows(scene.pointLights, *scene.camera, lightSize);
-  flat.constants.sections.w = rowCount(flat.rows);
-  flat.constants.limits.z = static_cast<std::uint32_t>(scene.pointLights.size());
+  flat.constants.firstLightRow = rowCount(flat.rows);
+  flat.constants.lightCount = static_cast<std::uint32_t>(scene.pointLights.size());
   flat.features.pointLights = !scene.pointLights.empty();
   flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
 }
@@ -108,18 +108,18 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
     if (!table[i].isPoint) lightOf[table[i].index] = i + 1;
   }
   Rows normals;
-  flat.constants.sections.y = rowCount(flat.rows);
+  flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
     appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, normals);
   }
-  flat.constants.moreSections.x = rowCount(flat.rows);
+  flat.constants.firstNormalRow = rowCount(flat.rows);
   flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
 }
 
 // The same rows once more, for the uniform buffer.
 void copySlotRows(FlatScene& flat) {
   flat.uniformSlots = flat.slotCount;
-  const auto first = flat.rows.begin() + flat.constants.sections.y;
+  const auto first = flat.rows.begin() + flat.constants.firstPrimitiveRow;
   std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
   for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
     const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
@@ -135,10 +135,14 @@ std::uint32_t strataPerSide(const render::RenderSettings& settings) {
 }
 
 void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
-  constants.background = gpu::vec4(scene.background, 0);
   setCamera(constants, *scene.camera, settings.image);
-  constants.imageSeed = {settings.image.size.width, settings.image.size.height, settings.image.seed, strataPerSide(settings)};
-  constants.limits = {settings.image.maxDepth, settings.image.rouletteStart, 0, 0};
+  constants.background = scene.background;
+  constants.imageWidth = settings.image.size.width;
+  constants.imageHeight = settings.image.size.height;
+  constants.seed = settings.image.seed;
+  constants.strataPerSide = strataPerSide(settings);
+  constants.maxDepth = settings.image.maxDepth;
+  constants.rouletteStart = settings.image.rouletteStart;
 }
 
 // Whether a structure is asked for by more than the default.
@@ -172,10 +176,10 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const bool small = isSmall(scene, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
-  flat.constants.moreSections.z = static_cast<std::uint32_t>(order.size());
+  flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   flat.slotCount = static_cast<std::uint32_t>(order.size());
-  flat.constants.moreSections.w = flat.slotCount;
+  flat.constants.slotCount = flat.slotCount;
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
@@ -185,11 +189,11 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   appendMaterials(scene, settings.image.integrator, flat);
   if (whitted) {
     appendPointLights(scene, settings.image.lightSize, flat);
-    flat.constants.limits.w = treeRows(flat.features, settings.image.maxDepth);
+    flat.constants.stateRows = treeRows(flat.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, slotsOf(order), flat);
   }
-  flat.constants.moreSections.y = rowCount(flat.rows);
+  flat.constants.firstSkyRow = rowCount(flat.rows);
   if (scene.sky) {
     const Rows sky = skyRows(*scene.sky);
     flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());

@@ -7,25 +7,24 @@
 namespace candela::flatten {
 namespace {
 
-void noteKind(const scene::Scene& scene, const scene::Primitive& primitive, SceneFeatures& features) {
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere:
-      features.spheres = true;
-      features.insideOnly |= scene.spheres[primitive.index].radius < 0;
-      break;
-    case scene::PrimitiveKind::triangle:
-      features.triangles = true;
-      features.smooth |= scene.triangles[primitive.index].normals != scene::Triangle::kNoNormals;
-      break;
-    case scene::PrimitiveKind::box:
-      features.boxes = true;
-      break;
-    case scene::PrimitiveKind::cone:
-      features.cones = true;
-      break;
-    case scene::PrimitiveKind::plane:
-      features.planes = true;
-      break;
+void noteKind(scene::PrimitiveKind kind, SceneFeatures& features) {
+  switch (kind) {
+#define CANDELA_NOTE_KIND(kind, feature, name, value, flag) \
+  case scene::PrimitiveKind::kind:                          \
+    features.feature = true;                                \
+    break;
+    CANDELA_PRIMITIVE_KINDS(CANDELA_NOTE_KIND)
+#undef CANDELA_NOTE_KIND
+  }
+}
+
+void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive, SceneFeatures& features) {
+  noteKind(primitive.kind, features);
+  if (primitive.kind == scene::PrimitiveKind::sphere) {
+    features.insideOnly |= scene.spheres[primitive.index].radius < 0;
+  }
+  if (primitive.kind == scene::PrimitiveKind::triangle) {
+    features.smooth |= scene.triangles[primitive.index].normals != scene::Triangle::kNoNormals;
   }
 }
 
@@ -45,7 +44,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   SceneFeatures features;
   std::vector<bool> used(scene.materials.size());
   for (const scene::Primitive& primitive : scene.primitives) {
-    noteKind(scene, primitive, features);
+    notePrimitive(scene, primitive, features);
     used[primitive.material] = true;
   }
   for (std::size_t i = 0; i < used.size(); ++i) {

@@ -40,12 +40,13 @@ void appendItems(const accel::Grid& grid, std::span<const std::uint32_t> order, 
 
 void setConstants(const accel::GridShape& shape, gpu::RenderConstants& constants) {
   const glm::dvec3 extent = shape.bounds.extent();
-  constants.gridLow = {shape.bounds.min, gridReach(shape)};
-  constants.gridHigh = {shape.bounds.max, 0};
-  constants.gridScale = {shape.scale, 0};
-  constants.gridWidth = {glm::vec3(extent / glm::dvec3(shape.sides)), 0};
-  constants.gridSides = {shape.sides, 0};
-  constants.gridStrides = {shape.strides, 0};
+  constants.gridLow = shape.bounds.min;
+  constants.gridReach = gridReach(shape);
+  constants.gridHigh = shape.bounds.max;
+  constants.gridScale = shape.scale;
+  constants.gridWidth = glm::vec3(extent / glm::dvec3(shape.sides));
+  constants.gridSides = shape.sides;
+  constants.gridStrides = shape.strides;
 }
 
 void noteQuality(const accel::Grid& grid, FlatScene& flat) {
@@ -70,11 +71,11 @@ std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float de
   noteQuality(grid, flat);
   setConstants(grid.shape, flat.constants);
   flat.structure = gpu::kStructureGrid;
-  flat.constants.sections.x = rowCount(flat.rows);
+  flat.constants.firstStructureRow = rowCount(flat.rows);
   flat.rows.reserve(flat.rows.size() + grid.starts.size() / gpu::kCellsPerRow + grid.items.size() / gpu::kItemsPerRow +
                     2);
   appendCells(grid, flat.rows);
-  flat.constants.gridSides.w = rowCount(flat.rows);
+  flat.constants.firstItemRow = rowCount(flat.rows);
   std::vector<std::uint32_t> order = orderOf(grid, bounds.finite.size());
   appendItems(grid, order, flat.rows);
   for (std::uint32_t& place : order) place = bounds.finite[place];

@@ -102,7 +102,7 @@ std::vector<std::uint32_t> appendHierarchy(const accel::SceneBounds& bounds, con
   const accel::Bvh bvh = buildHierarchy(bounds.bounds, settings.structure.bvhSplit, settings.structure.bvhQuality, layout);
   const accel::BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
-  flat.constants.sections.x = rowCount(flat.rows);
+  flat.constants.firstStructureRow = rowCount(flat.rows);
   const bool wide = bvh.nodes.size() > 1 && layout == render::BvhLayout::cwbvh;
   std::vector<std::uint32_t> order = wide ? appendWide(bvh, flat) : appendTwoWide(bvh, measured, flat);
   for (std::uint32_t& i : order) i = bounds.finite[i];

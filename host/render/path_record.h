@@ -5,9 +5,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/render/lobe_list.h"
+
 namespace candela::render {
 
-enum class Lobe : std::uint8_t { none, diffuse, glossy, mirror, reflect, refract };
+/// none, diffuse, glossy, mirror, reflect, refract: the entries of CANDELA_LOBES, with their values.
+enum class Lobe : std::uint8_t {
+#define CANDELA_ENUMERATE_LOBE(lobe, name, value) lobe = value,
+  CANDELA_LOBES(CANDELA_ENUMERATE_LOBE)
+#undef CANDELA_ENUMERATE_LOBE
+};
 enum class ShadowOutcome : std::uint8_t { notTraced, visible, occluded };
 
 /// One path vertex. `primitive` is the primitive index (place in Scene::primitives), or kMiss.

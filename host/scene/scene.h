@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/primitive_kind_list.h"
+
 namespace candela::scene {
 
 /// The view, as NFF states it. The view plane passes through `at`.
@@ -76,7 +78,12 @@ struct Plane {
   glm::vec3 p[3];
 };
 
-enum class PrimitiveKind : std::uint8_t { sphere, triangle, box, cone, plane };
+/// sphere, triangle, box, cone, plane: the entries of CANDELA_PRIMITIVE_KINDS, with their values.
+enum class PrimitiveKind : std::uint8_t {
+#define CANDELA_ENUMERATE_KIND(kind, feature, name, value, flag) kind = value,
+  CANDELA_PRIMITIVE_KINDS(CANDELA_ENUMERATE_KIND)
+#undef CANDELA_ENUMERATE_KIND
+};
 
 /// One entry of the scene's list of primitives. Its place in Scene::primitives is the *primitive index* that both
 /// tracers report and that breaks ties between equal distances.

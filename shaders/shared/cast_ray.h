@@ -27,7 +27,10 @@ CANDELA_CONST uint kCastUnit = 8u;
 
 // One per dispatch.
 struct CastConstants {
-  uvec4 work;  // first ray or pixel, end, lanes of a workgroup, stride between units
+  uint first;        // index of a ray or of a pixel
+  uint end;
+  uint invocations;  // of a workgroup
+  uint unitStride;   // see cast_rays.comp
 };
 
 CANDELA_END

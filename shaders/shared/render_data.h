@@ -1,28 +1,55 @@
 // What host and kernel exchange besides the scene: constants, push constants, path states, film and counters.
 #ifndef CANDELA_SHARED_RENDER_DATA_H
 #define CANDELA_SHARED_RENDER_DATA_H
+#include "features.h"
 #include "language.h"
 CANDELA_BEGIN
 
-// One per render.
+// One per render. A vector of three and a scalar, or four scalars, fill 16 bytes: so std140 and C++ give every member the
+// same offset.
 struct RenderConstants {
-  vec4 cameraOrigin;      // xyz; w: where in its pixel a ray goes that is not jittered, across
-  vec4 cameraForward;     // xyz: -d n, from the eye to the view plane's centre; w: the same, down
-  vec4 cameraRight;       // xyz: w u, the width of the view plane; w: 1 / pixels across the view
-  vec4 cameraUp;          // xyz: h v; w: 1 / pixels down the view
-  vec4 lensRight;         // xyz: a u; w = 1 / focal
-  vec4 lensUp;            // xyz: a v
-  vec4 background;        // rgb; w: reach of ambient occlusion
-  uvec4 imageSeed;        // width, height, seed, strata per side n (0: none)
-  uvec4 limits;           // max depth, roulette start, light count, rows of a pixel's state (Whitted only)
-  uvec4 sections;         // first row of nodes or of a grid's cells, of primitives, materials, lights
-  uvec4 moreSections;     // first row of normals, first row of sky, first plane slot, end of slots
-  vec4 gridLow;           // xyz: the grid's lower corner; w: its largest coordinate in magnitude
-  vec4 gridHigh;          // xyz
-  vec4 gridScale;         // xyz: cells per unit of length, 0 on axes of one cell
-  vec4 gridWidth;         // xyz: of a cell
-  uvec4 gridSides;        // xyz: cells along each axis; w: first row of items
-  uvec4 gridStrides;      // xyz: cell (x, y, z) is number dot(strides, (x, y, z))
+  vec3 cameraOrigin;
+  float pixelOriginX;        // position within its pixel of a ray that is not jittered, across
+  vec3 cameraForward;        // -d n, from the eye to the view plane's centre
+  float pixelOriginY;        // down
+  vec3 cameraRight;          // w u, the width of the view plane
+  float inversePixelsAcross; // 1 / pixels across the view
+  vec3 cameraUp;             // h v
+  float inversePixelsDown;   // 1 / pixels down the view
+  vec3 lensRight;            // a u
+  float inverseFocal;        // 1 / focal
+  vec3 lensUp;               // a v
+  float unused0;
+  vec3 background;
+  float aoDistance;          // length of ambient occlusion's rays
+  uint imageWidth;           // pixels
+  uint imageHeight;
+  uint seed;
+  uint strataPerSide;        // n of the n x n strata; 0: none
+  uint maxDepth;
+  uint rouletteStart;        // Russian roulette is played at greater depths
+  uint lightCount;
+  uint stateRows;            // 16-byte records of a pixel's state; Whitted's tracer only
+  uint firstStructureRow;    // of a BVH's nodes or of a grid's cells
+  uint firstPrimitiveRow;
+  uint firstMaterialRow;
+  uint firstLightRow;
+  uint firstNormalRow;
+  uint firstSkyRow;
+  uint firstPlaneSlot;       // infinite planes are behind all other primitives
+  uint slotCount;
+  vec3 gridLow;              // lower corner
+  float gridReach;           // the grid's largest coordinate in magnitude
+  vec3 gridHigh;             // upper corner
+  float unused1;
+  vec3 gridScale;            // cells per unit of length, 0 on axes of one cell
+  float unused2;
+  vec3 gridWidth;            // of a cell
+  float unused3;
+  uvec3 gridSides;           // cells along each axis
+  uint firstItemRow;         // of the grid's items
+  uvec3 gridStrides;         // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
+  uint unused4;
 };
 
 // Of a scene with so few primitives, their rows are in the uniform buffer too: see traversal.glsl.
@@ -35,11 +62,24 @@ struct RenderUniforms {
   uvec4 slotRows[kUniformRows];
 };
 
-// One per dispatch.
+// One per dispatch, push constants.
 struct DispatchConstants {
-  uvec4 region;   // x, y, width, height in pixels of the image
-  uvec4 work;     // first image row of the band, segments per lane, end of the sample range, loop turns per lane; of the
-                  // wavefront's stages: the same, the round's parity, the same, pixels of the band
+  uvec2 regionOrigin;  // in pixels of the image
+  uvec2 regionSize;
+  uint firstRow;       // row of the image at which the band begins
+  uint maxSegments;    // path segments per invocation
+  uint sampleEnd;      // end of the range of sample indices
+  uint maxIterations;  // loop iterations per invocation
+  uint roundParity;    // wavefront only: the round's number modulo 2
+  uint bandPixels;     // wavefront only: pixels of the band
+};
+
+// Work of a pixel's paths so far; each count wraps at 2^32.
+struct PathCounts {
+  uint bounceRays;
+  uint shadowRays;
+  uint vertices;
+  uint steps;  // of traversals
 };
 
 // A path between two dispatches; one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample started.
@@ -48,7 +88,7 @@ struct PathState {
   uvec4 directionLeaving;  // ray direction, leaving (slot | kLeavingInward, or kNoSlot)
   uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not begun)
   uvec4 radianceSample;    // rgb, sample index
-  uvec4 counts;            // bounce rays, shadow rays, vertices, traversal steps; each wraps at 2^32
+  PathCounts counts;
 };
 
 // The same for the wavefront, and what its stages hand on to each other: 144 bytes.
@@ -87,10 +127,19 @@ CANDELA_CONST uint kGroupsPerRow = 65535u;
 struct TreeState {
   uvec4 originLeaving;    // of the ray at hand: origin, leaving
   uvec4 directionWeight;  // its direction, weight in the pixel
-  uvec4 place;            // its node (0: the sample has not begun), depths that have a waiting ray, next light, nodes done
+  uint node;              // of the ray at hand (0: the sample has not begun)
+  uint waiting;           // depths that have a waiting ray
+  uint nextLight;
+  uint nodesDone;
   uvec4 radianceSample;   // rgb, sample index
-  uvec4 rays;             // that hit from the camera, reflected, refracted, shadow; each wraps at 2^32
-  uvec4 work;             // vertices, traversal steps, 0, 0
+  uint cameraHits;        // camera rays that hit; this and the counts below wrap at 2^32
+  uint reflectedRays;
+  uint refractedRays;
+  uint shadowRays;
+  uint vertices;
+  uint steps;             // of traversals
+  uint unused0;
+  uint unused1;
 };
 
 CANDELA_CONST uint kTreeRows = 6u;
@@ -127,12 +176,9 @@ CANDELA_CONST uint kRecordMiss = 0xffffffffu;
 CANDELA_CONST uint kRecordValid = 0x80000000u;
 CANDELA_CONST uint kRecordedLights = 14u;
 CANDELA_CONST uint kRecordLightShift = 17u;
-CANDELA_CONST uint kLobeNone = 0u;
-CANDELA_CONST uint kLobeDiffuse = 1u;
-CANDELA_CONST uint kLobeGlossy = 2u;
-CANDELA_CONST uint kLobeMirror = 3u;
-CANDELA_CONST uint kLobeReflect = 4u;
-CANDELA_CONST uint kLobeRefract = 5u;
+#define CANDELA_DECLARE_LOBE(lobe, name, value) CANDELA_CONST uint name = value;
+CANDELA_LOBES(CANDELA_DECLARE_LOBE)
+#undef CANDELA_DECLARE_LOBE
 CANDELA_CONST uint kShadowNotTraced = 0u;
 CANDELA_CONST uint kShadowVisible = 1u;
 CANDELA_CONST uint kShadowOccluded = 2u;

@@ -2,6 +2,7 @@
 // RenderConstants. A float stands in a row as its bits.
 #ifndef CANDELA_SHARED_SCENE_ROWS_H
 #define CANDELA_SHARED_SCENE_ROWS_H
+#include "features.h"
 #include "language.h"
 CANDELA_BEGIN
 
@@ -27,11 +28,9 @@ CANDELA_CONST uint kItemsPerRow = 4u;
 //   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)
 //   plane     (point, 0) (unit normal, .) (0, 0, 0, .)
 CANDELA_CONST uint kPrimitiveRows = 3u;
-CANDELA_CONST uint kKindSphere = 0u;
-CANDELA_CONST uint kKindTriangle = 1u;
-CANDELA_CONST uint kKindBox = 2u;
-CANDELA_CONST uint kKindCone = 3u;
-CANDELA_CONST uint kKindPlane = 4u;
+#define CANDELA_DECLARE_KIND(kind, feature, name, value, flag) CANDELA_CONST uint name = value;
+CANDELA_PRIMITIVE_KINDS(CANDELA_DECLARE_KIND)
+#undef CANDELA_DECLARE_KIND
 CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;  // sphere of negative radius
 CANDELA_CONST uint kFlagSmooth = 16u;     // triangle with vertex normals

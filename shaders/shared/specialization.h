@@ -1,4 +1,4 @@
-// Ids of the specialisation constants: what a scene or a render does not use is compiled out.
+// Ids of the specialisation constants, but for those of the feature flags, which are in features.h (2 to 16, 25 and 26).
 #ifndef CANDELA_SHARED_SPECIALIZATION_H
 #define CANDELA_SHARED_SPECIALIZATION_H
 #include "language.h"
@@ -6,21 +6,6 @@ CANDELA_BEGIN
 
 CANDELA_CONST uint kSpecWorkgroupX = 0u;
 CANDELA_CONST uint kSpecWorkgroupY = 1u;
-CANDELA_CONST uint kSpecSpheres = 2u;       // kinds of primitives present
-CANDELA_CONST uint kSpecTriangles = 3u;
-CANDELA_CONST uint kSpecBoxes = 4u;
-CANDELA_CONST uint kSpecCones = 5u;
-CANDELA_CONST uint kSpecPlanes = 6u;
-CANDELA_CONST uint kSpecSmooth = 7u;
-CANDELA_CONST uint kSpecDiffuse = 8u;       // lobes present
-CANDELA_CONST uint kSpecGlossy = 9u;
-CANDELA_CONST uint kSpecMirror = 10u;
-CANDELA_CONST uint kSpecDielectric = 11u;
-CANDELA_CONST uint kSpecEmission = 12u;     // some primitive emits
-CANDELA_CONST uint kSpecSphereLights = 13u; // kinds of entries in the light table
-CANDELA_CONST uint kSpecTriangleLights = 14u;
-CANDELA_CONST uint kSpecPointLights = 15u;
-CANDELA_CONST uint kSpecSky = 16u;
 CANDELA_CONST uint kSpecOneSided = 17u;
 CANDELA_CONST uint kSpecLens = 18u;         // kLens...
 CANDELA_CONST uint kSpecFilter = 19u;       // kFilter...
@@ -29,8 +14,6 @@ CANDELA_CONST uint kSpecStructure = 21u;    // kStructure...
 CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
-CANDELA_CONST uint kSpecMixtures = 25u;    // some material has more than one lobe
-CANDELA_CONST uint kSpecInsideOnly = 26u;   // some sphere has a negative radius
 CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
 CANDELA_CONST uint kSpecRowsAhead = 28u;    // these rows are read before anything else
 // From 40 on, of Whitted's tracer alone.

@@ -38,13 +38,13 @@ TEST_CASE("every primitive has one slot, with infinite planes last") {
     REQUIRE(flat.slotCount == scene.primitives.size());
     std::set<std::uint32_t> seen;
     for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
-      const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
+      const std::uint32_t row = flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows;
       const std::uint32_t primitive = flat.rows[row + 1].w;
       const std::uint32_t kind = flat.rows[row + 2].w;
       seen.insert(primitive);
       CHECK((kind & gpu::kKindMask) == static_cast<std::uint32_t>(scene.primitives[primitive].kind));
       CHECK(kind >> gpu::kMaterialShift == scene.primitives[primitive].material);
-      CHECK(((kind & gpu::kKindMask) == gpu::kKindPlane) == (slot >= flat.constants.moreSections.z));
+      CHECK(((kind & gpu::kKindMask) == gpu::kKindPlane) == (slot >= flat.constants.firstPlaneSlot));
     }
     CHECK(seen.size() == scene.primitives.size());
   }
@@ -56,7 +56,7 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
   settings.structure.accel = render::AccelKind::none;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
-    const std::uint32_t row = flat.constants.sections.y + slot * gpu::kPrimitiveRows;
+    const std::uint32_t row = flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows;
     const scene::Sphere& sphere = scene.spheres[scene.primitives[flat.rows[row + 1].w].index];
     const glm::dvec3 anchor = xyz(flat.rows[row]);
     const glm::dvec3 k = xyz(flat.rows[row + 1]);
@@ -70,10 +70,10 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
 TEST_CASE("a light's row leads to its primitive and back") {
   const scene::Scene scene = loadFixture("cornell.p3f");
   const flatten::FlatScene flat = flatten::flattenScene(scene, smallSettings());
-  REQUIRE(flat.constants.limits.z == 2);  // the lamp's two triangles
+  REQUIRE(flat.constants.lightCount == 2);  // the lamp's two triangles
   for (std::uint32_t light = 0; light < 2; ++light) {
-    const gpu::uvec4& head = flat.rows[flat.constants.sections.w + light * gpu::kLightRows];
-    const std::uint32_t row = flat.constants.sections.y + head.w * gpu::kPrimitiveRows;
+    const gpu::uvec4& head = flat.rows[flat.constants.firstLightRow + light * gpu::kLightRows];
+    const std::uint32_t row = flat.constants.firstPrimitiveRow + head.w * gpu::kPrimitiveRows;
     CHECK(head.z == gpu::kLightTriangle);
     CHECK(flat.rows[row].w == light + 1);
   }
@@ -114,21 +114,21 @@ TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to 
   REQUIRE(flat.structure == gpu::kStructureGrid);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene);
   const accel::Grid grid = buildGrid(bounds.bounds, {.density = 3});
-  REQUIRE(glm::uvec3(flat.constants.gridSides) == grid.shape.sides);
-  CHECK(glm::uvec3(flat.constants.gridStrides) == grid.shape.strides);
-  CHECK(glm::vec3(flat.constants.gridScale) == grid.shape.scale);
-  CHECK(glm::vec3(flat.constants.gridLow) == grid.shape.bounds.min);
-  CHECK(glm::vec3(flat.constants.gridHigh) == grid.shape.bounds.max);
+  REQUIRE(flat.constants.gridSides == grid.shape.sides);
+  CHECK(flat.constants.gridStrides == grid.shape.strides);
+  CHECK(flat.constants.gridScale == grid.shape.scale);
+  CHECK(flat.constants.gridLow == grid.shape.bounds.min);
+  CHECK(flat.constants.gridHigh == grid.shape.bounds.max);
   for (std::uint32_t cell = 0; cell < grid.shape.cellCount(); ++cell) {
-    const gpu::uvec4& starts = flat.rows[flat.constants.sections.x + cell / gpu::kCellsPerRow];
+    const gpu::uvec4& starts = flat.rows[flat.constants.firstStructureRow + cell / gpu::kCellsPerRow];
     const int place = static_cast<int>(cell % gpu::kCellsPerRow);
     REQUIRE(starts[place] == grid.starts[cell]);
     REQUIRE(starts[place + 1] == grid.starts[cell + 1]);
   }
   for (std::uint32_t item = 0; item < grid.items.size(); ++item) {
-    const gpu::uvec4& items = flat.rows[flat.constants.gridSides.w + item / gpu::kItemsPerRow];
+    const gpu::uvec4& items = flat.rows[flat.constants.firstItemRow + item / gpu::kItemsPerRow];
     const std::uint32_t slot = items[static_cast<int>(item % gpu::kItemsPerRow)];
-    const std::uint32_t primitive = flat.rows[flat.constants.sections.y + slot * gpu::kPrimitiveRows + 1].w;
+    const std::uint32_t primitive = flat.rows[flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows + 1].w;
     REQUIRE(primitive == bounds.finite[grid.items[item]]);
   }
 }
@@ -140,7 +140,7 @@ TEST_CASE("a grid has no more cells along an axis than flatten is told") {
   const flatten::FlatScene free = flatten::flattenScene(scene, settings);
   const flatten::FlatScene limited = flatten::flattenScene(scene, settings, {.maxGridSide = 4, .smallScene = {}});
   CHECK(free.constants.gridSides.x > 4);
-  CHECK(glm::all(glm::lessThanEqual(glm::uvec3(limited.constants.gridSides), glm::uvec3(4))));
+  CHECK(glm::all(glm::lessThanEqual(limited.constants.gridSides, glm::uvec3(4))));
   CHECK(free.structureQuality.at("density") == 2);
   CHECK(limited.structureQuality.at("density") < 2);
 }
@@ -153,9 +153,9 @@ TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
   settings.image.maxDepth = 4;
   settings.image.lightSize = 0.5f;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
-  REQUIRE(flat.constants.limits.z == scene.pointLights.size());
+  REQUIRE(flat.constants.lightCount == scene.pointLights.size());
   for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
-    const std::size_t row = flat.constants.sections.w + i * gpu::kPointLightRows;
+    const std::size_t row = flat.constants.firstLightRow + i * gpu::kPointLightRows;
     const glm::dvec3 edgeU = xyz(flat.rows[row + 2]);
     const glm::dvec3 edgeV = xyz(flat.rows[row + 3]);
     const glm::dvec3 towards = glm::dvec3(scene.camera->at) - glm::dvec3(scene.pointLights[i].position);
@@ -171,7 +171,7 @@ TEST_CASE("room for rays that wait is made where there is glass, one for each de
   render::RenderSettings settings = smallSettings();
   settings.image.integrator = render::Integrator::whitted;
   settings.image.maxDepth = 5;
-  CHECK(flatten::flattenScene(loadFixture("point_light.p3f"), settings).constants.limits.w == gpu::kTreeRows);
-  CHECK(flatten::flattenScene(loadFixture("primitives.p3f"), settings).constants.limits.w ==
+  CHECK(flatten::flattenScene(loadFixture("point_light.p3f"), settings).constants.stateRows == gpu::kTreeRows);
+  CHECK(flatten::flattenScene(loadFixture("primitives.p3f"), settings).constants.stateRows ==
         gpu::kTreeRows + 4 * gpu::kWaitingRows);
 }

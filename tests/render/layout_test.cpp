@@ -71,22 +71,60 @@ class Module {
 
 TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   const Module module(spirv::path);
-  CHECK(
-      module.offsetsOf("RenderConstants") ==
-      Offsets{MEMBER(RenderConstants, cameraOrigin), MEMBER(RenderConstants, cameraForward),
-              MEMBER(RenderConstants, cameraRight), MEMBER(RenderConstants, cameraUp),
-              MEMBER(RenderConstants, lensRight), MEMBER(RenderConstants, lensUp), MEMBER(RenderConstants, background),
-              MEMBER(RenderConstants, imageSeed), MEMBER(RenderConstants, limits), MEMBER(RenderConstants, sections),
-              MEMBER(RenderConstants, moreSections), MEMBER(RenderConstants, gridLow),
-              MEMBER(RenderConstants, gridHigh), MEMBER(RenderConstants, gridScale), MEMBER(RenderConstants, gridWidth),
-              MEMBER(RenderConstants, gridSides), MEMBER(RenderConstants, gridStrides)});
+  CHECK(module.offsetsOf("RenderConstants") == Offsets{MEMBER(RenderConstants, cameraOrigin),
+                                                       MEMBER(RenderConstants, pixelOriginX),
+                                                       MEMBER(RenderConstants, cameraForward),
+                                                       MEMBER(RenderConstants, pixelOriginY),
+                                                       MEMBER(RenderConstants, cameraRight),
+                                                       MEMBER(RenderConstants, inversePixelsAcross),
+                                                       MEMBER(RenderConstants, cameraUp),
+                                                       MEMBER(RenderConstants, inversePixelsDown),
+                                                       MEMBER(RenderConstants, lensRight),
+                                                       MEMBER(RenderConstants, inverseFocal),
+                                                       MEMBER(RenderConstants, lensUp),
+                                                       MEMBER(RenderConstants, unused0),
+                                                       MEMBER(RenderConstants, background),
+                                                       MEMBER(RenderConstants, aoDistance),
+                                                       MEMBER(RenderConstants, imageWidth),
+                                                       MEMBER(RenderConstants, imageHeight),
+                                                       MEMBER(RenderConstants, seed),
+                                                       MEMBER(RenderConstants, strataPerSide),
+                                                       MEMBER(RenderConstants, maxDepth),
+                                                       MEMBER(RenderConstants, rouletteStart),
+                                                       MEMBER(RenderConstants, lightCount),
+                                                       MEMBER(RenderConstants, stateRows),
+                                                       MEMBER(RenderConstants, firstStructureRow),
+                                                       MEMBER(RenderConstants, firstPrimitiveRow),
+                                                       MEMBER(RenderConstants, firstMaterialRow),
+                                                       MEMBER(RenderConstants, firstLightRow),
+                                                       MEMBER(RenderConstants, firstNormalRow),
+                                                       MEMBER(RenderConstants, firstSkyRow),
+                                                       MEMBER(RenderConstants, firstPlaneSlot),
+                                                       MEMBER(RenderConstants, slotCount),
+                                                       MEMBER(RenderConstants, gridLow),
+                                                       MEMBER(RenderConstants, gridReach),
+                                                       MEMBER(RenderConstants, gridHigh),
+                                                       MEMBER(RenderConstants, unused1),
+                                                       MEMBER(RenderConstants, gridScale),
+                                                       MEMBER(RenderConstants, unused2),
+                                                       MEMBER(RenderConstants, gridWidth),
+                                                       MEMBER(RenderConstants, unused3),
+                                                       MEMBER(RenderConstants, gridSides),
+                                                       MEMBER(RenderConstants, firstItemRow),
+                                                       MEMBER(RenderConstants, gridStrides),
+                                                       MEMBER(RenderConstants, unused4)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
-        Offsets{MEMBER(DispatchConstants, region), MEMBER(DispatchConstants, work)});
+        Offsets{MEMBER(DispatchConstants, regionOrigin), MEMBER(DispatchConstants, regionSize),
+                MEMBER(DispatchConstants, firstRow), MEMBER(DispatchConstants, maxSegments),
+                MEMBER(DispatchConstants, sampleEnd), MEMBER(DispatchConstants, maxIterations),
+                MEMBER(DispatchConstants, roundParity), MEMBER(DispatchConstants, bandPixels)});
   CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving),
                                                  MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
                                                  MEMBER(PathState, counts)});
+  CHECK(module.offsetsOf("PathCounts") == Offsets{MEMBER(PathCounts, bounceRays), MEMBER(PathCounts, shadowRays),
+                                                  MEMBER(PathCounts, vertices), MEMBER(PathCounts, steps)});
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
                                                 MEMBER(FilmRows, luminanceSquared)});
   CHECK(module.offsetsOf("Counters") == Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated),
@@ -102,7 +140,7 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
   CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
                                                  MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
   for (const char* name :
-       {"PathState", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
+       {"PathState", "PathCounts", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
     CAPTURE(name);
     CHECK(module.offsetsOf(name) == Module(spirv::path).offsetsOf(name));
   }
@@ -142,12 +180,6 @@ TEST_CASE("the film's pixel is what the device writes") {
 TEST_CASE("path records have the same vocabulary on both sides") {
   CHECK(render::PathRecord::kRecordedVertices == gpu::kRecordedVertices);
   CHECK(render::VertexRecord::kMiss == gpu::kRecordMiss);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::none) == gpu::kLobeNone);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::diffuse) == gpu::kLobeDiffuse);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::glossy) == gpu::kLobeGlossy);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::mirror) == gpu::kLobeMirror);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::reflect) == gpu::kLobeReflect);
-  CHECK(static_cast<std::uint32_t>(render::Lobe::refract) == gpu::kLobeRefract);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::notTraced) == gpu::kShadowNotTraced);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::visible) == gpu::kShadowVisible);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::occluded) == gpu::kShadowOccluded);

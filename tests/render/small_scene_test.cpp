@@ -65,7 +65,7 @@ TEST_CASE("a small scene has its rows in the uniform buffer too, unless a struct
   REQUIRE(row.uniformSlots == scene.primitives.size());
   CHECK(row.structure == gpu::kStructureNone);
   for (std::uint32_t i = 0; i < row.uniformSlots * gpu::kPrimitiveRows; ++i) {
-    CHECK(row.slotRows[i] == row.rows[row.constants.sections.y + i]);
+    CHECK(row.slotRows[i] == row.rows[row.constants.firstPrimitiveRow + i]);
   }
   settings.structure.bvhLayout = render::BvhLayout::cwbvh;
   CHECK(flatten::flattenScene(scene, settings, limits).structure == gpu::kStructureWideBvh);

@@ -1,0 +1,16 @@
+// The list of the lobes of materials. It is here and not with the shaders, which read it as well, because the reference
+// tracer includes nothing of the shaders.
+#ifndef CANDELA_RENDER_LOBE_LIST_H
+#define CANDELA_RENDER_LOBE_LIST_H
+
+// X(render::Lobe, constant in GLSL, value in both, which path records contain). `none`: the path ends before the
+// choice.
+#define CANDELA_LOBES(X)       \
+  X(none, kLobeNone, 0u)       \
+  X(diffuse, kLobeDiffuse, 1u) \
+  X(glossy, kLobeGlossy, 2u)   \
+  X(mirror, kLobeMirror, 3u)   \
+  X(reflect, kLobeReflect, 4u) \
+  X(refract, kLobeRefract, 5u)
+
+#endif

@@ -1,0 +1,31 @@
+// The lists of what GLSL and C++ both name: a scene's feature flags, and in the included files the kinds of primitives
+// and the lobes of materials. Each list is a macro that applies its argument to every entry; both languages make their
+// declarations from it. A macro needs no generator in the build or in an installed header, and messages of both
+// compilers point to these files.
+#ifndef CANDELA_SHARED_FEATURES_H
+#define CANDELA_SHARED_FEATURES_H
+#include "../../host/render/lobe_list.h"
+#include "../../host/scene/primitive_kind_list.h"
+
+// X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant): what a scene does not use is
+// compiled out. Other ids are in specialization.h; ids from 29 to 39 are free.
+#define CANDELA_FEATURES(X)                                                                      \
+  X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
+  X(triangles, kHasTriangles, 3)                                                                 \
+  X(boxes, kHasBoxes, 4)                                                                         \
+  X(cones, kHasCones, 5)                                                                         \
+  X(planes, kHasPlanes, 6)                                                                       \
+  X(smooth, kHasSmooth, 7)   /* some triangle has vertex normals */                              \
+  X(diffuse, kHasDiffuse, 8) /* lobes present */                                                 \
+  X(glossy, kHasGlossy, 9)                                                                       \
+  X(mirror, kHasMirror, 10)                                                                      \
+  X(dielectric, kHasDielectric, 11)                                                              \
+  X(emission, kHasEmission, 12)         /* some primitive emits */                               \
+  X(sphereLights, kHasSphereLights, 13) /* kinds of entries in the light table */                \
+  X(triangleLights, kHasTriangleLights, 14)                                                      \
+  X(pointLights, kHasPointLights, 15)                                                            \
+  X(insideOnly, kHasInsideOnly, 26) /* some sphere has a negative radius */                      \
+  X(sky, kHasSky, 16)                                                                            \
+  X(mixtures, kHasMixtures, 25) /* some material has more than one lobe */
+
+#endif
