@@ -24,8 +24,35 @@ void addRun(render::RenderStatistics statistics, std::uint64_t hash, Measurement
   measurement.statistics = std::move(statistics);
   measurement.agrees &= measurement.statistics.truncated == 0;
   insertAscending(measurement.traceSeconds, measurement.statistics.seconds["trace"]);
-  insertAscending(measurement.buildSeconds, measurement.statistics.seconds["structure"]);
 }
+
+// The sessions of all variants, made when they are first needed.
+class Sessions {
+ public:
+  Sessions(render::Renderer& renderer, const scene::Scene& scene, Preparation preparation, std::size_t count)
+      : renderer_(renderer), scene_(scene), preparation_(preparation), sessions_(count) {}
+
+  /// The session of a variant, with an empty film.
+  render::Session& get(std::size_t index, const render::RenderSettings& settings) {
+    std::unique_ptr<render::Session>& session = sessions_[index];
+    if (session) {
+      session->reset(settings.image.seed);
+    } else {
+      session = renderer_.prepare(scene_, settings);
+    }
+    return *session;
+  }
+  void release(std::size_t index) {
+    if (preparation_ == Preparation::everyRun) sessions_[index].reset();
+  }
+  bool isPrepared(std::size_t index) const { return sessions_[index] != nullptr; }
+
+ private:
+  render::Renderer& renderer_;
+  const scene::Scene& scene_;
+  Preparation preparation_;
+  std::vector<std::unique_ptr<render::Session>> sessions_;
+};
 
 // How often each film came of an image.
 using RunsByHash = std::map<std::uint64_t, std::uint32_t>;
@@ -85,21 +112,27 @@ double Measurement::stepsPerRay() const {
 
 std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
                                             std::span<const Variant> variants, std::uint32_t repeats,
-                                            const render::RenderControl& control) {
+                                            const render::RenderControl& control, Preparation preparation) {
   const std::uint32_t runs = repeats * static_cast<std::uint32_t>(variants.size());
   std::vector<Measurement> measurements;
   for (const Variant& variant : variants) measurements.push_back({.variant = variant});
+  Sessions sessions(renderer, scene, preparation, variants.size());
   std::map<std::string, RunsByHash> runsByImage;
   std::uint64_t samples = 0;
   for (std::uint32_t run = 0; run < runs; ++run) {
-    Measurement& measurement = measurements[run % variants.size()];
-    render::RenderResult result = renderer.render(scene, measurement.variant.settings,
-                                                  shareOf(control, run, runs, samples));
-    if (result.interrupted) return {};
-    samples += result.statistics.samples;
-    const std::uint64_t hash = result.film.hash();
+    const std::size_t index = run % variants.size();
+    Measurement& measurement = measurements[index];
+    const bool wasPrepared = sessions.isPrepared(index);
+    render::Session& session = sessions.get(index, measurement.variant.settings);
+    const render::SampleRange all{0, measurement.variant.settings.image.sampleCount};
+    if (!session.advance(all, shareOf(control, run, runs, samples))) return {};
+    render::RenderStatistics statistics = session.statistics();
+    const std::uint64_t hash = session.film().hash();
+    sessions.release(index);
+    samples += statistics.samples;
     ++runsByImage[measurement.variant.image][hash];
-    addRun(std::move(result.statistics), hash, measurement);
+    if (!wasPrepared) insertAscending(measurement.buildSeconds, statistics.seconds["structure"]);
+    addRun(std::move(statistics), hash, measurement);
   }
   for (Measurement& measurement : measurements) {
     measurement.agrees &= measurement.filmHash == commonHash(runsByImage.at(measurement.variant.image));

@@ -23,7 +23,7 @@ struct Measurement {
   render::RenderStatistics statistics{};  ///< of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
-  std::vector<double> buildSeconds{};  ///< of the search structure, one per run, ascending
+  std::vector<double> buildSeconds{};  ///< of the search structure, one per preparation, ascending
   double pipelineSeconds = 0;          ///< of the first run, in which a driver compiles
   bool agrees = true;                  ///< every run was complete and gave what most runs of the same image gave
   /// relMSE (compareImages) of the image to what it converges to; absent where nobody has measured it: measureNoise().
@@ -43,12 +43,19 @@ double percentile(std::span<const double> ascending, double q);
 /// (largest - smallest) / median; 0 for none.
 double spread(std::span<const double> ascending);
 
+/// What is prepared anew for each run of a variant.
+enum class Preparation {
+  once,     ///< nothing: its session is kept
+  everyRun  ///< everything, so that the build of the search structure is measured as often as tracing
+};
+
 /// Runs every variant `repeats` times, all once before any twice. One measurement per variant, in their order; none at
 /// all if `control` stops a run, since what is left of it is no measurement.
-/// Throws what Renderer::render throws.
+/// Throws what Renderer::prepare and Session::advance throw.
 std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
                                             std::span<const Variant> variants, std::uint32_t repeats,
-                                            const render::RenderControl& control);
+                                            const render::RenderControl& control,
+                                            Preparation preparation = Preparation::once);
 
 /// Renders each image twice more, with two other seeds, and takes half of the relMSE between the two for what either
 /// has: that holds for evenly spread samples, too. False if `control` stops a run.

@@ -59,7 +59,7 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   json["filmHash"] = hashText(m.filmHash);
   json["sameImage"] = m.agrees;
   json["variant"] = m.variant.name;
-  json["structure"] = m.statistics.structure;
+  json["structure"] = render::structureName(m.statistics.structure);
   json["bvhSplit"] = m.statistics.bvhSplit;
   json["bvhQuality"] = m.statistics.bvhQuality;
   json["size"] = extentText(m.variant.settings.image.size);

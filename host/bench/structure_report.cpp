@@ -21,7 +21,8 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
 
 // What was in use rather than what was asked for: the reference has a tree of its own, and none for few primitives.
 std::string structureText(const Measurement& m) {
-  if (m.statistics.structure != "bvh") return m.statistics.structure == "grid" ? "uniform grid" : "none";
+  if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
+  if (m.statistics.structure == render::AccelKind::none) return "none";
   return m.statistics.bvhSplit == "sah" ? "BVH, SAH" : "BVH, " + m.statistics.bvhSplit;
 }
 

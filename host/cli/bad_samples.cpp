@@ -81,15 +81,13 @@ ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJo
   return pixels;
 }
 
-ordered_json badSamplesJson(const render::BadSampleTally& device, const render::BadSampleTally& reference,
-                            const RenderJob& job) {
-  return {{"device", sideJson(device, job)}, {"reference", sideJson(reference, job)}};
+ordered_json badSamplesJson(const render::BadSampleTallies& tallies, const RenderJob& job) {
+  return {{"device", sideJson(tallies.device, job)}, {"reference", sideJson(tallies.reference, job)}};
 }
 
-void reportBadSamples(const render::BadSampleTally& device, const render::BadSampleTally& reference,
-                      const RenderJob& job, const Log& log) {
-  for (const std::string& line : badSampleLines(device, job)) log.problem("device: " + line);
-  for (const std::string& line : badSampleLines(reference, job)) log.problem("reference: " + line);
+void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log) {
+  for (const std::string& line : badSampleLines(tallies.device, job)) log.problem("device: " + line);
+  for (const std::string& line : badSampleLines(tallies.reference, job)) log.problem("reference: " + line);
 }
 
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {

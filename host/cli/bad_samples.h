@@ -21,11 +21,9 @@ std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, con
 nlohmann::ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job);
 
 /// Of two tracers: for each the numbers of bad samples and of pixels that have some, and the first of these.
-nlohmann::ordered_json badSamplesJson(const render::BadSampleTally& device, const render::BadSampleTally& reference,
-                                      const RenderJob& job);
+nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies, const RenderJob& job);
 /// Puts the lines of both into the log.
-void reportBadSamples(const render::BadSampleTally& device, const render::BadSampleTally& reference,
-                      const RenderJob& job, const Log& log);
+void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log);
 
 /// `code`; but where a run is otherwise in order and --strict forbids the bad samples that it met, says so and gives
 /// ExitCode::differ.

@@ -37,12 +37,13 @@ constexpr std::uint32_t kTable1Samples = 15 * 15;
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
-  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name, settings.image.size.width,
-                       settings.image.size.height, settings.image.sampleCount, variants.size(), arguments.repeats));
+  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name,
+                       settings.image.size.width, settings.image.size.height, settings.image.sampleCount,
+                       variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   std::vector<StructureRow> rows;
-  for (Measurement& measurement :
-       bench::measureInterleaved(renderer, scene, variants, arguments.repeats, makeControl(progress))) {
+  for (Measurement& measurement : bench::measureInterleaved(renderer, scene, variants, arguments.repeats,
+                                                            makeControl(progress), bench::Preparation::everyRun)) {
     rows.push_back({scene.name, scene.hash, std::move(measurement), std::nullopt});
   }
   return rows;
@@ -74,7 +75,8 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
       const render::RenderSettings& settings = row.measurement.variant.settings;
       if (!isPublishedWork(settings)) break;
       if (settings.structure.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
-      if (settings.structure.accel == render::AccelKind::bvh && settings.structure.bvhSplit == render::BvhSplit::midpoint) {
+      if (settings.structure.accel == render::AccelKind::bvh &&
+          settings.structure.bvhSplit == render::BvhSplit::midpoint) {
         row.publishedSeconds = published.bvhSeconds;
       }
     }

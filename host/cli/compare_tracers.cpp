@@ -30,15 +30,15 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   }();
   requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;
-  reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
+  reportBadSamples(report.badSamples, job, log);
   nlohmann::ordered_json json = report.toJson();
-  json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
+  json["badSamples"] = badSamplesJson(report.badSamples, job);
   writeJson(arguments.json, json);
   if (!arguments.report.empty() && !report.interrupted) {
     writeReport(arguments.report, agreementReport(arguments, job, report));
   }
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
-  const std::uint64_t badSamples = report.deviceBadSamples.samples() + report.referenceBadSamples.samples();
+  const std::uint64_t badSamples = report.badSamples.device.samples() + report.badSamples.reference.samples();
   return strictly(report.interrupted ? ExitCode::interrupted : code, badSamples, arguments, log);
 }
 

@@ -39,8 +39,8 @@ render::PixelSample sampleAskedFor(const RenderJob& job) {
   }
   if (job.arguments.sample >= job.settings.image.sampleCount) {
     throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
-                                 job.arguments.sample, job.settings.image.sampleCount, job.settings.image.sampleCount - 1,
-                                 job.arguments.sample + 1));
+                                 job.arguments.sample, job.settings.image.sampleCount,
+                                 job.settings.image.sampleCount - 1, job.arguments.sample + 1));
   }
   return {x, y, job.arguments.sample};
 }
@@ -52,11 +52,12 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
 }
 
 // Draws both pictures at one sample per pixel to find the place.
-ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::ReplayingRenderer& device,
-                           render::ReplayingRenderer& reference) {
+ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Renderer& device,
+                           render::Renderer& reference) {
   const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
+    render::BadSampleTallies badSamples;  // `compare` reports them
+    return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress), badSamples);
   }();
   if (!pixels) {
     log.note("interrupted; nothing is explained");
@@ -79,8 +80,8 @@ ExitCode runExplain(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
   const std::optional<render::PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
-  const std::unique_ptr<render::ReplayingRenderer> device = makeRenderer(arguments, log);
-  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
+  const std::unique_ptr<render::Renderer> device = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   if (!sample) return explainWorstPixel(job, log, *device, *reference);
   publish(explain::explainSample(job.scene, job.settings, *sample, *device, *reference), job.arguments);
   return ExitCode::done;

@@ -63,7 +63,7 @@ std::vector<Option> imageOptions() {
   const std::string defaultSamples = std::to_string(render::RenderSettings{}.image.sampleCount);
   return {
     valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
-           orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
+           orAbsent(wholeNumber(0, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.image.seed; }),
     valued({"--size", kTracing, kGroup, "of the image, in pixels"},

@@ -84,7 +84,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   writeImages(job, result, log);
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start};
-  report.badSamples.add(result.film, job.settings);
+  report.badSamples.add(result.film, job.settings.image);
   for (const std::string& line : badSampleLines(report.badSamples, job)) log.problem(line);
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;

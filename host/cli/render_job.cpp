@@ -12,6 +12,7 @@
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
 #include "host/reference/reference_renderer.h"
+#include "host/render/request.h"
 #include "host/scene/load.h"
 #include "host/vulkan/device.h"
 
@@ -34,14 +35,6 @@ void requireMemoryForFilm(const render::Extent& size) {
                                      size.width, size.height, needed / kGiB, present / kGiB));
 }
 
-render::AccelKind requestedAccel(const scene::Scene& scene) {
-  constexpr std::uint32_t kNone = 0;
-  constexpr std::uint32_t kGrid = 1;
-  if (scene.requestedAccel == kNone) return render::AccelKind::none;
-  if (scene.requestedAccel == kGrid) return render::AccelKind::grid;
-  return render::AccelKind::bvh;
-}
-
 // Options that not every render reads.
 struct SpecialOption {
   const char* option;
@@ -49,7 +42,8 @@ struct SpecialOption {
   const char* reader;
 };
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee", [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
+    SpecialOption{"--nee",
+                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
                   "--integrator path"},
     SpecialOption{"--rr-start",
                   [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
@@ -62,11 +56,14 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--ao-distance",
                   [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::ao; },
                   "--integrator ao"},
-    SpecialOption{"--grid-density", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::grid; },
+    SpecialOption{"--grid-density",
+                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::grid; },
                   "--accel grid"},
-    SpecialOption{"--layout", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
+    SpecialOption{"--layout",
+                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
                   "--accel bvh"},
-    SpecialOption{"--bvh-split", [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
+    SpecialOption{"--bvh-split",
+                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
                   "--accel bvh"},
     SpecialOption{"--bvh-quality",
                   [](const render::RenderSettings& s) {
@@ -94,15 +91,16 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
   if (!arguments.sampleCount && scene.requestedSamples) {
     log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
   }
-  if (!arguments.sampleCount)
-    arguments.sampleCount = scene.requestedSamples.value_or(render::RenderSettings{}.image.sampleCount);
-  if (!arguments.accel) arguments.accel = requestedAccel(scene);
-  if (!arguments.maxDepth) arguments.maxDepth = defaultMaxDepth(arguments.settings.image.integrator);
-  if (!arguments.size) arguments.size = render::Extent{scene.camera->width, scene.camera->height};
-  arguments.settings.image.sampleCount = *arguments.sampleCount;
-  arguments.settings.image.maxDepth = *arguments.maxDepth;
-  arguments.settings.structure.accel = *arguments.accel;
-  arguments.settings.image.size = *arguments.size;
+  const render::RenderRequest request{.sampleCount = arguments.sampleCount,
+                                      .size = arguments.size,
+                                      .accel = arguments.accel,
+                                      .maxDepth = arguments.maxDepth,
+                                      .settings = arguments.settings};
+  arguments.settings = render::resolve(request, scene);
+  arguments.sampleCount = render::requestedSampleCount(request, scene);
+  arguments.size = arguments.settings.image.size;
+  arguments.accel = arguments.settings.structure.accel;
+  arguments.maxDepth = arguments.settings.image.maxDepth;
 }
 
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
@@ -126,11 +124,11 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   return job;
 }
 
-std::unique_ptr<render::ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log) {
+std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") return reference::makeReferenceRenderer();
   vulkan::Device device = vulkan::Device::open(arguments.device);
   render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
-  return std::make_unique<TunedRenderer>(device::makeGpuRenderer(std::move(device)), std::move(choices));
+  return std::make_unique<TunedRenderer>(device::makeGpuRenderer(std::move(device)), std::move(choices), log);
 }
 
 render::RenderControl makeControl(Progress& progress) {
@@ -142,7 +140,7 @@ render::RenderControl makeControl(Progress& progress) {
 
 void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
-  if (statistics.structure == "grid") {
+  if (statistics.structure == render::AccelKind::grid) {
     throw FileError(
         fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
                     "nothing is written: use --accel bvh",

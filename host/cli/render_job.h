@@ -6,7 +6,7 @@
 #include "host/cli/arguments.h"
 #include "host/core/log.h"
 #include "host/core/progress.h"
-#include "host/render/replay.h"
+#include "host/render/renderer.h"
 #include "host/scene/scene.h"
 
 namespace candela::cli {
@@ -31,7 +31,7 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
 
 /// "cpu": the reference; everything else: a Vulkan device, on which `auto` means what `candela tune` found, unless the
 /// arguments have it otherwise. Throws NoDeviceError.
-std::unique_ptr<render::ReplayingRenderer> makeRenderer(const Arguments& arguments, const Log& log);
+std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log);
 
 /// Progress on stderr; SIGINT and SIGTERM stop.
 render::RenderControl makeControl(Progress& progress);

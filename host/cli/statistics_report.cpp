@@ -113,7 +113,7 @@ ordered_json toJson(const RenderReport& report) {
   json["device"] = statistics.device;
   json["driver"] = statistics.driver;
   json["kernel"] = statistics.kernel;
-  json["structure"] = statistics.structure;
+  json["structure"] = render::structureName(statistics.structure);
   json["bvhSplit"] = statistics.bvhSplit;
   json["bvhQuality"] = statistics.bvhQuality;
   json["layout"] = statistics.layout;

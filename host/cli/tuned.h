@@ -2,9 +2,11 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "host/cli/arguments.h"
-#include "host/render/replay.h"
+#include "host/render/renderer.h"
 #include "host/tune/tuning_file.h"
 
 namespace candela::cli {
@@ -19,29 +21,27 @@ std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& 
 /// What is kept, or without it, or if `--untuned` is given, what is built in.
 render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log);
 
-/// Renders as another renderer does, with these choices.
-class TunedRenderer final : public render::ReplayingRenderer {
+/// Renders as another renderer does, with these choices, and logs the warnings of sessions, each once.
+class TunedRenderer final : public render::Renderer {
  public:
-  TunedRenderer(std::unique_ptr<render::ReplayingRenderer> renderer, render::AutomaticChoices choices)
-      : renderer_(std::move(renderer)), choices_(std::move(choices)) {}
+  TunedRenderer(std::unique_ptr<render::Renderer> renderer, render::AutomaticChoices choices, const Log& log)
+      : renderer_(std::move(renderer)), choices_(std::move(choices)), log_(log) {}
 
-  render::RenderResult render(const scene::Scene& scene, const render::RenderSettings& settings,
-                              const render::RenderControl& control) override {
-    return renderer_->render(scene, tuned(settings), control);
-  }
-  render::Replay replay(const scene::Scene& scene, const render::RenderSettings& settings,
-                        const render::PixelSample& sample) override {
-    return renderer_->replay(scene, tuned(settings), sample);
+  std::unique_ptr<render::Session> prepare(const scene::Scene& scene, const render::RenderSettings& settings) override {
+    render::RenderSettings tuned = settings;
+    tuned.execution.automatic = choices_;
+    std::unique_ptr<render::Session> session = renderer_->prepare(scene, tuned);
+    for (const std::string& warning : session->statistics().warnings) {
+      if (warned_.insert(warning).second) log_.warning(warning);
+    }
+    return session;
   }
 
  private:
-  render::RenderSettings tuned(render::RenderSettings settings) const {
-    settings.execution.automatic = choices_;
-    return settings;
-  }
-
-  std::unique_ptr<render::ReplayingRenderer> renderer_;
+  std::unique_ptr<render::Renderer> renderer_;
   render::AutomaticChoices choices_;
+  const Log& log_;
+  std::set<std::string> warned_;
 };
 
 }  // namespace candela::cli

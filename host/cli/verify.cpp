@@ -20,8 +20,8 @@ namespace {
 
 // Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the
 // verdict.
-void explainWorst(const verify::VerifyReport& report, const RenderJob& job, render::ReplayingRenderer& device,
-                  render::ReplayingRenderer& reference, bool asText, nlohmann::ordered_json& json) {
+void explainWorst(const verify::VerifyReport& report, const RenderJob& job, render::Renderer& device,
+                  render::Renderer& reference, bool asText, nlohmann::ordered_json& json) {
   const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,
                                                                           reference);
   if (worst) requireComplete(worst->statistics);
@@ -42,8 +42,8 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.junit);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);
-  const std::unique_ptr<render::ReplayingRenderer> device = makeRenderer(arguments, log);
-  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
+  const std::unique_ptr<render::Renderer> device = makeRenderer(arguments, log);
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   render::RenderControl control;
   control.stop = &watchInterrupts();
   verify::LightTestOptions options = arguments.verification;
@@ -52,9 +52,9 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
                                                           control);
   const bool asText = arguments.wantsText() && arguments.junit != "-";
   if (asText) std::cout << toText(report) << std::flush;
-  reportBadSamples(report.deviceBadSamples, report.referenceBadSamples, job, log);
+  reportBadSamples(report.tallies, job, log);
   nlohmann::ordered_json json = toJson(report);
-  json["badSamples"] = badSamplesJson(report.deviceBadSamples, report.referenceBadSamples, job);
+  json["badSamples"] = badSamplesJson(report.tallies, job);
   if (arguments.explain && !report.interrupted) explainWorst(report, job, *device, *reference, asText, json);
   writeText(arguments.junit, toJunit(report, arguments.strict));
   writeJson(arguments.json, json);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <span>
 
 #include "host/core/errors.h"
@@ -14,8 +16,12 @@ namespace candela::device {
 namespace {
 
 constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
-constexpr std::uint64_t kReadBytes = std::uint64_t{4} << 20;       // of path states read back at a time
-constexpr std::uint64_t kMaxBufferBytes = std::uint64_t{1} << 30;  // what every device allocates in one piece
+constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // of path states that are copied at a time
+
+// A pixel's state starts with a PathState or a TreeState, both of which have the sample index at the same offset.
+constexpr std::size_t kSampleIndexOffset = offsetof(gpu::PathState, radianceSample) + 3 * sizeof(gpu::uint);
+static_assert(offsetof(gpu::TreeState, radianceSample) == offsetof(gpu::PathState, radianceSample));
+static_assert(offsetof(gpu::WaveState, path) == 0);
 
 /// What stands before the path records of so many pixels.
 std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
@@ -44,13 +50,16 @@ GovernorOptions governorOptions(const render::RenderSettings& settings, const Lo
   options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
   options.totalPixels = pixels;
   options.workgroupPixels = settings.execution.workgroupInUse().width * settings.execution.workgroupInUse().height;
-  if (settings.execution.tile) options.fixedPixels = std::uint64_t{settings.execution.tile->width} * settings.execution.tile->height;
-  if (settings.execution.segmentsPerDispatch) options.fixedSegments = std::min(*settings.execution.segmentsPerDispatch, budget.maxSegments);
+  if (settings.execution.tile)
+    options.fixedPixels = std::uint64_t{settings.execution.tile->width} * settings.execution.tile->height;
+  if (settings.execution.segmentsPerDispatch)
+    options.fixedSegments = std::min(*settings.execution.segmentsPerDispatch, budget.maxSegments);
   return options;
 }
 
 TileCursor cursorOver(render::Extent band, const render::RenderSettings& settings) {
-  return settings.execution.tile ? TileCursor::ofTiles(band, *settings.execution.tile) : TileCursor(band, settings.execution.workgroupInUse());
+  return settings.execution.tile ? TileCursor::ofTiles(band, *settings.execution.tile)
+                                 : TileCursor(band, settings.execution.workgroupInUse());
 }
 
 render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
@@ -63,10 +72,11 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 
 }  // namespace
 
-std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings) {
+std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
+                         std::uint64_t maxBytes) {
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.size.width;
   // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
-  const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, kMaxBufferBytes, info.memoryBytes / 4});
+  const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
   const std::uint64_t head = headBytes(kernel, 0);
   const std::uint64_t rows = mostBytes <= head ? 0 : (mostBytes - head) / rowBytes;
   if (rows == 0) {
@@ -76,36 +86,66 @@ std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, c
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.size.height));
 }
 
-Band::Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
+Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::ComputePipeline> pipelines,
            const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight)
     : device_(device),
       kernel_(kernel),
-      pipelines_(pipelines),
+      pipelines_(std::move(pipelines)),
       settings_(settings),
       width_(settings.image.size.width),
       states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
-      bindings_(*pipelines.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
+      bindings_(pipelines_.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
 
-void Band::start(BandRows rows) {
+void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint32_t firstSample) {
   rows_ = rows;
-  samplesSeen_ = 0;
+  samplesBefore_ = 0;
+  truncatedBefore_ = 0;
+  governor_.reset();
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.fillBuffer(states_, 0);
     recorder.fillBuffer(film_, 0);
     recorder.fillBuffer(results_, 0);
     recorder.fillBuffer(counters_, 0);
   });
+  samplesSeen_ = 0;
+  if (film.empty() && firstSample == 0) return;
+  if (!film.empty()) film_.upload(std::as_bytes(film));
+  setFirstSamples(film, firstSample);
 }
 
-double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudget& budget) {
+// The other words of a state whose sample has not begun are 0.
+void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample) {
+  const std::uint64_t size = kernel_.stateBytes;
+  const std::uint64_t chunk = std::min(pixels(), kChunkBytes / size);
+  for (std::uint64_t first = 0; first < pixels(); first += chunk) {
+    std::vector<std::byte> states(std::min(chunk, pixels() - first) * size);
+    for (std::uint64_t i = 0; i * size < states.size(); ++i) {
+      const std::uint32_t index = firstSample + (film.empty() ? 0 : film[first + i].sampleCount);
+      std::memcpy(&states[i * size + kSampleIndexOffset], &index, sizeof index);
+      samplesBefore_ += index;
+    }
+    states_.upload(states, first * size);
+  }
+}
+
+void Band::clearCounters() {
+  truncatedBefore_ += counters().truncated;
+  device_.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.fillBuffer(results_, 0, 0, sizeof(gpu::Counters));
+    recorder.fillBuffer(counters_, 0);
+  });
+  samplesSeen_ = 0;
+}
+
+double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget) {
   const gpu::DispatchConstants constants{.regionOrigin = {region.x, rows_.first + region.y},
                                          .regionSize = {region.width, region.height},
                                          .firstRow = rows_.first,
                                          .maxSegments = segments,
-                                         .sampleEnd = settings_.image.sampleCount,
+                                         .sampleEnd = sampleEnd,
                                          .maxIterations = budget.laneTurns,
                                          .roundParity = 0,
                                          .bandPixels = static_cast<std::uint32_t>(pixels())};
@@ -113,11 +153,11 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, const LoopBudg
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
-      const std::uint64_t longestPixel = std::uint64_t{settings_.image.sampleCount} * settings_.image.maxDepth;
+      const std::uint64_t longestPixel = std::uint64_t{sampleEnd} * settings_.image.maxDepth;
       const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
       recordRounds(recorder, pipelines_, bindings_, results_, constants, count, rounds);
     } else {
-      recorder.dispatch(*pipelines_.front(), bindings_, std::as_bytes(std::span(&constants, 1)), count);
+      recorder.dispatch(pipelines_.front(), bindings_, std::as_bytes(std::span(&constants, 1)), count);
     }
     recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
   });
@@ -136,28 +176,35 @@ std::uint64_t Band::takeFinishedSamples() {
   return fresh;
 }
 
-void Band::warmUp(const LoopBudget& budget) {
+void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const render::Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
-  dispatch({0, 0, corner.width, corner.height}, 1, budget);
+  dispatch({0, 0, corner.width, corner.height}, 1, sampleEnd, budget);
 }
 
-bool Band::finish(const LoopBudget& budget, const render::RenderControl& control, render::RenderStatistics& statistics,
+bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
+                  const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  Governor governor(governorOptions(settings_, budget, pixels()));
-  governor.record(governor.next(), 0, 0);  // the warm-up, which does not count
+  if (!governor_) {
+    governor_.emplace(governorOptions(settings_, budget, pixels()));
+    governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
+  }
   const render::Extent extent{width_, rows_.height};
   TileCursor cursor = cursorOver(extent, settings_);
   UnfinishedRows unfinished(extent);
-  while (counters().finishedPixels < pixels()) {
-    if (control.stop != nullptr && *control.stop) return false;
-    const Rect region = cursor.next(unfinished.pixelsHolding(governor.next().pixels, cursor.row()));
+  samplesFinished(takeFinishedSamples());  // those of the warm-up
+  while (counters().finishedPixels < pixelsLeft) {
+    if (control.stop != nullptr && *control.stop) {
+      clearCounters();
+      return false;
+    }
+    const Rect region = cursor.next(unfinished.pixelsHolding(governor_->next().pixels, cursor.row()));
     const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;
-    const Plan plan{lanes, governor.segmentsFor(active)};
-    const double seconds = dispatch(region, plan.segments, budget);
-    governor.record(plan, active, seconds);
+    const Plan plan{lanes, governor_->segmentsFor(active)};
+    const double seconds = dispatch(region, plan.segments, sampleEnd, budget);
+    governor_->record(plan, active, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);
     statistics.dispatchSeconds.push_back(seconds);
     statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, plan.segments);
@@ -166,21 +213,26 @@ bool Band::finish(const LoopBudget& budget, const render::RenderControl& control
     }
     samplesFinished(takeFinishedSamples());
   }
+  clearCounters();
   return true;
 }
 
-void Band::readCounts(render::RenderStatistics& statistics) {
+void Band::readFilm(std::span<image::FilmPixel> film) const { film_.download(std::as_writable_bytes(film)); }
+
+void Band::addCounts(render::RenderStatistics& statistics) const {
   const std::uint64_t size = kernel_.stateBytes;
-  const std::uint64_t most = std::min(pixels(), kReadBytes / size);
-  std::vector<std::byte> states(most * size);
-  for (std::uint64_t first = 0; first < pixels(); first += most) {
-    const std::span chunk(states.data(), std::min(most, pixels() - first) * size);
-    states_.download(chunk, first * size);
-    for (std::uint64_t at = 0; at < chunk.size(); at += size) kernel_.addCounts(chunk.subspan(at, size), statistics);
+  const std::uint64_t chunk = std::min(pixels(), kChunkBytes / size);
+  std::vector<std::byte> buffer(chunk * size);
+  for (std::uint64_t first = 0; first < pixels(); first += chunk) {
+    const std::span states(buffer.data(), std::min(chunk, pixels() - first) * size);
+    states_.download(states, first * size);
+    for (std::uint64_t at = 0; at < states.size(); at += size) kernel_.addCounts(states.subspan(at, size), statistics);
   }
+  statistics.cameraRays -= samplesBefore_;
+  statistics.truncated += truncatedBefore_ + counters().truncated;
 }
 
-void Band::readRecords(render::PathRecords& paths) {
+void Band::readRecords(render::PathRecords& paths) const {
   std::vector<gpu::uvec2> packed(pixels() * gpu::kRecordedVertices);
   results_.download(std::as_writable_bytes(std::span(packed)), recordOffset());
   for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
@@ -191,18 +243,6 @@ void Band::readRecords(render::PathRecords& paths) {
       path.vertices[path.vertexCount++] = unpackRecord(entry);
     }
   }
-}
-
-void Band::readBack(render::RenderResult& result) {
-  const std::span rows(result.film.pixels().data() + std::uint64_t{rows_.first} * width_, pixels());
-  film_.download(std::as_writable_bytes(rows));
-  for (const image::FilmPixel& pixel : rows) {
-    result.statistics.samples += pixel.sampleCount;
-    result.statistics.badSamples += pixel.badCount;
-  }
-  result.statistics.truncated += counters().truncated;
-  readCounts(result.statistics);
-  if (settings_.execution.recordPaths) readRecords(result.paths);
 }
 
 }  // namespace candela::device

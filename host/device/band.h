@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "host/device/device_scene.h"
@@ -9,7 +11,7 @@
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
 #include "host/image/film.h"
-#include "host/render/renderer.h"
+#include "host/render/session.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/compute_pipeline.h"
 
@@ -21,45 +23,62 @@ struct BandRows {
   std::uint32_t height = 0;
 };
 
-/// Tallest band that the device can bind for an image of this width, at least 1. Throws FileError if one row is too
-/// much.
-std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings);
+/// Height of the tallest band whose largest buffer has at most `maxBytes` and can be bound by the device, at least 1.
+/// Throws FileError if one row of the image is too much.
+std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
+                         std::uint64_t maxBytes);
 
-/// Buffers for one band, made once and used for each band in turn. `pipelines` are made of the kernel's modules, in
-/// that order.
+/// Buffers for one band, made once and used for each band of the image in turn.
 class Band {
  public:
-  Band(vulkan::Device& device, const Kernel& kernel, const std::vector<const vulkan::ComputePipeline*>& pipelines,
+  /// `pipelines` are made of the kernel's modules, in that order.
+  Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::ComputePipeline> pipelines,
        const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight);
 
-  /// Sets all paths and sums of the band to their beginning.
-  void start(BandRows rows);
-  /// One tiny dispatch, in which drivers compile.
-  void warmUp(const LoopBudget& budget);
-  /// Dispatches until every sample of the band is done or `control` says stop; adds times to `statistics`, and tells
-  /// `samplesFinished` of new samples as they come. True if all is done.
-  bool finish(const LoopBudget& budget, const render::RenderControl& control, render::RenderStatistics& statistics,
+  /// Makes these rows the band. `film` has their pixels, row by row, with consecutive samples from `firstSample` on; it
+  /// may be empty, then no pixel has a sample. Paths start with the first sample that their pixel lacks.
+  void load(BandRows rows, std::span<const image::FilmPixel> film, std::uint32_t firstSample);
+  /// The rows that load() was called with last.
+  BandRows rows() const { return rows_; }
+
+  /// Other specialisations of the same kernel, for the dispatches to come.
+  void setPipelines(std::vector<vulkan::ComputePipeline> pipelines) { pipelines_ = std::move(pipelines); }
+
+  /// One workgroup traces one segment, so that drivers compile the kernel; it may take as long as it likes.
+  void warmUp(std::uint32_t sampleEnd, const LoopBudget& budget);
+  /// Dispatches until every pixel has its samples up to `sampleEnd`, exclusive; `pixelsLeft` are the pixels that lack
+  /// some. False if `control` stopped it. Calls `samplesFinished` with the number of samples that each dispatch
+  /// finished.
+  bool finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
+              const render::RenderControl& control, render::RenderStatistics& statistics,
               const std::function<void(std::uint64_t)>& samplesFinished);
-  /// Copies the band's sums into `result.film`, its counts into the statistics, and its path records, if any.
-  void readBack(render::RenderResult& result);
+
+  /// Copies the band's film, which has as many pixels as the band.
+  void readFilm(std::span<image::FilmPixel> film) const;
+  /// Adds the counts of all work since load().
+  void addCounts(render::RenderStatistics& statistics) const;
+  void readRecords(render::PathRecords& paths) const;
 
  private:
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
-  double dispatch(const struct Rect& region, std::uint32_t segments, const LoopBudget& budget);
-  /// Of the path records in results_.
+  double dispatch(const struct Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget);
+  void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample);
+  void clearCounters();
+  /// Offset of the path records in results_.
   std::uint64_t recordOffset() const;
   const gpu::Counters& counters() const;
   std::uint64_t takeFinishedSamples();
-  void readCounts(render::RenderStatistics& statistics);
-  void readRecords(render::PathRecords& paths);
 
   vulkan::Device& device_;
   Kernel kernel_;
-  std::vector<const vulkan::ComputePipeline*> pipelines_;
+  std::vector<vulkan::ComputePipeline> pipelines_;
   const render::RenderSettings& settings_;
   std::uint32_t width_;
   BandRows rows_;
-  std::uint32_t samplesSeen_ = 0;  ///< of the wrapping counter
+  std::uint32_t samplesSeen_ = 0;      ///< of the wrapping counter
+  std::uint64_t samplesBefore_ = 0;    ///< sum of the sample indices at which load() started the pixels
+  std::uint64_t truncatedBefore_ = 0;  ///< of ranges that are finished
+  std::optional<Governor> governor_;   ///< keeps what it learned from one range to the next
   vulkan::Buffer states_;
   vulkan::Buffer film_;
   vulkan::Buffer results_;

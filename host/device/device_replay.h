@@ -3,7 +3,7 @@
 #include "host/device/device_scene.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
-#include "host/render/replay.h"
+#include "host/render/renderer.h"
 #include "host/vulkan/compute_pipeline.h"
 
 namespace candela::device {

@@ -60,9 +60,21 @@ DeviceScene::DeviceScene(vulkan::Device& device, const flatten::FlatScene& flat,
       rows_(makeRows(device, flat, !readsTexels_, vulkan::Usage::storage)),
       texels_(makeRows(device, flat, readsTexels_, vulkan::Usage::uniformTexel)),
       uniforms_(device, sizeof(gpu::RenderUniforms), vulkan::Usage::uniform) {
-  gpu::RenderUniforms uniforms{.constants = flat.constants, .slotRows = {}};
-  std::ranges::copy(flat.slotRows, uniforms.slotRows);
+  uploadUniforms(flat.constants, flat.slotRows);
+}
+
+void DeviceScene::uploadUniforms(const gpu::RenderConstants& constants, std::span<const gpu::uvec4> slotRows) {
+  gpu::RenderUniforms uniforms{.constants = constants, .slotRows = {}};
+  std::ranges::copy(slotRows, uniforms.slotRows);
   uniforms_.upload(std::as_bytes(std::span(&uniforms, 1)));
+}
+
+void DeviceScene::update(const flatten::CameraRecords& records) {
+  vulkan::Buffer& rows = readsTexels_ ? texels_ : rows_;
+  for (const flatten::RecordSpan* span : {&records.primitives, &records.pointLights}) {
+    if (!span->rows.empty()) rows.upload(std::as_bytes(std::span(span->rows)), span->first * kRowBytes);
+  }
+  uploadUniforms(records.constants, records.slotRows);
 }
 
 }  // namespace candela::device

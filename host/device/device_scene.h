@@ -1,5 +1,8 @@
 // A flattened scene in device memory.
 #pragma once
+#include <span>
+
+#include "host/flatten/camera_records.h"
 #include "host/flatten/flat_scene.h"
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/device.h"
@@ -22,12 +25,17 @@ class DeviceScene {
   /// `loads` as loadsFor() gives them.
   DeviceScene(vulkan::Device& device, const flatten::FlatScene& flat, render::SceneLoads loads);
 
+  /// Replaces what depends on the camera.
+  void update(const flatten::CameraRecords& records);
+
   bool readsTexels() const { return readsTexels_; }
   const vulkan::Buffer& rows() const { return rows_; }
   const vulkan::Buffer& texels() const { return texels_; }
   const vulkan::Buffer& uniforms() const { return uniforms_; }
 
  private:
+  void uploadUniforms(const gpu::RenderConstants& constants, std::span<const gpu::uvec4> slotRows);
+
   bool readsTexels_;
   vulkan::Buffer rows_;
   vulkan::Buffer texels_;

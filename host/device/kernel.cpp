@@ -61,7 +61,9 @@ std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::Render
 }
 
 void requireKernel(const render::RenderSettings& settings) {
-  if (settings.execution.kernel != render::KernelKind::wavefront || settings.image.integrator == render::Integrator::path) return;
+  if (settings.execution.kernel != render::KernelKind::wavefront ||
+      settings.image.integrator == render::Integrator::path)
+    return;
   throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
 }
 

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "host/flatten/flat_scene.h"
-#include "host/render/renderer.h"
+#include "host/render/statistics.h"
 
 namespace candela::device {
 
 struct Kernel {
-  const char* name;                                   ///< as in RenderStatistics::kernel
+  const char* name = "";                              ///< as in RenderStatistics::kernel
   std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
-  std::uint32_t stateBytes;                           ///< of a pixel
+  std::uint32_t stateBytes = 0;                       ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
-  void (*addCounts)(std::span<const std::byte> state, render::RenderStatistics& statistics);
+  void (*addCounts)(std::span<const std::byte> state, render::RenderStatistics& statistics) = nullptr;
 
   bool isWavefront() const { return spirv.size() > 1; }
 };

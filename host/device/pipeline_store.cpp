@@ -4,8 +4,8 @@
 
 namespace candela::device {
 
-const vulkan::ComputePipeline& PipelineStore::get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
-                                                  const vulkan::PipelineOptions& options) {
+vulkan::ComputePipeline PipelineStore::get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
+                                           const vulkan::PipelineOptions& options) {
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
     return entry.code == spirv.data() && entry.options == options;
   });

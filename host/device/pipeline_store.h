@@ -14,10 +14,10 @@ class PipelineStore {
   /// A render and its replay, with some settings of each, find their pipelines again; a sweep forgets the oldest.
   static constexpr std::size_t kCapacity = 16;
 
-  /// The pipeline of this code with these options; made if it is not there. Valid until kCapacity others are asked for.
-  /// Two modules are told apart by where their words stand. Throws what ComputePipeline's constructor throws.
-  const vulkan::ComputePipeline& get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
-                                     const vulkan::PipelineOptions& options);
+  /// The pipeline of this code with these options; made if it is not there. Two modules are told apart by the address
+  /// of their words. Throws what ComputePipeline's constructor throws.
+  vulkan::ComputePipeline get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
+                              const vulkan::PipelineOptions& options);
 
  private:
   struct Entry {

@@ -9,7 +9,7 @@ namespace {
 
 class Rounds {
  public:
-  Rounds(vulkan::CommandRecorder& recorder, const std::vector<const vulkan::ComputePipeline*>& stages,
+  Rounds(vulkan::CommandRecorder& recorder, const std::vector<vulkan::ComputePipeline>& stages,
          const vulkan::BindingSet& bindings, const vulkan::Buffer& results, const gpu::DispatchConstants& constants)
       : recorder_(recorder), stages_(stages), bindings_(bindings), results_(results), constants_(constants) {}
 
@@ -38,7 +38,7 @@ class Rounds {
     return sizeof(gpu::Counters) + queue * sizeof(gpu::QueueHead);
   }
 
-  const vulkan::ComputePipeline& pipeline(WaveStage stage) const { return *stages_[static_cast<std::size_t>(stage)]; }
+  const vulkan::ComputePipeline& pipeline(WaveStage stage) const { return stages_[static_cast<std::size_t>(stage)]; }
   std::span<const std::byte> push() const { return std::as_bytes(std::span(&constants_, 1)); }
 
   void empty(std::uint32_t firstQueue, std::uint32_t count) {
@@ -52,7 +52,7 @@ class Rounds {
   }
 
   vulkan::CommandRecorder& recorder_;
-  const std::vector<const vulkan::ComputePipeline*>& stages_;
+  const std::vector<vulkan::ComputePipeline>& stages_;
   const vulkan::BindingSet& bindings_;
   const vulkan::Buffer& results_;
   gpu::DispatchConstants constants_;
@@ -60,7 +60,7 @@ class Rounds {
 
 }  // namespace
 
-void recordRounds(vulkan::CommandRecorder& recorder, const std::vector<const vulkan::ComputePipeline*>& stages,
+void recordRounds(vulkan::CommandRecorder& recorder, const std::vector<vulkan::ComputePipeline>& stages,
                   const vulkan::BindingSet& bindings, const vulkan::Buffer& results, gpu::DispatchConstants constants,
                   vulkan::GroupCount regionGroups, std::uint32_t rounds) {
   Rounds recorded(recorder, stages, bindings, results, constants);

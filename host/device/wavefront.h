@@ -25,7 +25,7 @@ constexpr std::uint64_t queueBytes(std::uint64_t pixels) {
 /// Records so many rounds, each a segment of every unfinished path of the region in `constants`, whose `work` has the
 /// band's pixels in the place of loop turns. `results`, among `bindings`, is made for Usage::indirect; `regionGroups`
 /// cover the region.
-void recordRounds(vulkan::CommandRecorder& recorder, const std::vector<const vulkan::ComputePipeline*>& stages,
+void recordRounds(vulkan::CommandRecorder& recorder, const std::vector<vulkan::ComputePipeline>& stages,
                   const vulkan::BindingSet& bindings, const vulkan::Buffer& results, gpu::DispatchConstants constants,
                   vulkan::GroupCount regionGroups, std::uint32_t rounds);
 

@@ -88,15 +88,14 @@ Explanation explainReplays(const scene::Scene& scene, const render::RenderSettin
 }
 
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
-                          const render::PixelSample& sample, render::ReplayingRenderer& device,
-                          render::ReplayingRenderer& reference) {
+                          const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference) {
   return explainReplays(scene, settings, sample, device.replay(scene, settings, sample),
                         reference.replay(scene, settings, sample));
 }
 
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,
-                                        const verify::PixelAgreement& pixels, render::ReplayingRenderer& device,
-                                        render::ReplayingRenderer& reference) {
+                                        const verify::PixelAgreement& pixels, render::Renderer& device,
+                                        render::Renderer& reference) {
   if (pixels.equal == pixels.pixels) return std::nullopt;
   render::RenderSettings single = settings;
   single.image.sampleCount = 1;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/explain/stages.h"
-#include "host/render/replay.h"
+#include "host/render/renderer.h"
 #include "host/render/settings.h"
 
 namespace candela::explain {
@@ -47,8 +47,7 @@ void requirePaths(render::Integrator integrator);
 
 /// Traces the sample on both sides. The pixel lies within the image.
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
-                          const render::PixelSample& sample, render::ReplayingRenderer& device,
-                          render::ReplayingRenderer& reference);
+                          const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference);
 /// The same from replays that are there; `scene` gives names to indices.
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
                            const render::PixelSample& sample, const render::Replay& device,
@@ -56,8 +55,8 @@ Explanation explainReplays(const scene::Scene& scene, const render::RenderSettin
 
 /// The pixel that differs most, by the settings with which comparePaths() saw it; none if all pixels are equal.
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,
-                                        const verify::PixelAgreement& pixels, render::ReplayingRenderer& device,
-                                        render::ReplayingRenderer& reference);
+                                        const verify::PixelAgreement& pixels, render::Renderer& device,
+                                        render::Renderer& reference);
 
 std::string toText(const Explanation& explanation);
 nlohmann::ordered_json toJson(const Explanation& explanation);

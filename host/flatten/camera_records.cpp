@@ -59,7 +59,8 @@ CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, 
 void moveCamera(const scene::Scene& scene, const scene::Camera& camera, const render::ImageSettings& image,
                 CameraRecords& records) {
   setCamera(records.constants, camera, image);
-  placeSpheres(scene, camera, std::span(records.slotRows).first(std::size_t{records.uniformSlots} * gpu::kPrimitiveRows));
+  placeSpheres(scene, camera,
+               std::span(records.slotRows).first(std::size_t{records.uniformSlots} * gpu::kPrimitiveRows));
   placeSpheres(scene, camera, records.primitives.rows);
   if (records.pointLights.rows.empty()) return;
   records.pointLights.rows = pointLightRows(scene.pointLights, camera, image.lightSize);

@@ -11,8 +11,8 @@ struct RecordSpan {
   Rows rows;
 };
 
-/// Copies of what moveCamera() changes. Spheres are anchored at the point nearest to the eye (docs/architecture.md), and
-/// Whitted's square lights face the camera's target.
+/// Copies of what moveCamera() changes. Spheres are anchored at the point nearest to the eye (docs/architecture.md),
+/// and Whitted's square lights face the camera's target.
 struct CameraRecords {
   gpu::RenderConstants constants{};
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};  ///< FlatScene::slotRows
@@ -23,8 +23,8 @@ struct CameraRecords {
 
 CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, const render::ImageSettings& image);
 
-/// Sets the records for `camera`; they equal those of a scene flattened with it. `scene` and `image` are those that the records
-/// were made of.
+/// Sets the records for `camera`; they equal those of a scene flattened with it. `scene` and `image` are those that the
+/// records were made of.
 void moveCamera(const scene::Scene& scene, const scene::Camera& camera, const render::ImageSettings& image,
                 CameraRecords& records);
 

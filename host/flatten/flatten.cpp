@@ -149,7 +149,8 @@ void setConstants(const scene::Scene& scene, const render::RenderSettings& setti
 bool wantsStructure(const render::RenderSettings& settings) {
   if (settings.structure.accel == render::AccelKind::grid) return true;
   return settings.structure.accel == render::AccelKind::bvh &&
-         (settings.structure.bvhSplit == render::BvhSplit::midpoint || settings.structure.bvhLayout != render::BvhLayout::automatic);
+         (settings.structure.bvhSplit == render::BvhSplit::midpoint ||
+          settings.structure.bvhLayout != render::BvhLayout::automatic);
 }
 
 // Builds what the settings ask for as the first rows, and gives the finite primitives' order.
@@ -158,7 +159,8 @@ std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, con
   Stopwatch watch;
   std::vector<std::uint32_t> order = bounds.finite;
   if (settings.structure.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
-  if (settings.structure.accel == render::AccelKind::grid) order = appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
+  if (settings.structure.accel == render::AccelKind::grid)
+    order = appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
   flat.structureSeconds = watch.lap();
   flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
   return order;

@@ -83,7 +83,8 @@ std::vector<std::uint32_t> appendWide(const accel::Bvh& bvh, FlatScene& flat) {
 
 render::BvhLayout layoutFor(const render::RenderSettings& settings) {
   if (settings.structure.bvhLayout != render::BvhLayout::automatic) return settings.structure.bvhLayout;
-  return settings.structure.bvhSplit == render::BvhSplit::midpoint ? render::BvhLayout::bvh2 : settings.execution.automatic.bvhLayout;
+  return settings.structure.bvhSplit == render::BvhSplit::midpoint ? render::BvhLayout::bvh2
+                                                                   : settings.execution.automatic.bvhLayout;
 }
 
 const char* buildQualityName(render::BuildQuality quality) {
@@ -99,7 +100,8 @@ accel::Bvh buildHierarchy(std::span<const accel::Aabb> bounds, render::BvhSplit 
 std::vector<std::uint32_t> appendHierarchy(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
                                            FlatScene& flat) {
   const render::BvhLayout layout = layoutFor(settings);
-  const accel::Bvh bvh = buildHierarchy(bounds.bounds, settings.structure.bvhSplit, settings.structure.bvhQuality, layout);
+  const accel::Bvh bvh = buildHierarchy(bounds.bounds, settings.structure.bvhSplit, settings.structure.bvhQuality,
+                                        layout);
   const accel::BvhQuality measured = quality(bvh, kBvhOptions);
   noteQuality(measured, flat);
   flat.constants.firstStructureRow = rowCount(flat.rows);

@@ -14,7 +14,8 @@ struct PrimitiveContext {
   std::uint32_t light = 0;      ///< place in the light table + 1; 0: not in it
 };
 
-/// Sets what depends on the eye in the first two rows of a sphere: the anchor and the unit vector there from the centre.
+/// Sets what depends on the eye in the first two rows of a sphere: the anchor and the unit vector there from the
+/// centre.
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);
 
 /// Appends the rows of one primitive to `primitives`, and those of its vertex normals, if it has any, to `normals`.

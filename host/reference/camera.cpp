@@ -8,17 +8,17 @@
 
 namespace candela::reference {
 
-CameraRays::CameraRays(const scene::Camera& camera, const render::RenderSettings& settings)
-    : jitters_(settings.image.jittersPixels()),
-      filter_(settings.image.filter),
-      lens_(settings.image.lens),
+CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings& image)
+    : jitters_(image.jittersPixels()),
+      filter_(image.filter),
+      lens_(image.lens),
       eye_(camera.from),
       forward_(dvec3(camera.at) - eye_),
-      viewPixels_(settings.image.size.width, settings.image.size.height),
+      viewPixels_(image.size.width, image.size.height),
       pixelOrigin_(0.5),
       focal_(camera.focal) {
   for (int axis = 0; axis < 2; ++axis) {
-    if (settings.image.pixelOrigin == render::PixelOrigin::centre || viewPixels_[axis] == 1) continue;
+    if (image.pixelOrigin == render::PixelOrigin::centre || viewPixels_[axis] == 1) continue;
     viewPixels_[axis] -= 1;
     pixelOrigin_[axis] = 0;
   }

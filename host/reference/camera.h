@@ -9,8 +9,8 @@ namespace candela::reference {
 
 class CameraRays {
  public:
-  /// Of `settings`, size, pixel origin, filter, lens and whether pixels are jittered count.
-  CameraRays(const scene::Camera& camera, const render::RenderSettings& settings);
+  /// Of `image`, size, pixel origin, filter, lens and whether pixels are jittered count.
+  CameraRays(const scene::Camera& camera, const render::ImageSettings& image);
   Ray generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const;
 
  private:

@@ -4,9 +4,17 @@ namespace candela::reference {
 
 PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : scene_(scene),
-      sampler_(settings.image.sampler, settings.image.seed, settings.image.sampleCount),
-      camera_(*scene.camera, settings),
+      image_(settings.image),
+      sampler_(image_.sampler, image_.seed, image_.sampleCount),
+      camera_(*scene.camera, image_),
       tracing_(scene, settings) {}
+
+void PixelTracer::setSeed(std::uint32_t seed) {
+  image_.seed = seed;
+  sampler_ = Sampler(image_.sampler, image_.seed, image_.sampleCount);
+}
+
+void PixelTracer::setCamera(const scene::Camera& camera) { camera_ = CameraRays(camera, image_); }
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                           render::PathRecord* record) const {

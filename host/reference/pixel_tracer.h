@@ -19,6 +19,11 @@ class PixelTracer {
   PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings);
   virtual ~PixelTracer() = default;
 
+  /// Other random numbers for the samples to come.
+  void setSeed(std::uint32_t seed);
+  /// Moves the eye. Not while samples are traced.
+  virtual void setCamera(const scene::Camera& camera);
+
   /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path or tree decided.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                render::PathRecord* record) const;
@@ -39,6 +44,7 @@ class PixelTracer {
                          render::PathRecord* record) const = 0;
 
   const scene::Scene& scene_;
+  render::ImageSettings image_;
   Sampler sampler_;
   CameraRays camera_;
   Tracing tracing_;

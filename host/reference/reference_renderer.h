@@ -2,10 +2,10 @@
 #pragma once
 #include <memory>
 
-#include "host/render/replay.h"
+#include "host/render/renderer.h"
 
 namespace candela::reference {
 
-std::unique_ptr<render::ReplayingRenderer> makeReferenceRenderer();
+std::unique_ptr<render::Renderer> makeReferenceRenderer();
 
 }  // namespace candela::reference

@@ -67,14 +67,16 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   };
 
   items_.reserve(scene.primitives.size());
-  const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint || bounded.size() > kBruteForceLimit;
+  const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint ||
+                              bounded.size() > kBruteForceLimit;
   if (settings.structure.accel == render::AccelKind::bvh && wantsHierarchy) {
     hierarchy_ = buildHierarchy(boxes, settings.structure.bvhSplit);
     for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
-  if (settings.structure.accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
+  if (settings.structure.accel == render::AccelKind::grid)
+    grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
 }

@@ -7,8 +7,8 @@
 namespace candela::reference {
 namespace {
 
-double aoDistanceOf(const scene::Camera& camera, const render::RenderSettings& settings) {
-  if (settings.image.aoDistance) return *settings.image.aoDistance;
+double aoDistanceOf(const scene::Camera& camera, const std::optional<float>& asked) {
+  if (asked) return *asked;
   return static_cast<float>(glm::length(dvec3(camera.at) - dvec3(camera.from)) / 4);
 }
 
@@ -26,8 +26,16 @@ dvec3 ownShadingNormal(const Surface& surface) {
 }  // namespace
 
 ViewTracer::ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), view_(settings.image.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
+    : PixelTracer(scene, settings),
+      view_(settings.image.integrator),
+      askedAoDistance_(settings.image.aoDistance),
+      aoDistance_(aoDistanceOf(*scene.camera, askedAoDistance_)) {
   for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
+}
+
+void ViewTracer::setCamera(const scene::Camera& camera) {
+  PixelTracer::setCamera(camera);
+  aoDistance_ = aoDistanceOf(camera, askedAoDistance_);
 }
 
 dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,

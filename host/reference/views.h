@@ -1,5 +1,6 @@
 // Pictures of what the camera rays meet: docs/light-transport.md section 10.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "host/reference/bsdf.h"
@@ -16,6 +17,8 @@ class ViewTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object.
   ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
+  void setCamera(const scene::Camera& camera) override;
+
  private:
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
@@ -24,6 +27,7 @@ class ViewTracer final : public PixelTracer {
   bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record) const;
 
   render::Integrator view_;
+  std::optional<float> askedAoDistance_;
   double aoDistance_;
   std::vector<Bsdf> bsdfs_;  ///< by material
 };

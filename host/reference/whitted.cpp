@@ -41,10 +41,23 @@ struct WhittedTracer::Node {
 };
 
 WhittedTracer::WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), maxDepth_(settings.image.maxDepth), lightSize_(settings.image.lightSize), background_(scene) {
-  for (const scene::PointLight& light : scene.pointLights) {
+    : PixelTracer(scene, settings),
+      maxDepth_(settings.image.maxDepth),
+      lightSize_(settings.image.lightSize),
+      background_(scene) {
+  placeLights(*scene.camera);
+}
+
+void WhittedTracer::setCamera(const scene::Camera& camera) {
+  PixelTracer::setCamera(camera);
+  placeLights(camera);
+}
+
+void WhittedTracer::placeLights(const scene::Camera& camera) {
+  lights_.clear();
+  for (const scene::PointLight& light : scene().pointLights) {
     const dvec3 position(light.position);
-    const dvec3 towards = dvec3(scene.camera->at) - position;
+    const dvec3 towards = dvec3(camera.at) - position;
     lights_.push_back(
         {position, dvec3(light.colour), Frame(towards == dvec3(0) ? dvec3(0, 0, 1) : normalize(towards))});
   }

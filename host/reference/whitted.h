@@ -16,6 +16,8 @@ class WhittedTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object. `settings.image.maxDepth` is at most kMaxTreeDepth.
   WhittedTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
+  void setCamera(const scene::Camera& camera) override;
+
  private:
   /// What all rays of one sample share.
   struct SampleState;
@@ -39,6 +41,8 @@ class WhittedTracer final : public PixelTracer {
   };
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
+  /// The squares of point lights face the camera's target.
+  void placeLights(const scene::Camera& camera);
   dvec3 radianceAt(const Node& node, SampleState& state) const;
   dvec3 direct(const Node& node, const Surface& surface, SampleState& state, render::VertexRecord& record) const;
   dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;

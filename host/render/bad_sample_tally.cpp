@@ -1,19 +1,39 @@
+// Adds up bad samples over renders.
 #include "host/render/bad_sample_tally.h"
 
 namespace candela::render {
 
-void BadSampleTally::add(const image::Film& film, const RenderSettings& settings) {
+// Whether the pixel had no bad sample before.
+bool BadSampleTally::note(std::size_t pixel, std::size_t pixelCount) {
+  isBad_.resize(pixelCount);
+  if (isBad_[pixel]) return false;
+  isBad_[pixel] = true;
+  pixels_ += 1;
+  return true;
+}
+
+void BadSampleTally::add(const image::Film& film, const ImageSettings& settings) {
+  width_ = film.width();
   for (std::size_t i = 0; i < film.pixels().size(); ++i) {
     const image::FilmPixel& pixel = film.pixels()[i];
     if (pixel.badCount == 0) continue;
     samples_ += pixel.badCount;
-    isBad_.resize(film.pixels().size());
-    if (isBad_[i]) continue;
-    isBad_[i] = true;
-    pixels_ += 1;
-    if (firstPixels_.size() == kPixelsKept) continue;
+    if (!note(i, film.pixels().size()) || firstPixels_.size() == kPixelsKept) continue;
     firstPixels_.push_back({static_cast<std::uint32_t>(i % film.width()), static_cast<std::uint32_t>(i / film.width()),
-                            pixel.badCount, pixel.firstBadSample - 1, settings.image.seed, settings.image.sampleCount});
+                            pixel.badCount, pixel.firstBadSample - 1, settings.seed, settings.sampleCount});
+  }
+}
+
+void BadSampleTally::add(const BadSampleTally& later) {
+  if (later.pixels_ == 0) return;
+  width_ = later.width_;
+  samples_ += later.samples_;
+  for (const BadPixel& pixel : later.firstPixels_) {
+    const bool isNew = note(std::size_t{pixel.y} * width_ + pixel.x, later.isBad_.size());
+    if (isNew && firstPixels_.size() < kPixelsKept) firstPixels_.push_back(pixel);
+  }
+  for (std::size_t i = 0; i < later.isBad_.size(); ++i) {
+    if (later.isBad_[i]) note(i, later.isBad_.size());
   }
 }
 

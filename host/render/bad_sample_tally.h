@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/render/renderer.h"
+#include "host/image/film.h"
+#include "host/render/settings.h"
 
 namespace candela::render {
 
@@ -23,8 +24,11 @@ class BadSampleTally {
  public:
   static constexpr std::size_t kPixelsKept = 5;
 
-  /// What `settings` rendered.
-  void add(const image::Film& film, const RenderSettings& settings);
+  /// Adds the bad samples of a film that was rendered with `settings`.
+  void add(const image::Film& film, const ImageSettings& settings);
+
+  /// Adds what another tally counted in later renders of the same size.
+  void add(const BadSampleTally& later);
 
   std::uint64_t samples() const { return samples_; }
   /// Pixels with bad samples, each counted once however many renders it was bad in.
@@ -33,27 +37,23 @@ class BadSampleTally {
   const std::vector<BadPixel>& firstPixels() const { return firstPixels_; }
 
  private:
+  bool note(std::size_t pixel, std::size_t pixelCount);
+
+  std::uint32_t width_ = 0;  ///< of the images
   std::uint64_t samples_ = 0;
   std::uint64_t pixels_ = 0;
   std::vector<bool> isBad_;  ///< by pixel; empty while there is none
   std::vector<BadPixel> firstPixels_;
 };
 
-/// Renders as another renderer does, and tells a tally of it. What is referred to must outlive the object.
-class TalliedRenderer final : public Renderer {
- public:
-  TalliedRenderer(Renderer& renderer, BadSampleTally& tally) : renderer_(renderer), tally_(tally) {}
+/// The tallies of all renders of two tracers.
+struct BadSampleTallies {
+  BadSampleTally device, reference;
 
-  RenderResult render(const scene::Scene& scene, const RenderSettings& settings,
-                      const RenderControl& control) override {
-    RenderResult result = renderer_.render(scene, settings, control);
-    tally_.add(result.film, settings);
-    return result;
+  void add(const BadSampleTallies& later) {
+    device.add(later.device);
+    reference.add(later.reference);
   }
-
- private:
-  Renderer& renderer_;
-  BadSampleTally& tally_;
 };
 
 }  // namespace candela::render

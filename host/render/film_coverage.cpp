@@ -25,12 +25,14 @@ FilmCoverage coverageOf(const image::Film& film, std::uint32_t first, const Exte
 void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, std::uint32_t minSamples,
                        std::uint32_t sampleCount) {
   if (range.first > range.end || range.end > sampleCount) {
-    throw UsageError(fmt::format("samples {} to {} are not among the {} of a pixel", range.first, range.end, sampleCount));
+    throw UsageError(
+        fmt::format("samples {} to {} are not among the {} of a pixel", range.first, range.end, sampleCount));
   }
   const bool startsWithin = range.first >= coverage.first && range.first - coverage.first <= minSamples;
   if (coverage.isEmpty() || startsWithin) return;
-  throw UsageError(fmt::format("samples from {} on do not continue a film that starts at sample {} and holds {} per pixel",
-                               range.first, coverage.first, minSamples));
+  throw UsageError(
+      fmt::format("samples from {} on do not continue a film that starts at sample {} and holds {} per pixel",
+                  range.first, coverage.first, minSamples));
 }
 
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels) {

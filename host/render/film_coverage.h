@@ -18,8 +18,8 @@ struct FilmCoverage {
   bool isEmpty() const { return samples == 0; }
 };
 
-/// The coverage of `film`, whose pixels start at sample `first`. Throws UsageError if the film has not `size`, or a pixel
-/// holds samples beyond `sampleCount`.
+/// The coverage of `film`, whose pixels start at sample `first`. Throws UsageError if the film has not `size`, or a
+/// pixel holds samples beyond `sampleCount`.
 FilmCoverage coverageOf(const image::Film& film, std::uint32_t first, const Extent& size, std::uint32_t sampleCount);
 
 /// Throws UsageError unless `range` can be added to a film that is covered so; `minSamples` is the smallest number of

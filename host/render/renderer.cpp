@@ -13,4 +13,8 @@ RenderResult Renderer::render(const scene::Scene& scene, const RenderSettings& s
   return result;
 }
 
+Replay Renderer::replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample) {
+  return prepare(scene, settings)->replay(sample);
+}
+
 }  // namespace candela::render

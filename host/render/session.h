@@ -31,36 +31,37 @@ struct Replay {
   RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
 };
 
-/// Renders one scene with fixed settings, in as many steps as the caller likes. The film is the same, bit for bit, however
-/// the samples are split into ranges, and whether or not a range was stopped and taken up again.
+/// Renders one scene with fixed settings, in as many steps as the caller likes. The film is the same, bit for bit,
+/// however the samples are split into ranges, and whether or not a range was stopped and taken up again.
 ///
-/// Every member may throw DeviceLostError, OutOfMemoryError or InternalError; after DeviceLostError the session is of no use.
+/// Every member may throw DeviceLostError, OutOfMemoryError or InternalError; after DeviceLostError the session is of
+/// no use.
 class Session {
  public:
   virtual ~Session() = default;
 
-  /// Adds the samples of `range` that a pixel does not have yet to the film. In each pixel the film holds consecutive samples:
-  /// `range` starts at or before the first sample that is missing anywhere, unless the film is empty; its end is at most
-  /// ImageSettings::sampleCount. Returns false if `control` stopped it; the film then holds the samples that were finished,
-  /// and a later call with the same range completes them. Throws UsageError for any other range.
+  /// Adds the samples of `range` that a pixel does not have yet to the film. In each pixel the film holds consecutive
+  /// samples: `range` starts at or before the first sample that is missing anywhere, unless the film is empty; its end
+  /// is at most ImageSettings::sampleCount. Returns false if `control` stopped it; the film then holds the samples that
+  /// were finished, and a later call with the same range completes them. Throws UsageError for any other range.
   virtual bool advance(SampleRange range, const RenderControl& control) = 0;
   /// The film so far.
   virtual image::Film film() = 0;
   /// Empties the film and starts over with other random numbers.
   virtual void reset(std::uint32_t seed) = 0;
-  /// Empties the film and moves the eye; nothing but what depends on the camera is computed again. The image keeps its size;
-  /// the film then equals that of a session prepared with this camera.
+  /// Empties the film and moves the eye; nothing but what depends on the camera is computed again. The image keeps its
+  /// size; the film then equals that of a session prepared with this camera.
   virtual void setCamera(const scene::Camera& camera) = 0;
-  /// Continues from a film of the same scene, settings and seed that holds samples first, first + 1, ... of each pixel, as
-  /// many as its sampleCount says. Throws UsageError if its size differs or a pixel has more samples than there are.
+  /// Continues from a film of the same scene, settings and seed that holds samples first, first + 1, ... of each pixel,
+  /// as many as its sampleCount says. Throws UsageError if its size differs or a pixel has more samples than there are.
   virtual void load(const image::Film& film, std::uint32_t first = 0) = 0;
 
   /// Counts and times since the session was prepared or reset; those of preparation stay.
   virtual RenderStatistics statistics() = 0;
   /// One record per pixel; empty unless ExecutionSettings::recordPaths.
   virtual PathRecords paths() = 0;
-  /// Traces one sample again, which adds nothing to the film: the sample that advance() adds, bit for bit. The integrator is
-  /// Integrator::path; the pixel lies within the image.
+  /// Traces one sample again, which adds nothing to the film: the sample that advance() adds, bit for bit. The
+  /// integrator is Integrator::path; the pixel lies within the image.
   virtual Replay replay(const PixelSample& sample) = 0;
 };
 

@@ -1,4 +1,5 @@
-// The settings of a render, in three types: one decides the image, one the search structure, one how the work is executed.
+// The settings of a render, in three types: one decides the image, one the search structure, one how the work is
+// executed.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -50,16 +51,18 @@ inline constexpr std::uint32_t kMaxTreeDepth = 20;
 /// Of a command line that does not say.
 constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 
-/// Everything that decides the image. Two renders of one scene with equal ImageSettings have equal films, bit for bit, on
-/// one device, whatever the other settings (but Integrator::cost shows the search structure).
+/// Everything that decides the image. Two renders of one scene with equal ImageSettings have equal films, bit for bit,
+/// on one device, whatever the other settings (but Integrator::cost shows the search structure).
 struct ImageSettings {
-  Extent size;                      ///< pixels, each in [1, 65535]
-  std::uint32_t sampleCount = 16;   ///< per pixel, >= 1; the total, in however many parts it is rendered
+  Extent size;                     ///< pixels, each in [1, 65535]
+  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total, in however many parts it is rendered
   std::uint32_t seed = 0;
-  std::uint32_t maxDepth = 64;      ///< maximum length of a path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
+  std::uint32_t
+      maxDepth = 64;  ///< maximum length of a path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
   std::uint32_t rouletteStart = 4;  ///< the first path vertices, so many, are exempt from Russian roulette
   Integrator integrator = Integrator::path;
-  std::optional<float> aoDistance;  ///< maximum length of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
+  std::optional<float>
+      aoDistance;  ///< maximum length of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
@@ -78,8 +81,8 @@ struct ImageSettings {
 /// The search structure. It changes no bit of the image (except Integrator::cost).
 struct StructureSettings {
   AccelKind accel = AccelKind::bvh;
-  /// Whether `accel` is a preference: a device that cannot test all primitives of a scene one by one uses a BVH in place of
-  /// AccelKind::none, and says so in RenderStatistics::warnings, instead of throwing.
+  /// Whether `accel` is a preference: a device that cannot test all primitives of a scene one by one uses a BVH in
+  /// place of AccelKind::none, and says so in RenderStatistics::warnings, instead of throwing.
   bool accelIsPreference = false;
   BvhSplit bvhSplit = BvhSplit::sah;
   BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah alone

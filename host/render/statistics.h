@@ -32,19 +32,19 @@ constexpr const char* structureName(AccelKind accel) {
 
 /// Counts and times of one session since it was prepared or reset. Times in seconds.
 struct RenderStatistics {
-  std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
-  std::string driver;  ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
+  std::string device;                     ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
+  std::string driver;                     ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
   AccelKind structure = AccelKind::none;  ///< in use; a tree of one leaf is a BVH, too
-  std::string bvhSplit;         ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
-  std::string bvhQuality;       ///< "fast", "default" or "high"; empty but for a device's BVH by SAH
-  std::string layout;           ///< of a BVH's nodes: "bvh2" or "cwbvh"; "row": none, the scene is small; else empty
-  std::string kernel;           ///< "megakernel", "wavefront", "whitted", "views" or "reference"
-  Extent workgroup{};           ///< in use; 0x0 for the reference
-  Extent tile{};                ///< largest region of one dispatch
+  std::string bvhSplit;                   ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
+  std::string bvhQuality;                 ///< "fast", "default" or "high"; empty but for a device's BVH by SAH
+  std::string layout;  ///< of a BVH's nodes: "bvh2" or "cwbvh"; "row": none, the scene is small; else empty
+  std::string kernel;  ///< "megakernel", "wavefront", "whitted", "views" or "reference"
+  Extent workgroup{};  ///< in use; 0x0 for the reference
+  Extent tile{};       ///< largest region of one dispatch
   std::uint32_t maxSegmentsPerDispatch = 0;
-  std::uint32_t threads = 0;    ///< of the reference
-  std::string sceneLoads;       ///< "texel" or "storage"
-  std::string automaticOrigin;  ///< AutomaticChoices::origin; empty for the reference
+  std::uint32_t threads = 0;          ///< of the reference
+  std::string sceneLoads;             ///< "texel" or "storage"
+  std::string automaticOrigin;        ///< AutomaticChoices::origin; empty for the reference
   std::vector<std::string> warnings;  ///< choices that the session made against a preference, one sentence each
 
   std::uint64_t samples = 0;  ///< pixel samples finished
@@ -59,8 +59,9 @@ struct RenderStatistics {
 
   std::uint64_t rays() const { return cameraRays + bounceRays + shadowRays; }
 
-  std::map<std::string, double> seconds;  ///< by phase: parse, build, structure (part of build), upload, pipeline, trace, readBack
-  std::vector<double> dispatchSeconds;    ///< of each dispatch but the warm-up
+  std::map<std::string, double>
+      seconds;  ///< by phase: parse, build, structure (part of build), upload, pipeline, trace, readBack
+  std::vector<double> dispatchSeconds;             ///< of each dispatch but the warm-up
   std::map<std::string, double> structureQuality;  ///< e.g. sahCost, depth, nodes, leaves
   std::uint64_t deviceBytes = 0;                   ///< device memory that the session's buffers take
 };

@@ -134,7 +134,7 @@ struct Scene {
   std::vector<PointLight> pointLights;
 
   std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
-  std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total
+  std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total; 0: no antialiasing
   std::optional<ExactMean> exactMean;             ///< for paths of any length, next-event estimation or not
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };

@@ -51,8 +51,12 @@ void parseAccel(Parser& parser) {
 
 void parseSamples(Parser& parser) {
   constexpr std::int64_t kMost = 1'000'000'000;
-  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 1, kMost));
+  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 0, kMost));
   parser.scene.requestedSamples = samples;
+  if (samples == 0) {
+    return parser.log.warn("spp", parser.keyword,
+                           "spp 0 is read as one ray through the centre of each pixel, without antialiasing");
+  }
   parser.log.warn(
       "spp", parser.keyword,
       fmt::format("spp {} is read as {} samples per pixel in total; some programs took it per side", samples, samples));

@@ -73,12 +73,14 @@ PixelAgreement comparePixels(const render::RenderResult& device, const render::R
 
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference,
-                                           const render::RenderControl& control) {
+                                           const render::RenderControl& control, render::BadSampleTallies& badSamples) {
   render::RenderSettings single = settings;
   single.image.sampleCount = 1;
   single.execution.recordPaths = true;
   const render::RenderResult a = device.render(scene, single, control);
   const render::RenderResult b = reference.render(scene, single, control);
+  badSamples.device.add(a.film, single.image);
+  badSamples.reference.add(b.film, single.image);
   return a.interrupted || b.interrupted ? std::nullopt : std::optional(comparePixels(a, b));
 }
 
@@ -104,12 +106,13 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
                                const render::RenderControl& control) {
   AgreementReport report;
   report.scene = scene.name;
-  render::TalliedRenderer talliedDevice(device, report.deviceBadSamples);
-  render::TalliedRenderer talliedReference(reference, report.referenceBadSamples);
-  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, talliedDevice, talliedReference, control);
+  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, control,
+                                                            report.badSamples);
   report.pixels = pixels.value_or(PixelAgreement{});
-  render::RenderResult deviceMany = talliedDevice.render(scene, settings, control);
-  render::RenderResult referenceMany = talliedReference.render(scene, settings, control);
+  render::RenderResult deviceMany = device.render(scene, settings, control);
+  render::RenderResult referenceMany = reference.render(scene, settings, control);
+  report.badSamples.device.add(deviceMany.film, settings.image);
+  report.badSamples.reference.add(referenceMany.film, settings.image);
   report.mean = {settings.image.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
   report.deviceStatistics = deviceMany.statistics;
   report.deviceFilm = std::move(deviceMany.film);

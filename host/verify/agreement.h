@@ -59,8 +59,8 @@ struct AgreementReport {
   render::RenderStatistics deviceStatistics;
   PixelAgreement pixels;
   MeanAgreement mean;
-  render::BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
-  image::Film deviceFilm, referenceFilm;                         ///< of the many samples
+  render::BadSampleTallies badSamples;    ///< of all renders
+  image::Film deviceFilm, referenceFilm;  ///< of the many samples
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
@@ -73,12 +73,14 @@ Cause causeOf(const render::PathRecord& device, const render::PathRecord& refere
 /// Compares one-sample results that carry path records.
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
-/// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early.
+/// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early. Adds the bad
+/// samples of both to `badSamples`.
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference,
-                                           const render::RenderControl& control);
+                                           const render::RenderControl& control, render::BadSampleTallies& badSamples);
 
-/// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the means.
+/// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the
+/// means.
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
                                render::Renderer& device, render::Renderer& reference,
                                const render::RenderControl& control);

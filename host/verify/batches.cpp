@@ -23,28 +23,40 @@ std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, s
 
 Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scene,
                  const render::RenderSettings& settings, std::span<const Region> regions)
-    : side_(side), renderer_(renderer), scene_(scene), settings_(settings), runSeed_(settings.image.seed), regions_(regions) {
+    : side_(side),
+      renderer_(renderer),
+      scene_(scene),
+      settings_(settings),
+      runSeed_(settings.image.seed),
+      regions_(regions) {
   for (std::vector<double>& sums : sums_) sums.resize(regions.size());
 }
 
+// One session serves all batches of a look; a batch has other random numbers.
 bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control) {
   settings_.image.sampleCount = samples;
+  settings_.image.seed = batchSeed(runSeed_, side_, 0, look);
+  const std::unique_ptr<render::Session> session = renderer_.prepare(scene_, settings_);
   for (std::uint32_t batch = 0; batch < kBatchCount; ++batch) {
     settings_.image.seed = batchSeed(runSeed_, side_, batch, look);
-    render::RenderResult result = renderer_.render(scene_, settings_, control);
-    if (result.interrupted) return false;
-    statistics_ = std::move(result.statistics);
-    badSamples_ += statistics_.badSamples;
+    if (batch > 0) session->reset(settings_.image.seed);
+    if (!session->advance({0, samples}, control)) return false;
+    statistics_ = session->statistics();
     if (statistics_.truncated > 0) {
       throw InternalError(fmt::format("{} loops ended before their work was done", statistics_.truncated));
     }
-    if (!film_.pixels().empty()) film_.merge(result.film);
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      sums_[batch][i] += samples * regionMean(result.film, regions_[i]);
-    }
+    addFilm(session->film(), batch);
   }
   samples_ += samples;
   return true;
+}
+
+void Batches::addFilm(const image::Film& film, std::uint32_t batch) {
+  badSamples_.add(film, settings_.image);
+  if (!film_.pixels().empty()) film_.merge(film);
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    sums_[batch][i] += settings_.image.sampleCount * regionMean(film, regions_[i]);
+  }
 }
 
 std::array<double, kBatchCount> Batches::means(std::size_t region) const {

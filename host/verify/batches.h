@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "host/render/bad_sample_tally.h"
 #include "host/render/renderer.h"
 #include "host/verify/regions.h"
 
@@ -34,11 +35,13 @@ class Batches {
   image::Film takeFilm() { return std::move(film_); }
   /// The batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
-  /// Of the last render.
+  /// Statistics of the last batch.
   const render::RenderStatistics& statistics() const { return statistics_; }
-  std::uint64_t badSamples() const { return badSamples_; }
+  const render::BadSampleTally& badSamples() const { return badSamples_; }
 
  private:
+  void addFilm(const image::Film& film, std::uint32_t batch);
+
   Side side_;
   render::Renderer& renderer_;
   const scene::Scene& scene_;
@@ -46,7 +49,7 @@ class Batches {
   std::uint32_t runSeed_;
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
-  std::uint64_t badSamples_ = 0;
+  render::BadSampleTally badSamples_;
   image::Film film_;                                   ///< empty unless it is kept
   std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
   render::RenderStatistics statistics_;

@@ -36,13 +36,14 @@ struct LightTestResult {
   double level = 0;                                     ///< of each region's test at the last look
   std::vector<RegionResult> regions;                    ///< the whole image by luminance first
   statistics::Summary watchedDevice, watchedReference;  ///< over the batches; empty if nothing is watched
-  double information = 0;    ///< at the last look; 1: `bias` would have been seen with probability kPower
-  bool outOfTime = false;    ///< the time limit came before all information was there
-  bool interrupted = false;  ///< no verdict
-  std::uint64_t badSamples = 0;
+  double information = 0;            ///< at the last look; 1: `bias` would have been seen with probability kPower
+  bool outOfTime = false;            ///< the time limit came before all information was there
+  bool interrupted = false;          ///< no verdict
+  render::BadSampleTallies tallies;  ///< of all batches
   render::RenderStatistics deviceStatistics;
   image::Film deviceFilm, referenceFilm;  ///< of all samples; empty unless they are kept
 
+  std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
   bool differs() const { return anyDiffers(regions); }
   const RegionResult& image() const { return regions.front(); }
   const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }

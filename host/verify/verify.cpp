@@ -50,9 +50,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  render::TalliedRenderer talliedDevice(device, report.deviceBadSamples);
-  render::TalliedRenderer talliedReference(reference, report.referenceBadSamples);
-  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, talliedDevice, talliedReference, control);
+  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, control, report.tallies);
   report.interrupted = !paths;
   if (report.interrupted) return report;
   report.paths = *paths;
@@ -61,7 +59,8 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   LightTestOptions own = options;
   own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
   if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.image.size);
-  report.light = testLight(scene, settings, talliedDevice, talliedReference, own, control);
+  report.light = testLight(scene, settings, device, reference, own, control);
+  report.tallies.add(report.light.tallies);
   report.interrupted = report.light.interrupted;
   if (scene.exactMean && !report.interrupted) report.exact = testExact(*scene.exactMean, report.light, own.alpha);
   report.seconds = watch.lap();

@@ -28,17 +28,17 @@ struct VerifyReport {
   LightTestResult light;           ///< 2: same light?
   std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their answer
   double seconds = 0;
-  render::BadSampleTally deviceBadSamples, referenceBadSamples;  ///< of all renders
+  render::BadSampleTallies tallies;  ///< of all renders
   bool interrupted = false;
 
-  std::uint64_t badSamples() const { return deviceBadSamples.samples() + referenceBadSamples.samples(); }
+  std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
   bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
   /// One sentence that says what was found, and how sure that is.
   std::string verdict() const;
 };
 
-/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.image.sampleCount` is not
-/// used. Throws as testLight does.
+/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.image.sampleCount`
+/// is not used. Throws as testLight does.
 VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
                          render::Renderer& reference, const LightTestOptions& options,
                          const render::RenderControl& control);

@@ -42,7 +42,7 @@ std::string lightText(const VerifyReport& report) {
   if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
   if (const std::size_t tiles = differingTiles(light))
     text += fmt::format("                             {} tiles differ\n", tiles);
-  if (light.badSamples > 0) text += fmt::format("                             {} bad samples\n", light.badSamples);
+  if (light.badSamples() > 0) text += fmt::format("                             {} bad samples\n", light.badSamples());
   return text;
 }
 
@@ -79,10 +79,14 @@ ordered_json pathsJson(const PixelAgreement& paths) {
 }
 
 ordered_json lightJson(const LightTestResult& light) {
-  ordered_json json{
-      {"differs", light.differs()},       {"batches", kBatchCount},        {"samplesPerPixel", light.samplesPerPixel},
-      {"information", light.information}, {"looks", light.looks},          {"level", light.level},
-      {"outOfTime", light.outOfTime},     {"badSamples", light.badSamples}};
+  ordered_json json{{"differs", light.differs()},
+                    {"batches", kBatchCount},
+                    {"samplesPerPixel", light.samplesPerPixel},
+                    {"information", light.information},
+                    {"looks", light.looks},
+                    {"level", light.level},
+                    {"outOfTime", light.outOfTime},
+                    {"badSamples", light.badSamples()}};
   for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
   return json;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "host/render/renderer.h"
+#include "tests/render/one_shot_renderer.h"
 
 namespace candela::bench {
 
@@ -14,12 +15,12 @@ struct ScriptedRun {
   bool interrupted = false;
 };
 
-class FakeRenderer final : public render::Renderer {
+class FakeRenderer final : public test::OneShotRenderer {
  public:
   explicit FakeRenderer(std::vector<ScriptedRun> runs) : runs_(std::move(runs)) {}
 
-  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
-                              const render::RenderControl& control) override {
+  render::RenderResult renderOnce(const scene::Scene&, const render::RenderSettings& settings,
+                                  const render::RenderControl& control) override {
     const ScriptedRun& run = runs_.at(accels.size());
     accels.push_back(settings.structure.accel);
     seeds.push_back(settings.image.seed);
@@ -32,7 +33,8 @@ class FakeRenderer final : public render::Renderer {
     result.statistics.traversalSteps = 6000;
     result.statistics.truncated = run.truncated;
     result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
-    result.statistics.structure = settings.structure.accel == render::AccelKind::grid ? "grid" : "bvh";
+    result.statistics.structure = settings.structure.accel == render::AccelKind::grid ? render::AccelKind::grid
+                                                                                      : render::AccelKind::bvh;
     result.statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::sah ? "sah" : "midpoint";
     result.interrupted = run.interrupted;
     if (control.progress) control.progress(1, 1000);

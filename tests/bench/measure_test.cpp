@@ -19,10 +19,14 @@ std::vector<Variant> threeVariants() {
   return variants;
 }
 
-std::vector<Measurement> measure(std::vector<ScriptedRun> script, std::uint32_t repeats) {
+std::vector<Measurement> measure(std::vector<ScriptedRun> script, std::uint32_t repeats,
+                                 Preparation preparation = Preparation::once) {
   FakeRenderer renderer(std::move(script));
-  return measureInterleaved(renderer, scene::Scene{}, threeVariants(), repeats, {});
+  return measureInterleaved(renderer, scene::Scene{}, threeVariants(), repeats, {}, preparation);
 }
+
+const std::vector<ScriptedRun> kNineRuns{{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0},
+                                         {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}};
 
 TEST_CASE("the median is the middle value, or the mean of the two middle ones") {
   CHECK(median({}) == 0);
@@ -42,14 +46,17 @@ TEST_CASE("every variant runs once before any runs twice") {
 }
 
 TEST_CASE("a measurement's rates are those of its median run") {
-  const auto measurements = measure(
-      {{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0}, {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}}, 3);
+  const auto measurements = measure(kNineRuns, 3);
   REQUIRE(measurements.size() == 3);
   CHECK(measurements[0].traceSeconds == std::vector{1.0, 2.0, 9.0});
-  CHECK(measurements[0].buildSeconds == std::vector{0.25, 0.5, 2.25});
   CHECK(measurements[0].mraysPerSecond() == Approx(1500 / 2.0 / 1e6));
   CHECK(measurements[0].msamplesPerSecond() == Approx(1000 / 2.0 / 1e6));
   CHECK(measurements[0].stepsPerRay() == Approx(4));
+}
+
+TEST_CASE("building is measured once for each preparation") {
+  CHECK(measure(kNineRuns, 3).front().buildSeconds == std::vector{0.25});
+  CHECK(measure(kNineRuns, 3, Preparation::everyRun).front().buildSeconds == std::vector{0.25, 0.5, 2.25});
 }
 
 TEST_CASE("a variant whose image differs from most does not agree") {

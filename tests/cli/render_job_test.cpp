@@ -48,6 +48,34 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   CHECK(byOption.settings.image.size.height == 6);
 }
 
+TEST_CASE("no samples mean one ray through each pixel's origin") {
+  std::ostringstream sink;
+  scene::Scene scene = sceneWithCamera();
+  scene.requestedSamples = 0;
+  Arguments byFile;
+  resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  CHECK(byFile.settings.image.sampleCount == 1);
+  CHECK_FALSE(byFile.settings.image.jittersPixels());
+  CHECK(byFile.sampleCount == 0u);
+  Arguments byOption;
+  byOption.sampleCount = 1;
+  resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  CHECK(byOption.settings.image.jittersPixels());
+}
+
+TEST_CASE("a structure that only the scene asks for is a preference") {
+  std::ostringstream sink;
+  scene::Scene scene = sceneWithCamera();
+  scene.requestedAccel = 0;
+  Arguments byFile;
+  resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  CHECK(byFile.settings.structure.accelIsPreference);
+  Arguments byOption;
+  byOption.accel = render::AccelKind::none;
+  resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  CHECK_FALSE(byOption.settings.structure.accelIsPreference);
+}
+
 TEST_CASE("the longest path is the integrator's unless the command line says") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::normal);

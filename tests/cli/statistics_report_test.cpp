@@ -21,7 +21,7 @@ render::RenderResult exampleResult() {
   for (int i = 100; i >= 1; --i) statistics.dispatchSeconds.push_back(i);
   statistics.workgroup = {16, 4};
   statistics.automaticOrigin = "tuned";
-  statistics.structure = "bvh";
+  statistics.structure = render::AccelKind::bvh;
   return result;
 }
 

@@ -38,14 +38,14 @@ render::RenderSettings testSettings() {
   return settings;
 }
 
-render::ReplayingRenderer& replayingDevice() {
-  static const std::unique_ptr<render::ReplayingRenderer> tracer = device::makeGpuRenderer(device::testDevice());
+render::Renderer& replayingDevice() {
+  static const std::unique_ptr<render::Renderer> tracer = device::makeGpuRenderer(device::testDevice());
   return *tracer;
 }
 
 // A pixel whose first vertex is as wanted, by the reference.
 render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSettings& settings, const Wanted& wanted) {
-  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   for (std::uint32_t y = 0; y < settings.image.size.height; ++y) {
     for (std::uint32_t x = 0; x < settings.image.size.width; ++x) {
       const render::Replay replay = reference->replay(scene, settings, {x, y, 0});
@@ -65,10 +65,10 @@ Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDe
   scene::Scene changedScene = scene;
   render::RenderSettings changedSettings = settings;
   change(changedScene, changedSettings);
-  const auto replay = [&](render::ReplayingRenderer& tracer, bool changed) {
+  const auto replay = [&](render::Renderer& tracer, bool changed) {
     return tracer.replay(changed ? changedScene : scene, changed ? changedSettings : settings, pixel);
   };
-  const std::unique_ptr<render::ReplayingRenderer> reference = reference::makeReferenceRenderer();
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   return explainReplays(scene, settings, pixel, replay(replayingDevice(), onDevice), replay(*reference, !onDevice));
 }
 
@@ -165,7 +165,8 @@ TEST_CASE("another camera is named by its ray, another seed by the first random 
       seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.camera->angle += 0.1f; }, "camera",
       "ray direction");
   requireFirst(
-      seesLitFloor, [](scene::Scene&, render::RenderSettings& settings) { settings.image.seed = 1; }, "camera", "filter x");
+      seesLitFloor, [](scene::Scene&, render::RenderSettings& settings) { settings.image.seed = 1; }, "camera",
+      "filter x");
 }
 
 TEST_CASE("a difference at a later vertex is named there") {

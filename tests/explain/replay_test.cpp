@@ -12,13 +12,13 @@ using namespace candela;
 namespace {
 
 // Both tracers, as what can replay.
-render::ReplayingRenderer& deviceTracer() {
-  static const std::unique_ptr<render::ReplayingRenderer> tracer = device::makeGpuRenderer(device::testDevice());
+render::Renderer& deviceTracer() {
+  static const std::unique_ptr<render::Renderer> tracer = device::makeGpuRenderer(device::testDevice());
   return *tracer;
 }
 
-render::ReplayingRenderer& referenceTracer() {
-  static const std::unique_ptr<render::ReplayingRenderer> tracer = reference::makeReferenceRenderer();
+render::Renderer& referenceTracer() {
+  static const std::unique_ptr<render::Renderer> tracer = reference::makeReferenceRenderer();
   return *tracer;
 }
 
@@ -29,8 +29,7 @@ void forEachPixel(const render::Extent& size, const std::function<void(std::uint
 }
 
 // The film that all samples give when they are replayed one by one.
-image::Film filmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene& scene,
-                          const render::RenderSettings& settings) {
+image::Film filmOfReplays(render::Renderer& tracer, const scene::Scene& scene, const render::RenderSettings& settings) {
   image::Film film(settings.image.size.width, settings.image.size.height);
   forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
     for (std::uint32_t i = 0; i < settings.image.sampleCount; ++i) {
@@ -41,8 +40,7 @@ image::Film filmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene&
 }
 
 // The sums of radiance are integers: equal only if every sample is, bit for bit.
-void requireFilmOfReplays(render::ReplayingRenderer& tracer, const scene::Scene& scene,
-                          const render::RenderSettings& settings) {
+void requireFilmOfReplays(render::Renderer& tracer, const scene::Scene& scene, const render::RenderSettings& settings) {
   const image::Film rendered = tracer.render(scene, settings, {}).film;
   const image::Film replayed = filmOfReplays(tracer, scene, settings);
   std::uint32_t lit = 0;
@@ -83,7 +81,7 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of 
   render::RenderSettings settings = device::squareSettings(4, 1);
   settings.image.maxDepth = 3000;
   const render::PixelSample place{0, 0, 0};  // between the mirrors
-  for (render::ReplayingRenderer* tracer : {&deviceTracer(), &referenceTracer()}) {
+  for (render::Renderer* tracer : {&deviceTracer(), &referenceTracer()}) {
     const render::Replay replay = tracer->replay(scene, settings, place);
     CHECK(replay.statistics.truncated == 0);
     CHECK(replay.path.vertexCount == 3000);
@@ -99,7 +97,7 @@ TEST_CASE("roulette spares the first vertices, and a path survives it by the squ
   const scene::Scene scene = device::loadTestScene("cornell.p3f");
   render::RenderSettings settings = device::squareSettings(6, 1);
   settings.image.rouletteStart = 2;
-  for (render::ReplayingRenderer* tracer : {&deviceTracer(), &referenceTracer()}) {
+  for (render::Renderer* tracer : {&deviceTracer(), &referenceTracer()}) {
     std::uint32_t played = 0;
     forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
       const render::PathTrace path = tracer->replay(scene, settings, {x, y, 0}).path;

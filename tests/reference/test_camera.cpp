@@ -29,7 +29,7 @@ Ray generate(const scene::Camera& camera, const render::RenderSettings& settings
              std::uint32_t sample = 0) {
   const Sampler sampler(render::SamplerKind::independent, 0, 1);
   SampleNumbers numbers(sampler, x, y, sample);
-  return CameraRays(camera, settings).generate(x, y, numbers);
+  return CameraRays(camera, settings.image).generate(x, y, numbers);
 }
 
 }  // namespace

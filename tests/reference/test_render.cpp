@@ -39,7 +39,7 @@ TEST_CASE("neither threads nor tiles nor the structure change a byte of the film
   settings.execution.threads = 1;
   const render::RenderResult first = renderScene(scene, settings);
   const std::uint64_t hash = first.film.hash();
-  CHECK(first.statistics.structure == "bvh");
+  CHECK(first.statistics.structure == render::AccelKind::bvh);
   CHECK(first.statistics.bvhSplit == "median");
 
   settings.execution.threads = 2;
@@ -49,17 +49,17 @@ TEST_CASE("neither threads nor tiles nor the structure change a byte of the film
   CHECK(renderScene(scene, settings).film.hash() == hash);
   settings.structure.accel = render::AccelKind::none;
   const render::RenderResult brute = renderScene(scene, settings);
-  CHECK(brute.statistics.structure == "none");
+  CHECK(brute.statistics.structure == render::AccelKind::none);
   CHECK(brute.film.hash() == hash);
   settings.structure.accel = render::AccelKind::bvh;
   settings.structure.bvhSplit = render::BvhSplit::midpoint;
   const render::RenderResult midpoint = renderScene(scene, settings);
-  CHECK(midpoint.statistics.structure == "bvh");
+  CHECK(midpoint.statistics.structure == render::AccelKind::bvh);
   CHECK(midpoint.statistics.bvhSplit == "midpoint");
   CHECK(midpoint.film.hash() == hash);
   settings.structure.accel = render::AccelKind::grid;
   const render::RenderResult grid = renderScene(scene, settings);
-  CHECK(grid.statistics.structure == "grid");
+  CHECK(grid.statistics.structure == render::AccelKind::grid);
   CHECK(grid.film.hash() == hash);
   CHECK(std::set{first.statistics.traversalSteps, brute.statistics.traversalSteps, midpoint.statistics.traversalSteps,
                  grid.statistics.traversalSteps}
@@ -109,7 +109,7 @@ TEST_CASE("statistics count what was done") {
   const render::RenderStatistics direct = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(direct.device == "cpu");
   CHECK(direct.kernel == "reference");
-  CHECK(direct.structure == "none");
+  CHECK(direct.structure == render::AccelKind::none);
   CHECK(direct.threads == 2);
   CHECK(direct.samples == 105);
   CHECK(direct.cameraRays == 105);

@@ -9,26 +9,13 @@ namespace {
 
 const glm::dvec3 kTooBright(1e9);
 
-render::RenderSettings settingsOf(std::uint32_t seed) {
-  render::RenderSettings settings;
-  settings.image.size = {4, 3};
-  settings.image.seed = seed;
-  settings.image.sampleCount = 8;
+render::ImageSettings settingsOf(std::uint32_t seed) {
+  render::ImageSettings settings;
+  settings.size = {4, 3};
+  settings.seed = seed;
+  settings.sampleCount = 8;
   return settings;
 }
-
-// Its film has one sample, which is bad.
-class BadRenderer final : public render::Renderer {
- public:
-  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
-                              const render::RenderControl&) override {
-    render::RenderResult result;
-    result.film = image::Film(settings.image.size.width, settings.image.size.height);
-    result.film.addSample(3, 0, kTooBright, 6);
-    result.statistics.device = "bad";
-    return result;
-  }
-};
 
 }  // namespace
 
@@ -68,11 +55,18 @@ TEST_CASE("of many pixels a tally keeps the first, and counts all") {
   CHECK(tally.firstPixels().back().y == 1);
 }
 
-TEST_CASE("a tallied renderer gives what the renderer gives, and tells the tally") {
-  BadRenderer renderer;
+TEST_CASE("a tally takes up what another one counted later") {
+  image::Film film(4, 3);
+  film.addSample(1, 2, kTooBright, 7);
   render::BadSampleTally tally;
-  const render::RenderResult result = render::TalliedRenderer(renderer, tally).render({}, settingsOf(9), {});
-  CHECK(result.statistics.device == "bad");
-  CHECK(result.film.at(3, 0).badCount == 1);
-  CHECK(tally.firstPixels() == std::vector<render::BadPixel>{{3, 0, 1, 6, 9, 8}});
+  tally.add(film, settingsOf(11));
+  film.addSample(3, 0, kTooBright, 6);
+  render::BadSampleTally later;
+  later.add(film, settingsOf(12));
+  tally.add(later);
+  CHECK(tally.samples() == 3);
+  CHECK(tally.pixels() == 2);
+  CHECK(tally.firstPixels() == std::vector<render::BadPixel>{{1, 2, 1, 7, 11, 8}, {3, 0, 1, 6, 12, 8}});
+  tally.add(render::BadSampleTally{});
+  CHECK(tally.samples() == 3);
 }

@@ -38,8 +38,9 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
     render::RenderSettings settings = baseSettings();
     settings.execution.segmentsPerDispatch = segments;
-    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // tests in a row would use up a device's loop limit sooner
-    settings.execution.tile = settings.image.size;                  // so that the number of dispatches depends on nothing else
+    settings.structure
+        .bvhLayout = render::BvhLayout::cwbvh;      // tests in a row would use up a device's loop limit sooner
+    settings.execution.tile = settings.image.size;  // so that the number of dispatches depends on nothing else
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
     CHECK(result.statistics.maxSegmentsPerDispatch == segments);
@@ -74,7 +75,7 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
     CHECK(storage.statistics.sceneLoads == "storage");
     settings.structure.accel = render::AccelKind::none;
     const render::RenderResult bruteForce = renderOnDevice(scene, settings);
-    CHECK(bruteForce.statistics.structure == "none");
+    CHECK(bruteForce.statistics.structure == render::AccelKind::none);
     CAPTURE(name);
     CHECK(storage.film.hash() == texel.film.hash());
     CHECK(bruteForce.film.hash() == texel.film.hash());

@@ -60,7 +60,7 @@ TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the 
   settings.image.maxDepth = 8;
   settings.execution.recordPaths = true;
   const render::RenderResult free = renderOnDevice(scene, settings);
-  CHECK(free.statistics.structure == "none");
+  CHECK(free.statistics.structure == render::AccelKind::none);
   const verify::PixelAgreement pixels = verify::comparePixels(free, renderOnReference(scene, settings));
   CHECK(pixels.share() >= verify::kRequiredShare);
   CHECK(pixels.litShare() >= verify::kRequiredLitShare);

@@ -76,7 +76,7 @@ TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]"
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
   settings.structure.accel = render::AccelKind::grid;
   const render::RenderResult grid = renderOnDevice(scene, settings);
-  CHECK(grid.statistics.structure == "grid");
+  CHECK(grid.statistics.structure == render::AccelKind::grid);
   CHECK(grid.film.hash() == expected);
   settings.execution.sceneLoads = render::SceneLoads::storage;
   CHECK(renderOnDevice(scene, settings).film.hash() == expected);

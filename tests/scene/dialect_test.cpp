@@ -154,6 +154,13 @@ TEST_CASE("a moving sphere stays at its first centre, with a warning") {
   }
 }
 
+TEST_CASE("spp 0 is kept, and the warning says how it is read") {
+  const LoadedScene loaded = load("spp 0\n");
+  CHECK(loaded.scene.requestedSamples == 0u);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(toString(loaded.warnings.front()).find("centre of each pixel") != std::string::npos);
+}
+
 TEST_CASE("background, structure and samples are kept, and spp is a total that says so") {
   const LoadedScene loaded = load("b .1 .2 .3\naccel 1\nspp 64\n");
   CHECK(loaded.scene.background == glm::vec3(.1f, .2f, .3f));

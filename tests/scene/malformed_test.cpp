@@ -93,7 +93,7 @@ const std::vector<Malformed> kMalformed{
     {"env /etc\n", 1, 5, "outside the scene's folder"},
     {"accel 3\n", 1, 7, "whole number from 0 to 2"},
     {"accel octree\n", 1, 7, "expected 0, 1, 2, none, grid or bvh, found \"octree\""},
-    {"spp 0\n", 1, 5, "spp must be a whole number"},
+    {"spp -1\n", 1, 5, "spp must be a whole number"},
     {"spp\n", 1, 4, "expected spp"},
     // Materials, by count
     {"f\n", 1, 2, "expected at least 8 numbers"},

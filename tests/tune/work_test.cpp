@@ -4,19 +4,20 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
+#include "tests/render/one_shot_renderer.h"
 #include "tests/tune/made_rows.h"
 
 namespace candela::tune {
 namespace {
 
 // Takes as long as its speed says, and some time for each render.
-class MadeRenderer final : public render::Renderer {
+class MadeRenderer final : public test::OneShotRenderer {
  public:
   explicit MadeRenderer(double samplesPerSecond, std::uint32_t stopAfter = 1000)
       : samplesPerSecond_(samplesPerSecond), stopAfter_(stopAfter) {}
 
-  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
-                              const render::RenderControl& control) override {
+  render::RenderResult renderOnce(const scene::Scene&, const render::RenderSettings& settings,
+                                  const render::RenderControl& control) override {
     renders.push_back(settings);
     render::RenderResult result;
     result.film = image::Film(1, 1);
@@ -27,7 +28,8 @@ class MadeRenderer final : public render::Renderer {
     return result;
   }
   double secondsOf(const render::RenderSettings& s) const {
-    return 1e-4 + static_cast<double>(s.image.size.width) * s.image.size.height * s.image.sampleCount / samplesPerSecond_;
+    return 1e-4 +
+           static_cast<double>(s.image.size.width) * s.image.size.height * s.image.sampleCount / samplesPerSecond_;
   }
 
   std::vector<render::RenderSettings> renders;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "host/render/renderer.h"
+#include "tests/render/one_shot_renderer.h"
 
 namespace candela::verify {
 
@@ -14,12 +15,12 @@ struct NoiseOptions {
   std::function<double(std::uint32_t, std::uint32_t)> factor = [](std::uint32_t, std::uint32_t) { return 1.0; };
 };
 
-class NoiseRenderer final : public render::Renderer {
+class NoiseRenderer final : public test::OneShotRenderer {
  public:
   explicit NoiseRenderer(NoiseOptions options = {}) : options_(std::move(options)) {}
 
-  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
-                              const render::RenderControl& control) override {
+  render::RenderResult renderOnce(const scene::Scene&, const render::RenderSettings& settings,
+                                  const render::RenderControl& control) override {
     render::RenderResult result;
     result.film = image::Film(settings.image.size.width, settings.image.size.height);
     result.interrupted = control.stop != nullptr && *control.stop;

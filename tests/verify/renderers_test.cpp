@@ -26,9 +26,8 @@ scene::Scene shadowedPlane(float albedo) {
 class ChangedRenderer : public render::Renderer {
  public:
   ChangedRenderer(render::Renderer& renderer, const scene::Scene& scene) : renderer_(renderer), scene_(scene) {}
-  render::RenderResult render(const scene::Scene&, const render::RenderSettings& settings,
-                              const render::RenderControl& control) override {
-    return renderer_.render(scene_, settings, control);
+  std::unique_ptr<render::Session> prepare(const scene::Scene&, const render::RenderSettings& settings) override {
+    return renderer_.prepare(scene_, settings);
   }
 
  private:

@@ -62,7 +62,7 @@ TEST_CASE("JUnit counts bad samples as a failure where they are forbidden, and e
   CHECK_THAT(toJunit(report, true), Contains("tests=\"3\" failures=\"0\""));
   image::Film film(16, 16);
   film.addSample(3, 4, glm::dvec3(-1), 0);
-  report.deviceBadSamples.add(film, {});
+  report.tallies.device.add(film, {});
   CHECK_THAT(toJunit(report, true),
              Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
   CHECK_THAT(toJunit(report, false), Contains("tests=\"2\" failures=\"0\""));

@@ -1,0 +1,253 @@
+// Rendering band by band under the governor; a band stays on the device until another one takes its buffers.
+#include "host/device/gpu_session.h"
+
+#include <algorithm>
+#include <span>
+
+#include "host/core/errors.h"
+#include "host/core/stopwatch.h"
+#include "host/device/device_replay.h"
+#include "host/device/specialise.h"
+#include "host/device/wavefront.h"
+#include "host/device/workgroup.h"
+#include "host/flatten/flatten_hierarchy.h"
+
+namespace candela::device {
+namespace {
+
+void describeBuild(const render::StructureSettings& structure, render::RenderStatistics& statistics) {
+  if (structure.bvhSplit == render::BvhSplit::midpoint) {
+    statistics.bvhSplit = "midpoint";
+    return;
+  }
+  statistics.bvhSplit = "sah";
+  statistics.bvhQuality = flatten::buildQualityName(structure.bvhQuality);
+}
+
+// What a pixel's consecutive samples leave to be done.
+std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(
+      film, [&](const image::FilmPixel& pixel) { return firstSample + pixel.sampleCount < sampleEnd; }));
+}
+
+}  // namespace
+
+GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scene& scene,
+                       const render::RenderSettings& settings)
+    : context_(std::move(context)), scene_(scene), settings_(settings) {
+  const vulkan::DeviceInfo& info = context_->device.info();
+  requireWorkgroup(info, settings_.execution.workgroupInUse());
+  const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
+  Stopwatch watch;
+  const std::uint32_t rays = mostRaysPerSegment(scene_, settings_);
+  preferTree(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
+  flat_ = flatten::flattenScene(scene_, settings_,
+                                {mostGridSide(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
+  kernel_ = kernelFor(flat_, settings_);
+  budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
+  if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMostRounds);
+  cameraRecords_ = flatten::cameraRecordsOf(scene_, flat_, settings_.image);
+  prepared_.seconds["build"] = watch.lap();
+  prepared_.seconds["structure"] = flat_.structureSeconds;
+
+  deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat_, loadsFor(info, flat_, settings_));
+  flat_.rows = {};
+  prepared_.seconds["upload"] = watch.lap();
+  describe();
+
+  bandHeight_ = bandHeight(info, kernel_, settings_, context_->maxBandBytes);
+  prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
+  film_ = image::Film(settings_.image.size.width, settings_.image.size.height);
+  startCounting();
+}
+
+void GpuSession::describe() {
+  prepared_.device = context_->device.info().name;
+  prepared_.driver = context_->device.info().driver;
+  prepared_.structure = settings_.structure.accel;
+  if (prepared_.structure == render::AccelKind::bvh) describeBuild(settings_.structure, prepared_);
+  prepared_.layout = flat_.uniformSlots > 0 ? "row" : flatten::layoutName(flat_.structure);
+  prepared_.kernel = kernel_.name;
+  prepared_.workgroup = settings_.execution.workgroupInUse();
+  prepared_.automaticOrigin = settings_.execution.automatic.origin;
+  prepared_.sceneLoads = deviceScene_->readsTexels() ? "texel" : "storage";
+  prepared_.structureQuality = flat_.structureQuality;
+}
+
+vulkan::PipelineOptions GpuSession::pipelineOptions() const {
+  return kernelOptions(flat_, settings_, deviceScene_->readsTexels(), sizeof(gpu::DispatchConstants));
+}
+
+std::vector<vulkan::ComputePipeline> GpuSession::pipelinesOf(const Kernel& kernel) {
+  std::vector<vulkan::ComputePipeline> pipelines;
+  for (const std::span<const std::uint32_t> spirv : kernel.spirv) {
+    pipelines.push_back(context_->pipelines.get(context_->device, spirv, pipelineOptions()));
+  }
+  return pipelines;
+}
+
+BandRows GpuSession::bandAt(std::uint32_t index) const {
+  const std::uint32_t first = index * bandHeight_;
+  return {first, std::min(bandHeight_, settings_.image.size.height - first)};
+}
+
+std::uint32_t GpuSession::bandCount() const { return (settings_.image.size.height + bandHeight_ - 1) / bandHeight_; }
+
+std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
+  const std::uint64_t width = settings_.image.size.width;
+  return {film_.pixels().data() + width * rows.first, width * rows.height};
+}
+
+void GpuSession::startCounting() {
+  statistics_ = prepared_;
+  samplesLoaded_ = 0;
+  badSamplesLoaded_ = 0;
+  paths_.clear();
+}
+
+// The next band to be made resident starts from film_.
+void GpuSession::empty() {
+  std::ranges::fill(film_.pixels(), image::FilmPixel{});
+  coverage_ = {};
+  resident_.reset();
+  startCounting();
+}
+
+void GpuSession::reset(std::uint32_t seed) {
+  settings_.image.seed = seed;
+  cameraRecords_.constants.seed = seed;
+  flat_.constants.seed = seed;
+  deviceScene_->update(cameraRecords_);
+  empty();
+}
+
+void GpuSession::setCamera(const scene::Camera& camera) {
+  flatten::moveCamera(scene_, camera, settings_.image, cameraRecords_);
+  flat_.constants = cameraRecords_.constants;
+  deviceScene_->update(cameraRecords_);
+  if (band_) band_->setPipelines(pipelinesOf(kernel_));  // others if there is a lens now, or no longer
+  empty();
+}
+
+void GpuSession::load(const image::Film& film, std::uint32_t first) {
+  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.size,
+                                                           settings_.image.sampleCount);
+  empty();
+  film_ = film;
+  coverage_ = coverage;
+  for (const image::FilmPixel& pixel : film_.pixels()) {
+    samplesLoaded_ += pixel.sampleCount;
+    badSamplesLoaded_ += pixel.badCount;
+  }
+}
+
+void GpuSession::fetchFilm() {
+  if (!resident_) return;
+  Stopwatch watch;
+  band_->readFilm(filmOf(bandAt(*resident_)));
+  statistics_.seconds["readBack"] += watch.lap();
+}
+
+// Not while the session is prepared, since a session that only replays samples needs no band.
+void GpuSession::makeBand() {
+  const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
+  band_ = std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,
+                                 bandHeight_);
+  prepared_.deviceBytes += context_->device.memoryUse().currentBytes - bytesBefore;
+  statistics_.deviceBytes = prepared_.deviceBytes;
+}
+
+void GpuSession::makeResident(std::uint32_t index) {
+  if (resident_ == index) return;
+  if (!band_) makeBand();
+  if (resident_) {
+    fetchFilm();
+    band_->addCounts(statistics_);
+    if (settings_.execution.recordPaths) band_->readRecords(paths_);
+  }
+  const BandRows rows = bandAt(index);
+  band_->load(rows, coverage_.isEmpty() ? std::span<const image::FilmPixel>{} : filmOf(rows), coverage_.first);
+  resident_ = index;
+}
+
+std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) {
+  if (coverage_.samples != render::FilmCoverage::kUneven) {
+    return coverage_.first + coverage_.samples < sampleEnd ? filmOf(rows).size() : 0;
+  }
+  return countLacking(filmOf(rows), coverage_.first, sampleEnd);
+}
+
+bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
+                             const std::function<void(std::uint64_t)>& samplesFinished) {
+  const std::uint64_t lacking = pixelsLacking(bandAt(index), sampleEnd);
+  if (lacking == 0) return true;
+  Stopwatch watch;
+  makeResident(index);
+  if (!warm_) {
+    band_->warmUp(sampleEnd, budget_);
+    warm_ = true;
+    prepared_.seconds["pipeline"] += watch.lap();
+    statistics_.seconds["pipeline"] = prepared_.seconds["pipeline"];
+  }
+  const bool finished = band_->finish(sampleEnd, lacking, budget_, control, statistics_, samplesFinished);
+  statistics_.seconds["trace"] += watch.lap();
+  return finished;
+}
+
+bool GpuSession::advance(render::SampleRange range, const render::RenderControl& control) {
+  const bool uneven = coverage_.samples == render::FilmCoverage::kUneven;
+  if (uneven) fetchFilm();
+  const std::uint32_t covered = uneven ? render::minSampleCount(film_.pixels()) : coverage_.samples;
+  render::requireContiguous(range, coverage_, covered, settings_.image.sampleCount);
+  if (coverage_.isEmpty()) {
+    if (range.first != coverage_.first) resident_.reset();
+    coverage_.first = range.first;
+  }
+  if (range.end <= coverage_.first + covered) return true;
+
+  const double total = static_cast<double>(film_.pixels().size()) * (range.end - coverage_.first - covered);
+  std::uint64_t done = 0;
+  const auto count = [&](std::uint64_t fresh) {
+    done += fresh;
+    if (control.progress) control.progress(std::min(1.0, static_cast<double>(done) / total), done);
+  };
+  bool finished = true;
+  for (std::uint32_t i = 0; i < bandCount() && finished; ++i) {
+    finished = advanceBand(i, range.end, control, count);
+  }
+  coverage_.samples = finished ? range.end - coverage_.first : render::FilmCoverage::kUneven;
+  return finished;
+}
+
+image::Film GpuSession::film() {
+  fetchFilm();
+  return film_;
+}
+
+render::RenderStatistics GpuSession::statistics() {
+  fetchFilm();
+  render::RenderStatistics result = statistics_;
+  if (resident_) band_->addCounts(result);
+  for (const image::FilmPixel& pixel : film_.pixels()) {
+    result.samples += pixel.sampleCount;
+    result.badSamples += pixel.badCount;
+  }
+  result.samples -= samplesLoaded_;
+  result.badSamples -= badSamplesLoaded_;
+  return result;
+}
+
+render::PathRecords GpuSession::paths() {
+  render::PathRecords paths = paths_;
+  if (resident_ && settings_.execution.recordPaths) band_->readRecords(paths);
+  return paths;
+}
+
+render::Replay GpuSession::replay(const render::PixelSample& sample) {
+  const std::vector<vulkan::ComputePipeline> pipelines = pipelinesOf(replayKernel());
+  render::Replay replay{{}, prepared_};
+  replay.path = replayOnDevice(context_->device, pipelines.front(), *deviceScene_, sample, budget_, replay.statistics);
+  return replay;
+}
+
+}  // namespace candela::device

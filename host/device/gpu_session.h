@@ -1,0 +1,70 @@
+// A scene on a device: its buffers and pipelines, and the film that it renders.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "host/device/band.h"
+#include "host/device/device_context.h"
+#include "host/device/device_scene.h"
+#include "host/device/kernel.h"
+#include "host/device/loop_budget.h"
+#include "host/flatten/camera_records.h"
+#include "host/render/film_coverage.h"
+#include "host/render/session.h"
+
+namespace candela::device {
+
+class GpuSession final : public render::Session {
+ public:
+  /// Throws as render::Renderer::prepare() does. The scene must outlive the object.
+  GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scene& scene, const render::RenderSettings& settings);
+
+  bool advance(render::SampleRange range, const render::RenderControl& control) override;
+  image::Film film() override;
+  void reset(std::uint32_t seed) override;
+  void setCamera(const scene::Camera& camera) override;
+  void load(const image::Film& film, std::uint32_t first) override;
+  render::RenderStatistics statistics() override;
+  render::PathRecords paths() override;
+  render::Replay replay(const render::PixelSample& sample) override;
+
+ private:
+  void describe();
+  vulkan::PipelineOptions pipelineOptions() const;
+  std::vector<vulkan::ComputePipeline> pipelinesOf(const Kernel& kernel);
+  void empty();
+  void startCounting();
+  BandRows bandAt(std::uint32_t index) const;
+  std::uint32_t bandCount() const;
+  std::span<image::FilmPixel> filmOf(BandRows rows);
+  void makeBand();
+  void makeResident(std::uint32_t index);
+  void fetchFilm();
+  std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
+  bool advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
+                   const std::function<void(std::uint64_t)>& samplesFinished);
+
+  std::shared_ptr<DeviceContext> context_;
+  const scene::Scene& scene_;
+  render::RenderSettings settings_;
+  flatten::FlatScene flat_;  ///< without its rows
+  flatten::CameraRecords cameraRecords_;
+  Kernel kernel_;
+  LoopBudget budget_;
+  std::unique_ptr<DeviceScene> deviceScene_;
+  std::uint32_t bandHeight_ = 0;
+  std::unique_ptr<Band> band_;  ///< made when it is first needed
+  bool warm_ = false;           ///< the driver has compiled the pipelines
+
+  image::Film film_;                       ///< but for the resident band, whose newer film is on the device
+  render::FilmCoverage coverage_;          ///< of the film, device included
+  std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
+  render::RenderStatistics prepared_;      ///< of preparation
+  render::RenderStatistics statistics_;    ///< of all work but the resident band's counts
+  std::uint64_t samplesLoaded_ = 0;        ///< samples and bad samples of the film that was loaded
+  std::uint64_t badSamplesLoaded_ = 0;
+  render::PathRecords paths_;  ///< of the bands before the resident one
+};
+
+}  // namespace candela::device

@@ -1,0 +1,152 @@
+// Sessions of the reference tracer.
+#include "host/reference/reference_session.h"
+
+#include <algorithm>
+#include <new>
+#include <thread>
+
+#include "host/core/errors.h"
+#include "host/core/stopwatch.h"
+#include "host/reference/path.h"
+#include "host/reference/tile_job.h"
+#include "host/reference/views.h"
+#include "host/reference/whitted.h"
+
+namespace candela::reference {
+namespace {
+
+constexpr render::Extent kDefaultTile{16, 16};
+
+std::uint32_t threadCount(const render::RenderSettings& settings) {
+  return settings.execution.threads > 0 ? settings.execution.threads
+                                        : std::max(1u, std::thread::hardware_concurrency());
+}
+
+std::unique_ptr<PixelTracer> makeTracer(const scene::Scene& scene, const render::RenderSettings& settings) {
+  if (settings.image.integrator == render::Integrator::whitted) return std::make_unique<WhittedTracer>(scene, settings);
+  if (isView(settings.image.integrator)) return std::make_unique<ViewTracer>(scene, settings);
+  return std::make_unique<PathTracer>(scene, settings);
+}
+
+void describeStructure(const Tracing& tracing, const render::RenderSettings& settings,
+                       render::RenderStatistics& statistics) {
+  if (tracing.hasHierarchy()) {
+    statistics.structure = render::AccelKind::bvh;
+    statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
+  }
+  if (tracing.hasGrid()) {
+    statistics.structure = render::AccelKind::grid;
+    statistics.structureQuality["cells"] = static_cast<double>(tracing.grid().starts.size() - 1);
+    statistics.structureQuality["references"] = static_cast<double>(tracing.grid().items.size());
+  }
+}
+
+std::uint64_t badSampleCount(const image::Film& film) {
+  std::uint64_t count = 0;
+  for (const image::FilmPixel& pixel : film.pixels()) count += pixel.badCount;
+  return count;
+}
+
+// The result of `work`; memory that runs out is reported as such.
+template <class Work>
+auto guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemoryError("the reference tracer ran out of memory; render a smaller image or a smaller scene");
+  }
+}
+
+}  // namespace
+
+ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings)
+    : settings_(settings) {
+  prepared_.device = "cpu";
+  prepared_.kernel = "reference";
+  prepared_.threads = threadCount(settings_);
+  Stopwatch watch;
+  guarded([&] {
+    tracer_ = makeTracer(scene, settings_);
+    film_ = image::Film(settings_.image.size.width, settings_.image.size.height);
+    empty();
+  });
+  prepared_.seconds["build"] = watch.lap();
+  prepared_.seconds["structure"] = prepared_.seconds["build"];  // there is little else to prepare
+  describeStructure(tracer_->tracing(), settings_, prepared_);
+  statistics_ = prepared_;
+}
+
+void ReferenceSession::empty() {
+  std::ranges::fill(film_.pixels(), image::FilmPixel{});
+  coverage_ = {};
+  paths_.clear();
+  if (settings_.execution.recordPaths) paths_.resize(film_.pixels().size());
+  statistics_ = prepared_;
+  badSamplesLoaded_ = 0;
+}
+
+void ReferenceSession::reset(std::uint32_t seed) {
+  settings_.image.seed = seed;
+  tracer_->setSeed(seed);
+  empty();
+}
+
+void ReferenceSession::setCamera(const scene::Camera& camera) {
+  tracer_->setCamera(camera);
+  empty();
+}
+
+void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
+  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.size,
+                                                           settings_.image.sampleCount);
+  empty();
+  film_ = film;
+  coverage_ = coverage;
+  badSamplesLoaded_ = badSampleCount(film_);
+}
+
+bool ReferenceSession::advance(render::SampleRange range, const render::RenderControl& control) {
+  const std::uint32_t covered = render::minSampleCount(film_.pixels());
+  render::requireContiguous(range, coverage_, covered, settings_.image.sampleCount);
+  if (coverage_.isEmpty()) coverage_.first = range.first;
+  if (range.end <= coverage_.first + covered) return true;
+  return guarded([&] {
+    Stopwatch watch;
+    const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
+    TileJob job(*tracer_, tile, range.end, control, {film_, coverage_.first, paths_});
+    addCounters(job.run(statistics_.threads));
+    statistics_.seconds["trace"] += watch.lap();
+    statistics_.tile = tile;
+    coverage_.samples = job.wasInterrupted() ? render::FilmCoverage::kUneven : range.end - coverage_.first;
+    return !job.wasInterrupted();
+  });
+}
+
+void ReferenceSession::addCounters(const Counters& counters) {
+  statistics_.samples += counters.samples;
+  statistics_.cameraRays += counters.cameraRays;
+  statistics_.bounceRays += counters.bounceRays;
+  statistics_.shadowRays += counters.shadowRays;
+  statistics_.vertices += counters.vertices;
+  statistics_.traversalSteps += counters.traversalSteps;
+  if (settings_.image.integrator != render::Integrator::whitted) return;
+  if (!statistics_.treeRays) statistics_.treeRays.emplace();
+  statistics_.treeRays->cameraHits += counters.cameraHits;
+  statistics_.treeRays->reflected += counters.reflectedRays;
+  statistics_.treeRays->refracted += counters.refractedRays;
+}
+
+render::RenderStatistics ReferenceSession::statistics() {
+  render::RenderStatistics result = statistics_;
+  result.badSamples = badSampleCount(film_) - badSamplesLoaded_;
+  return result;
+}
+
+render::Replay ReferenceSession::replay(const render::PixelSample& sample) {
+  const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
+  if (paths == nullptr) throw UsageError("only samples of the path tracer can be replayed");
+  return {paths->trace(sample), prepared_};
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,39 @@
+// A scene made ready for the reference tracer, and the film that it renders.
+#pragma once
+#include <memory>
+
+#include "host/reference/pixel_tracer.h"
+#include "host/render/film_coverage.h"
+#include "host/render/session.h"
+
+namespace candela::reference {
+
+class ReferenceSession final : public render::Session {
+ public:
+  /// The scene must outlive the object.
+  ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings);
+
+  bool advance(render::SampleRange range, const render::RenderControl& control) override;
+  image::Film film() override { return film_; }
+  void reset(std::uint32_t seed) override;
+  void setCamera(const scene::Camera& camera) override;
+  void load(const image::Film& film, std::uint32_t first) override;
+  render::RenderStatistics statistics() override;
+  render::PathRecords paths() override { return paths_; }
+  render::Replay replay(const render::PixelSample& sample) override;
+
+ private:
+  void empty();
+  void addCounters(const Counters& counters);
+
+  render::RenderSettings settings_;
+  std::unique_ptr<PixelTracer> tracer_;
+  image::Film film_;
+  render::FilmCoverage coverage_;
+  render::PathRecords paths_;
+  render::RenderStatistics prepared_;  ///< of preparation
+  render::RenderStatistics statistics_;
+  std::uint64_t badSamplesLoaded_ = 0;
+};
+
+}  // namespace candela::reference

@@ -1,0 +1,94 @@
+// Hands out tiles to threads.
+#include "host/reference/tile_job.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+namespace candela::reference {
+namespace {
+
+std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
+
+double samplesLacking(const JobOutput& output, std::uint32_t sampleEnd) {
+  double samples = 0;
+  for (const image::FilmPixel& pixel : output.film.pixels()) {
+    const std::uint32_t next = output.firstSample + pixel.sampleCount;
+    samples += next < sampleEnd ? sampleEnd - next : 0;
+  }
+  return samples;
+}
+
+}  // namespace
+
+TileJob::TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t sampleEnd,
+                 const render::RenderControl& control, JobOutput output)
+    : tracer_(tracer),
+      tile_(tile),
+      sampleEnd_(sampleEnd),
+      control_(control),
+      output_(output),
+      tilesAcross_(divideUp(output.film.width(), tile.width)),
+      tileCount_(std::uint64_t{tilesAcross_} * divideUp(output.film.height(), tile.height)),
+      totalSamples_(samplesLacking(output, sampleEnd)) {}
+
+Counters TileJob::run(std::uint32_t threads) {
+  std::vector<Counters> counters(threads);
+  {
+    std::vector<std::jthread> helpers;
+    for (std::uint32_t i = 1; i < threads; ++i) {
+      helpers.emplace_back([this, &counter = counters[i]](std::stop_token stop) {
+        while (!stop.stop_requested() && renderNextTile(counter)) {
+        }
+      });
+    }
+    while (renderNextTile(counters[0])) reportProgress();
+    for (std::jthread& helper : helpers) helper.join();
+  }
+  Counters total;
+  for (const Counters& counter : counters) total += counter;
+  return total;
+}
+
+bool TileJob::renderNextTile(Counters& shared) {
+  const std::uint64_t index = nextTile_.fetch_add(1);
+  if (index >= tileCount_) return false;
+  const auto column = static_cast<std::uint32_t>(index % tilesAcross_);
+  const auto row = static_cast<std::uint32_t>(index / tilesAcross_);
+  Counters counters;
+  const bool finished = renderTile(column * tile_.width, row * tile_.height, counters);
+  samplesDone_.fetch_add(counters.samples);
+  shared += counters;
+  return finished;
+}
+
+bool TileJob::renderTile(std::uint32_t left, std::uint32_t top, Counters& counters) {
+  const std::uint32_t right = std::min(left + tile_.width, output_.film.width());
+  const std::uint32_t bottom = std::min(top + tile_.height, output_.film.height());
+  for (std::uint32_t y = top; y < bottom; ++y) {
+    for (std::uint32_t x = left; x < right; ++x) {
+      if (isStopped()) {
+        interrupted_ = true;
+        return false;
+      }
+      renderPixel(x, y, counters);
+    }
+  }
+  return true;
+}
+
+void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
+  const std::size_t pixel = std::size_t{y} * output_.film.width() + x;
+  for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
+    render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
+    output_.film.addSample(x, y, tracer_.sample(x, y, i, counters, record), i);
+  }
+}
+
+void TileJob::reportProgress() const {
+  if (!control_.progress) return;
+  const std::uint64_t done = samplesDone_.load();
+  control_.progress(totalSamples_ > 0 ? static_cast<double>(done) / totalSamples_ : 1, done);
+}
+
+}  // namespace candela::reference

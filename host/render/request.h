@@ -1,0 +1,28 @@
+// What somebody asks of a render, before the scene's own wishes and the defaults complete it.
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
+
+namespace candela::render {
+
+/// A request; what is absent is left to the scene, and then to the default.
+struct RenderRequest {
+  /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
+  std::optional<std::uint32_t> sampleCount;
+  std::optional<Extent> size;             ///< default: the resolution of the scene's camera
+  std::optional<AccelKind> accel;         ///< default: BVH
+  std::optional<std::uint32_t> maxDepth;  ///< default: defaultMaxDepth()
+  RenderSettings settings;                ///< all other settings; those that the members above decide are not read
+};
+
+/// The number of samples per pixel that `request` and `scene` ask for; 0 as above.
+std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene);
+
+/// The settings of a render of `scene`, which has a camera. A search structure that only the scene asks for is a
+/// preference: see StructureSettings::accelIsPreference.
+RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
+
+}  // namespace candela::render

@@ -1,0 +1,237 @@
+// Sessions of both tracers: films in any number of steps, other seeds, other cameras, films made earlier.
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "host/core/errors.h"
+#include "tests/render/render_support.h"
+
+using namespace candela;
+using namespace candela::device;
+
+namespace {
+
+constexpr std::uint32_t kSamples = 8;
+
+using Check = std::function<void(render::Renderer&)>;
+
+// The device with one band and with several, and the reference.
+void onAllRenderers(const Check& check) {
+  SECTION("device") { check(testRenderer()); }
+  SECTION("device, in bands") {
+    const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = 64 << 10});
+    check(*renderer);
+  }
+  SECTION("reference") { check(*reference::makeReferenceRenderer()); }
+}
+
+render::RenderSettings sessionSettings() {
+  render::RenderSettings settings = squareSettings(40, kSamples);
+  settings.image.maxDepth = 6;
+  return settings;
+}
+
+void requireEqualCounts(const render::RenderStatistics& a, const render::RenderStatistics& b) {
+  CHECK(a.samples == b.samples);
+  CHECK(a.cameraRays == b.cameraRays);
+  CHECK(a.bounceRays == b.bounceRays);
+  CHECK(a.shadowRays == b.shadowRays);
+  CHECK(a.vertices == b.vertices);
+  CHECK(a.traversalSteps == b.traversalSteps);
+  CHECK(a.truncated == 0);
+}
+
+scene::Camera movedCamera(const scene::Scene& scene) {
+  scene::Camera camera = *scene.camera;
+  camera.from += glm::vec3(0.25f, -0.125f, 0.5f);
+  camera.at += glm::vec3(0.125f, 0.25f, 0);
+  camera.angle *= 0.9f;
+  return camera;
+}
+
+// The film after a move equals that of a session prepared with the camera, and that of before after moving back.
+void requireMovable(render::Renderer& renderer, const scene::Scene& scene, const scene::Camera& camera,
+                    const render::RenderSettings& settings) {
+  scene::Scene moved = scene;
+  moved.camera = camera;
+  const render::SampleRange all{0, settings.image.sampleCount};
+  const std::uint64_t before = renderer.render(scene, settings, {}).film.hash();
+  const std::uint64_t after = renderer.render(moved, settings, {}).film.hash();
+  CHECK(before != after);
+  const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+  CHECK(session->advance(all, {}));
+  session->setCamera(camera);
+  CHECK(session->advance(all, {}));
+  CHECK(session->film().hash() == after);
+  session->setCamera(*scene.camera);
+  CHECK(session->advance(all, {}));
+  CHECK(session->film().hash() == before);
+}
+
+}  // namespace
+
+TEST_CASE("a film and its counts do not depend on how the samples are split into ranges") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    const render::RenderResult whole = renderer.render(scene, sessionSettings(), {});
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, sessionSettings());
+    for (const render::SampleRange range : {render::SampleRange{0, 3}, {3, 4}, {0, 4}, {2, kSamples}}) {
+      CHECK(session->advance(range, {}));
+    }
+    CHECK(session->film().hash() == whole.film.hash());
+    requireEqualCounts(session->statistics(), whole.statistics);
+  });
+}
+
+TEST_CASE("films of two ranges add up to the film of both") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    const std::unique_ptr<render::Session> first = renderer.prepare(scene, sessionSettings());
+    const std::unique_ptr<render::Session> second = renderer.prepare(scene, sessionSettings());
+    CHECK(first->advance({0, 5}, {}));
+    CHECK(second->advance({5, kSamples}, {}));
+    image::Film film = first->film();
+    film.merge(second->film());
+    CHECK(film.hash() == renderer.render(scene, sessionSettings(), {}).film.hash());
+    CHECK(second->statistics().samples == 3 * 40 * 40);
+  });
+}
+
+TEST_CASE("a session that was stopped goes on where it was") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  render::RenderSettings settings = sessionSettings();
+  settings.execution.tile = render::Extent{16, 16};
+  settings.execution.segmentsPerDispatch = 5;
+  settings.execution.threads = 1;
+  onAllRenderers([&](render::Renderer& renderer) {
+    const render::RenderResult whole = renderer.render(scene, settings, {});
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+    std::atomic<bool> stop = false;
+    int calls = 0;
+    render::RenderControl control{&stop, [&](double, std::uint64_t) { stop = ++calls % 4 == 0; }};
+    int stops = 0;
+    while (!session->advance({0, kSamples}, control)) {
+      stop = false;
+      ++stops;
+    }
+    CHECK(stops > 1);
+    CHECK(session->film().hash() == whole.film.hash());
+    requireEqualCounts(session->statistics(), whole.statistics);
+  });
+}
+
+TEST_CASE("a session continues a film that was stopped in another one") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  render::RenderSettings settings = sessionSettings();
+  settings.execution.tile = render::Extent{16, 16};
+  settings.execution.threads = 1;
+  onAllRenderers([&](render::Renderer& renderer) {
+    const std::uint64_t whole = renderer.render(scene, settings, {}).film.hash();
+    std::atomic<bool> stop = false;
+    const std::unique_ptr<render::Session> first = renderer.prepare(scene, settings);
+    CHECK_FALSE(first->advance({0, kSamples}, {&stop, [&](double, std::uint64_t samples) { stop = samples > 0; }}));
+    const image::Film partial = first->film();
+    CHECK(partial.hash() != whole);
+    const std::unique_ptr<render::Session> second = renderer.prepare(scene, settings);
+    second->load(partial);
+    CHECK(second->advance({0, kSamples}, {}));
+    CHECK(second->film().hash() == whole);
+    CHECK(second->statistics().samples + first->statistics().samples == kSamples * 40 * 40);
+    CHECK(second->statistics().cameraRays == second->statistics().samples);
+  });
+}
+
+TEST_CASE("a session that is reset renders with other random numbers, and again with the first ones") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    render::RenderSettings other = sessionSettings();
+    other.image.seed = 77;
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, sessionSettings());
+    CHECK(session->advance({0, kSamples}, {}));
+    const std::uint64_t first = session->film().hash();
+    session->reset(77);
+    CHECK(session->statistics().samples == 0);
+    CHECK(session->advance({0, kSamples}, {}));
+    CHECK(session->film().hash() == renderer.render(scene, other, {}).film.hash());
+    session->reset(0);
+    CHECK(session->advance({0, kSamples}, {}));
+    CHECK(session->film().hash() == first);
+  });
+}
+
+TEST_CASE("the wavefront's sessions go on, too", "[swiftshader-slow]") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  render::RenderSettings settings = sessionSettings();
+  settings.execution.kernel = render::KernelKind::wavefront;
+  const std::uint64_t whole = testRenderer().render(scene, settings, {}).film.hash();
+  const std::unique_ptr<render::Session> session = testRenderer().prepare(scene, settings);
+  CHECK(session->advance({0, 3}, {}));
+  const image::Film film = session->film();
+  CHECK(session->advance({3, kSamples}, {}));
+  CHECK(session->film().hash() == whole);
+  const std::unique_ptr<render::Session> other = testRenderer().prepare(scene, settings);
+  other->load(film);
+  CHECK(other->advance({3, kSamples}, {}));
+  CHECK(other->film().hash() == whole);
+}
+
+TEST_CASE("a camera that moves gives the film of a session prepared with it", "[swiftshader-slow]") {
+  onAllRenderers([&](render::Renderer& renderer) {
+    for (const char* const name : {"smallpt.p3f", "balls.p3f", "primitives.p3f"}) {
+      INFO(name);
+      const scene::Scene scene = loadTestScene(name);
+      requireMovable(renderer, scene, movedCamera(scene), sessionSettings());
+    }
+  });
+}
+
+TEST_CASE("a camera that moves may gain or lose its lens", "[swiftshader-slow]") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  scene::Camera lens = *scene.camera;
+  lens.aperture = 10;
+  lens.focal = 0.8f;
+  onAllRenderers([&](render::Renderer& renderer) { requireMovable(renderer, scene, lens, sessionSettings()); });
+}
+
+TEST_CASE("square lights and ambient occlusion follow the camera", "[swiftshader-slow]") {
+  const scene::Scene scene = primitivesUnderLights();
+  render::RenderSettings whitted = sessionSettings();
+  whitted.image.integrator = render::Integrator::whitted;
+  whitted.image.lightSize = 0.5f;
+  render::RenderSettings occlusion = sessionSettings();
+  occlusion.image.integrator = render::Integrator::ao;
+  onAllRenderers([&](render::Renderer& renderer) {
+    requireMovable(renderer, scene, movedCamera(scene), whitted);
+    requireMovable(renderer, scene, movedCamera(scene), occlusion);
+  });
+}
+
+TEST_CASE("ranges that do not continue the film are refused, and films of other images") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, sessionSettings());
+    CHECK_THROWS_AS(session->advance({0, kSamples + 1}, {}), UsageError);
+    CHECK_THROWS_AS(session->advance({3, 2}, {}), UsageError);
+    CHECK(session->advance({2, 4}, {}));
+    CHECK_THROWS_AS(session->advance({5, 6}, {}), UsageError);
+    CHECK_THROWS_AS(session->advance({0, 6}, {}), UsageError);
+    CHECK_THROWS_AS(session->load(image::Film(40, 41)), UsageError);
+    CHECK_THROWS_AS(session->load(session->film(), kSamples - 1), UsageError);
+  });
+}
+
+TEST_CASE("a scene that prefers no structure gets a tree where the device cannot do without") {
+  std::string
+      text = "v\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 4 4\nf 1 1 1 1 0 0 0 0 1 0 1 0 0 0\n";
+  for (int i = 0; i < 600; ++i) text += "s " + std::to_string(i) + " 3 0 .4\n";
+  const scene::Scene scene = sceneFromText(text);
+  const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 2000});
+  render::RenderSettings settings = squareSettings(4, 1);
+  settings.structure.accel = render::AccelKind::none;
+  CHECK_THROWS_AS(renderer->prepare(scene, settings), FileError);
+  settings.structure.accelIsPreference = true;
+  const render::RenderStatistics statistics = renderer->prepare(scene, settings)->statistics();
+  CHECK(statistics.structure == render::AccelKind::bvh);
+  REQUIRE(statistics.warnings.size() == 1);
+  CHECK(statistics.warnings.front().find("600 primitives") != std::string::npos);
+}
