@@ -53,7 +53,7 @@ vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
     vec3 h = unit(wo + wi);
     float cosOH = dot(wo, h);
     float d = blinnDistribution(h, m.exponent);
-    f += m.specular * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
+    f += m.glossy * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
     pdf += m.glossyWeight / total * d * h.z / (4.0 * cosOH);
   }
   return f;
@@ -83,7 +83,7 @@ BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
 // `outside`: wo is on the side that the primitive's own normal points to.
 BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
   BsdfSample result = kAbsorbed;
-  result.weight = m.diffuse * weightSum(m);
+  result.weight = m.specular * weightSum(m);
   float eta = outside ? 1.0 / m.ior : m.ior;
   precise float sinSquaredT = eta * eta * (1.0 - wo.z * wo.z);
   float cosT = sqrt(max(0.0, 1.0 - sinSquaredT));
@@ -100,7 +100,7 @@ BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
 
 // Numbers: x chooses the lobe, yz the direction.
 BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
-  if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.diffuse, 0.0, kLobeMirror);
+  if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);
   if (total <= 0.0) return kAbsorbed;
   precise float diffuseShare = m.diffuseWeight / total;

@@ -44,8 +44,9 @@ uint primitiveRow(uint slot) { return constants.sections.y + slot * kPrimitiveRo
 struct Material {
   vec3 diffuse;
   float diffuseWeight;
-  vec3 specular;
+  vec3 glossy;
   float glossyWeight;
+  vec3 specular;  // colour of the dielectric or mirror lobe
   vec3 emission;
   float dielectricWeight;
   float exponent;
@@ -63,12 +64,12 @@ Material loadMaterial(uint kindAndMaterial) {
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;
-  material.specular = vec3(0.0);
+  material.glossy = vec3(0.0);
   material.glossyWeight = 0.0;
   if (kHasGlossy) {
-    vec4 specular = sceneRowFloat(row + 1u);
-    material.specular = specular.xyz;
-    material.glossyWeight = specular.w;
+    vec4 glossy = sceneRowFloat(row + 1u);
+    material.glossy = glossy.xyz;
+    material.glossyWeight = glossy.w;
   }
   material.emission = vec3(0.0);
   material.dielectricWeight = 0.0;
@@ -86,6 +87,8 @@ Material loadMaterial(uint kindAndMaterial) {
     material.ior = last.y;
     material.mirror = last.z != 0.0;
   }
+  material.specular = vec3(0.0);
+  if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;
   return material;
 }
 

@@ -6,8 +6,11 @@
 vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
 
 vec3 albedo(Material m) {
-  if (kHasMirror && m.mirror) return m.diffuse;
-  precise vec3 sum = (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.specular;
+  if (kHasMirror && m.mirror) return m.specular;
+  // Where the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
+  vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);
+  precise vec3 sum =
+      (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.glossy + m.dielectricWeight * apart;
   return sum;
 }
 

@@ -73,7 +73,7 @@ float highlight(vec3 normal, vec3 wo, vec3 wi, float shine) {
 vec3 localColour(Material m, Normals normals, vec3 wo, vec3 wi) {
   vec3 colour = m.diffuse * (m.diffuseWeight * dot(normals.shading, wi));
   if (kHasGlossy && m.glossyWeight > 0.0) {
-    colour += m.specular * (m.glossyWeight * highlight(normals.shading, wo, wi, m.exponent));
+    colour += m.glossy * (m.glossyWeight * highlight(normals.shading, wo, wi, m.exponent));
   }
   return colour;
 }

@@ -40,10 +40,11 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
   flat.constants.sections.z = rowCount(flat.rows);
   for (const scene::Material& material : scene.materials) {
     const Lobes lobes = lobesFor(integrator, material);
-    flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
-    flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
+    flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
+    flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
-    flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+    flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+    flat.rows.push_back(row(lobes.specularColour, 0.0));
   }
 }
 

@@ -54,10 +54,11 @@ class Bsdf {
   double glossy_ = 0;
   double dielectric_ = 0;
   bool mirror_ = false;
-  dvec3 diffuseColour_;
-  dvec3 specularColour_;
-  double exponent_;
-  double ior_;
+  dvec3 diffuseColour_{0};
+  dvec3 glossyColour_{0};
+  dvec3 specularColour_{0};  ///< of the dielectric or of the mirror
+  double exponent_ = 0;
+  double ior_ = 1;
 };
 
 }  // namespace candela::reference

@@ -10,9 +10,7 @@ namespace {
 // Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
 scene::Scene lamps() {
   scene::Scene scene;
-  scene::Material lamp;
-  lamp.emission = {2, 2, 2};
-  scene.materials = {scene::Material{}, lamp};
+  scene.materials = {scene::Material{}, scene::Material{.emission = {2, 2, 2}}};
   scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
   scene.primitives = {{scene::PrimitiveKind::triangle, 0, 0},
                       {scene::PrimitiveKind::triangle, 0, 1},
