@@ -18,7 +18,12 @@ const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, kLobeNone);
 
 float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielectricWeight; }
 
-bool hasSmoothLobe(Material m) { return !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0; }
+// Whether some lobe with a density, which light samples can therefore find, serves directions of this side.
+bool scattersTo(Material m, bool transmitted) {
+  return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
+}
+
+bool hasSmoothLobe(Material m) { return scattersTo(m, false) || scattersTo(m, true); }
 
 // Blinn's distribution, normalised so that the integral of D cosH is 1. From the sine, which keeps its relative
 // accuracy at the lobe's peak: cosH^n = exp(n/2 log(1 - sinH^2)).
@@ -42,20 +47,28 @@ vec3 sampleBlinn(vec2 u, float exponent) {
   return vec3(disc * sqrt(sinSquared / q), sqrt(max(0.0, 1.0 - sinSquared)));
 }
 
-// f of the diffuse and glossy lobes together, and the pdf with which sampleBsdf finds wi; both 0 below the horizon.
+void addDiffuse(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
+  if (wi.z <= 0.0 || wo.z <= 0.0) return;
+  f += m.diffuse * (m.diffuseWeight / kPi);
+  pdf += m.diffuseWeight / weightSum(m) * (wi.z / kPi);
+}
+
+void addGlossy(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
+  if (wi.z <= 0.0 || wo.z <= 0.0) return;
+  vec3 h = unit(wo + wi);
+  float cosOH = dot(wo, h);
+  float d = blinnDistribution(h, m.exponent);
+  f += m.glossy * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
+  pdf += m.glossyWeight / weightSum(m) * d * h.z / (4.0 * cosOH);
+}
+
+// f of all lobes with a density together, and the pdf with which sampleBsdf finds wi, any direction of the sphere: each
+// lobe adds to both on the side of the surface that it serves. The integrator multiplies f by |wi.z|.
 vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
+  vec3 f = vec3(0.0);
   pdf = 0.0;
-  if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
-  float total = weightSum(m);
-  vec3 f = m.diffuse * (m.diffuseWeight / kPi);
-  pdf = m.diffuseWeight / total * (wi.z / kPi);
-  if (kHasGlossy && m.glossyWeight > 0.0) {
-    vec3 h = unit(wo + wi);
-    float cosOH = dot(wo, h);
-    float d = blinnDistribution(h, m.exponent);
-    f += m.glossy * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
-    pdf += m.glossyWeight / total * d * h.z / (4.0 * cosOH);
-  }
+  addDiffuse(m, wo, wi, f, pdf);
+  if (kHasGlossy && m.glossyWeight > 0.0) addGlossy(m, wo, wi, f, pdf);
   return f;
 }
 
@@ -75,7 +88,7 @@ BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
   }
   vec3 f = evaluateBsdf(m, wo, result.wi, result.pdf);
   if (result.pdf <= 0.0) return kAbsorbed;
-  result.weight = f * (result.wi.z / result.pdf);
+  result.weight = f * (abs(result.wi.z) / result.pdf);
   result.lobe = diffuseLobe ? kLobeDiffuse : kLobeGlossy;
   return result;
 }

@@ -56,6 +56,11 @@ Shading shadingAt(Surface surface, vec3 wo) {
   return Shading(frame, normals.geometric, wo * frame, normals.outside);
 }
 
+// Whether a direction that is reflected, or transmitted, by the shading normal is so by the geometric normal, too.
+bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
+  return (dot(direction, shading.facing) > 0.0) != transmitted;
+}
+
 // Emission found by the path itself, weighed against the chance that a light sample had found it.
 vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
@@ -86,9 +91,10 @@ void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface,
   float pdf;
   vec3 wi = lit.wi * shading.frame;
   vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
-  bool sameSide = dot(lit.wi, shading.facing) > 0.0;
-  vec3 arriving = f * wi.z * lit.emission;
-  if (lit.pdf <= 0.0 || !sameSide || largest(arriving) <= 0.0) return;
+  bool transmitted = wi.z < 0.0;
+  bool received = scattersTo(material, transmitted) && keepsSide(shading, lit.wi, transmitted);
+  vec3 arriving = f * abs(wi.z) * lit.emission;
+  if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
   precise vec3 radiance = throughput * weighed;
@@ -103,8 +109,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   decisions.lobe = next.lobe;
   if (next.lobe == kLobeNone) return false;
   precise vec3 direction = unit(shading.frame * next.wi);
-  bool transmitted = next.lobe == kLobeRefract;
-  bool above = dot(direction, shading.facing) > 0.0;
+  bool kept = keepsSide(shading, direction, next.lobe == kLobeRefract);
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
@@ -114,7 +119,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
     path.radiance = vec3(uintBitsToFloat(kNotANumber));
     return false;
   }
-  return above != transmitted && largest(path.throughput) > 0.0;
+  return kept && largest(path.throughput) > 0.0;
 }
 
 // Russian roulette; true if the path survives. The square root of the throughput gives less noise for the same number of

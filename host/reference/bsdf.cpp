@@ -46,17 +46,26 @@ render::Lobe Bsdf::chooseLobe(double u) const {
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
-  if (wo.z <= 0 || wi.z <= 0) return {};
-  BsdfValue value{diffuse_ / kPi * diffuseColour_, diffuse_ / weightSum() * wi.z / kPi};
-  if (glossy_ == 0) return value;
+  BsdfValue value;
+  addDiffuse(wo, wi, value);
+  if (glossy_ > 0) addGlossy(wo, wi, value);
+  return value;
+}
 
+void Bsdf::addDiffuse(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
+  if (wo.z <= 0 || wi.z <= 0) return;
+  value.f += diffuse_ / kPi * diffuseColour_;
+  value.pdf += diffuse_ / weightSum() * wi.z / kPi;
+}
+
+void Bsdf::addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
+  if (wo.z <= 0 || wi.z <= 0) return;
   const dvec3 h = normalize(wo + wi);
   const double cosHO = dot(wo, h);
   const double d = blinnDistribution(h.z, exponent_);
   const double g = std::min(1.0, 2 * h.z * std::min(wo.z, wi.z) / cosHO);
   value.f += glossy_ * d * g / (4 * wo.z * wi.z) * glossyColour_;
   value.pdf += glossy_ / weightSum() * d * h.z / (4 * cosHO);
-  return value;
 }
 
 dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const {

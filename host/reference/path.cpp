@@ -43,8 +43,11 @@ struct PathTracer::Vertex {
   Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection)
       : surface(at), bsdf(material), frame(at.shadingNormal), wo(frame.toLocal(-rayDirection)) {}
 
-  bool isAboveSurface(const dvec3& wi) const { return dot(wi, surface.facingNormal) > 0; }
-  bool isBelowSurface(const dvec3& wi) const { return dot(wi, surface.facingNormal) < 0; }
+  /// Whether `wi`, in world space, is on this side of the geometric normal, too.
+  bool isOn(Side side, const dvec3& wi) const {
+    const double cosine = dot(wi, surface.facingNormal);
+    return side == Side::reflection ? cosine > 0 : cosine < 0;
+  }
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
 };
 
@@ -126,8 +129,10 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
   const std::optional<LightSample> light = lights_.sample(choice.entry, vertex.surface, u.light());
-  if (!light || !vertex.isAboveSurface(light->wi)) return dvec3(0);
+  if (!light) return dvec3(0);
   const dvec3 wi = vertex.frame.toLocal(light->wi);
+  const Side side = sideOf(wi);
+  if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
   const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, wi);
   if (bsdf.f == dvec3(0)) return dvec3(0);
 
@@ -138,7 +143,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
-  const dvec3 arriving = bsdf.f * wi.z * light->radiance * weight / lightPdf;
+  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
   notes.lit(weight, arriving);
   return arriving;
 }
@@ -152,16 +157,16 @@ PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u
   const DeltaSample sample = mirror ? vertex.bsdf.sampleMirror(vertex.wo)
                                     : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside, u.bsdf().x);
   const dvec3 wi = vertex.frame.toWorld(sample.wi);
-  const bool onItsSide = sample.lobe == render::Lobe::refract ? vertex.isBelowSurface(wi) : vertex.isAboveSurface(wi);
-  return {sample.lobe, wi, onItsSide ? sample.weight : dvec3(0), std::nullopt};
+  const Side side = sample.lobe == render::Lobe::refract ? Side::transmission : Side::reflection;
+  return {sample.lobe, wi, vertex.isOn(side, wi) ? sample.weight : dvec3(0), std::nullopt};
 }
 
 PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const {
   const dvec3 local = vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf());
   const dvec3 wi = vertex.frame.toWorld(local);
   const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, local);
-  if (bsdf.pdf == 0 || !vertex.isAboveSurface(wi)) return {.lobe = lobe, .pdf = 0.0};
-  return {lobe, wi, bsdf.f * local.z / bsdf.pdf, bsdf.pdf};
+  if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
+  return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
 }
 
 }  // namespace candela::reference

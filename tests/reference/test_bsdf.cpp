@@ -50,6 +50,24 @@ TEST_CASE("a surface scatters by the lobes that its material has") {
   CHECK_FALSE(Bsdf(scene::Material{}).hasSmoothLobe());
 }
 
+TEST_CASE("lobes with a density serve reflection, and there alone have a value") {
+  for (const scene::Material& material : kSmoothMaterials) {
+    const Bsdf bsdf(material);
+    CHECK(bsdf.scattersTo(Side::reflection));
+    CHECK_FALSE(bsdf.scattersTo(Side::transmission));
+    for (const double cosTheta : {0.9, 0.1, -0.1, -0.9}) {
+      const dvec3 wi = direction(cosTheta, 2);
+      const BsdfValue value = bsdf.evaluate({0, 0, 1}, wi);
+      CHECK((value.f.x > 0) == bsdf.scattersTo(sideOf(wi)));
+      CHECK((value.pdf > 0) == bsdf.scattersTo(sideOf(wi)));
+    }
+  }
+  for (const scene::Material& material :
+       {test::mirrorMaterial(glm::vec3(1)), test::glassMaterial(glm::vec3(1), 1.5f)}) {
+    CHECK_FALSE(Bsdf(material).hasSmoothLobe());
+  }
+}
+
 TEST_CASE("a mixture's lobes are chosen by their weights, scaled to at most 1") {
   const Bsdf half(mixtureMaterial(0.25f, 0.25f, 1));
   CHECK(half.chooseLobe(0.499) == render::Lobe::diffuse);
