@@ -2,9 +2,9 @@
 // normal, z up, wo and wi pointing away from the surface.
 #ifndef CANDELA_BSDF_GLSL
 #define CANDELA_BSDF_GLSL
+#include "material.glsl"
 #include "options.glsl"
 #include "sampling.glsl"
-#include "scene_access.glsl"
 #include "shared/render_data.h"
 
 struct BsdfSample {

@@ -147,7 +147,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
-  Material material = loadMaterial(surface.kind);
+  Material material = materialAt(surface);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.limits.x) return false;
 

@@ -52,9 +52,7 @@ struct PathTracer::Vertex {
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
-  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
-}
+    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
 
 render::PathTrace PathTracer::trace(const render::PixelSample& place) const {
   render::PathTrace trace;
@@ -89,7 +87,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     radiance += beta * emission(ray, hit.distance, surface, pdf, notes);
     if (depth == settings_.maxDepth) return radiance;
 
-    const Vertex vertex(surface, bsdfs_[surface.material], ray.direction);
+    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction);
     const VertexNumbers u(numbers, depth);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += beta * directLight(vertex, u, counters, notes);
@@ -115,12 +113,12 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                            PathNotes& notes) const {
-  const scene::Material& material = scene().materials[surface.material];
-  if (!isEmissive(material)) return dvec3(0);
+  const SurfaceMaterial& material = materialAt(surface);
+  if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
   const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
-  const dvec3 found = weight * dvec3(material.emission);
+  const dvec3 found = weight * material.emission;
   notes.emission(found, weight);
   return found;
 }

@@ -1,7 +1,6 @@
 // The estimator: docs/light-transport.md section 7.
 #pragma once
 #include <optional>
-#include <vector>
 
 #include "host/reference/background.h"
 #include "host/reference/bsdf.h"
@@ -46,7 +45,6 @@ class PathTracer final : public PixelTracer {
   render::RenderSettings settings_;
   Background background_;
   LightTable lights_;
-  std::vector<Bsdf> bsdfs_;  ///< by material
 };
 
 }  // namespace candela::reference

@@ -6,7 +6,8 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
     : scene_(scene),
       sampler_(settings.sampler, settings.seed, settings.sampleCount),
       camera_(*scene.camera, settings),
-      tracing_(scene, settings) {}
+      tracing_(scene, settings),
+      materials_(scene.materials.begin(), scene.materials.end()) {}
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                           render::PathRecord* record) const {

@@ -26,9 +26,7 @@ dvec3 ownShadingNormal(const Surface& surface) {
 }  // namespace
 
 ViewTracer::ViewTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), view_(settings.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {
-  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
-}
+    : PixelTracer(scene, settings), view_(settings.integrator), aoDistance_(aoDistanceOf(*scene.camera, settings)) {}
 
 dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
                            render::PathRecord* record) const {
@@ -54,7 +52,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return bsdfs_[surface.material].albedo();
+      return materialAt(surface).bsdf.albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:
