@@ -73,6 +73,13 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   return material.emission * weight;
 }
 
+// The same for the background.
+vec3 backgroundFound(Path path) {
+  float otherPdf = backgroundPdf(path.ray.direction);
+  float weight = path.pdf > 0.0 && otherPdf > 0.0 ? powerHeuristic(path.pdf, otherPdf) : 1.0;
+  return backgroundRadiance(path.ray.direction) * weight;
+}
+
 // A ray to a sample of a light, and what it brings to the path if nothing stands between.
 struct ShadowRay {
   bool wanted;    // false: there is none, whatever the rest says
@@ -140,7 +147,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundRadiance(path.ray.direction);
+    path.radiance += path.throughput * backgroundFound(path);
     return false;
   }
   counts.vertices += 1u;

@@ -23,6 +23,10 @@
 namespace candela::flatten {
 namespace {
 
+static_assert(static_cast<std::uint32_t>(LightKind::sphere) == gpu::kLightSphere);
+static_assert(static_cast<std::uint32_t>(LightKind::triangle) == gpu::kLightTriangle);
+static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
+
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // what a packed stack word holds
 
 void checkLimits(const scene::Scene& scene) {
@@ -64,9 +68,8 @@ void appendPointLight(const scene::PointLight& light, const LightEntry& entry, R
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
-  const bool sphere = primitive.kind == scene::PrimitiveKind::sphere;
-  rows.push_back(
-      {entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
+  const bool sphere = entry.kind == LightKind::sphere;
+  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
   rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
   const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
@@ -77,14 +80,13 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
   flat.constants.sections.w = rowCount(flat.rows);
   flat.constants.limits.z = static_cast<std::uint32_t>(table.size());
   for (const LightEntry& entry : table) {
-    if (entry.isPoint) {
+    if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
       flat.features.pointLights = true;
     } else {
       appendEmitter(scene, entry, slots[entry.index], flat.rows);
-      const bool sphere = scene.primitives[entry.index].kind == scene::PrimitiveKind::sphere;
-      flat.features.sphereLights |= sphere;
-      flat.features.triangleLights |= !sphere;
+      flat.features.sphereLights |= entry.kind == LightKind::sphere;
+      flat.features.triangleLights |= entry.kind == LightKind::triangle;
     }
   }
 }
@@ -106,7 +108,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
                       std::span<const LightEntry> table, FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (!table[i].isPoint) lightOf[table[i].index] = i + 1;
+    if (!table[i].isPoint()) lightOf[table[i].index] = i + 1;
   }
   Rows normals;
   flat.constants.sections.y = rowCount(flat.rows);

@@ -79,7 +79,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     const Hit hit = tracing().closest(ray, counters);
-    if (!hit) return radiance + beta * background_.radiance(ray.direction);
+    if (!hit) return radiance + beta * background(ray, pdf);
 
     ++counters.vertices;
     const Surface surface = surfaceAt(scene(), ray, hit);
@@ -109,6 +109,11 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     pdf = next.pdf;
     ++counters.bounceRays;
   }
+}
+
+dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf) const {
+  const double weight = pdf ? powerHeuristic(*pdf, lights_.backgroundPdf(ray)) : 1;
+  return weight * background_.radiance(ray.direction);
 }
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,

@@ -36,6 +36,8 @@ class PathTracer final : public PixelTracer {
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
+  /// The radiance that a ray without a hit finds, times its weight; `pdf` of the ray's direction.
+  dvec3 background(const Ray& ray, std::optional<double> pdf) const;
   dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                  PathNotes& notes) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const;

@@ -40,7 +40,7 @@ TEST_CASE("point lights get half of the probability beside emitters, and all of 
   CHECK(both[3].probability == 0.375f);
   const auto pointsOnly = flatten::buildLightTable(scene, false);
   REQUIRE(pointsOnly.size() == 2);
-  CHECK(pointsOnly[0].isPoint);
+  CHECK(pointsOnly[0].isPoint());
   CHECK(pointsOnly[0].probability == 0.25f);
 }
 
