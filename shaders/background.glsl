@@ -49,4 +49,8 @@ vec3 backgroundRadiance(vec3 direction) {
   return constants.background;
 }
 
+// The pdf with which light samples find the background in this direction, choice of the light included: it has no entry
+// in the light table.
+float backgroundPdf(vec3 direction) { return 0.0; }
+
 #endif

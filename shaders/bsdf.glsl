@@ -2,9 +2,9 @@
 // normal, z up, wo and wi pointing away from the surface.
 #ifndef CANDELA_BSDF_GLSL
 #define CANDELA_BSDF_GLSL
+#include "material.glsl"
 #include "options.glsl"
 #include "sampling.glsl"
-#include "scene_access.glsl"
 #include "shared/render_data.h"
 
 struct BsdfSample {
@@ -18,7 +18,12 @@ const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, kLobeNone);
 
 float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielectricWeight; }
 
-bool hasSmoothLobe(Material m) { return !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0; }
+// Whether some lobe with a density, which light samples can therefore find, serves directions of this side.
+bool scattersTo(Material m, bool transmitted) {
+  return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
+}
+
+bool hasSmoothLobe(Material m) { return scattersTo(m, false) || scattersTo(m, true); }
 
 // Blinn's distribution, normalised so that the integral of D cosH is 1. From the sine, which keeps its relative
 // accuracy at the lobe's peak: cosH^n = exp(n/2 log(1 - sinH^2)).
@@ -42,20 +47,28 @@ vec3 sampleBlinn(vec2 u, float exponent) {
   return vec3(disc * sqrt(sinSquared / q), sqrt(max(0.0, 1.0 - sinSquared)));
 }
 
-// f of the diffuse and glossy lobes together, and the pdf with which sampleBsdf finds wi; both 0 below the horizon.
+void addDiffuse(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
+  if (wi.z <= 0.0 || wo.z <= 0.0) return;
+  f += m.diffuse * (m.diffuseWeight / kPi);
+  pdf += m.diffuseWeight / weightSum(m) * (wi.z / kPi);
+}
+
+void addGlossy(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
+  if (wi.z <= 0.0 || wo.z <= 0.0) return;
+  vec3 h = unit(wo + wi);
+  float cosOH = dot(wo, h);
+  float d = blinnDistribution(h, m.exponent);
+  f += m.glossy * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
+  pdf += m.glossyWeight / weightSum(m) * d * h.z / (4.0 * cosOH);
+}
+
+// f of all lobes with a density together, and the pdf with which sampleBsdf finds wi, any direction of the sphere: each
+// lobe adds to both on the side of the surface that it serves. The integrator multiplies f by |wi.z|.
 vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
+  vec3 f = vec3(0.0);
   pdf = 0.0;
-  if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
-  float total = weightSum(m);
-  vec3 f = m.diffuse * (m.diffuseWeight / kPi);
-  pdf = m.diffuseWeight / total * (wi.z / kPi);
-  if (kHasGlossy && m.glossyWeight > 0.0) {
-    vec3 h = unit(wo + wi);
-    float cosOH = dot(wo, h);
-    float d = blinnDistribution(h, m.exponent);
-    f += m.specular * (m.glossyWeight * d * grooves(h.z, wo.z, wi.z, cosOH) / (4.0 * wo.z * wi.z));
-    pdf += m.glossyWeight / total * d * h.z / (4.0 * cosOH);
-  }
+  addDiffuse(m, wo, wi, f, pdf);
+  if (kHasGlossy && m.glossyWeight > 0.0) addGlossy(m, wo, wi, f, pdf);
   return f;
 }
 
@@ -75,7 +88,7 @@ BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
   }
   vec3 f = evaluateBsdf(m, wo, result.wi, result.pdf);
   if (result.pdf <= 0.0) return kAbsorbed;
-  result.weight = f * (result.wi.z / result.pdf);
+  result.weight = f * (abs(result.wi.z) / result.pdf);
   result.lobe = diffuseLobe ? kLobeDiffuse : kLobeGlossy;
   return result;
 }
@@ -83,7 +96,7 @@ BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
 // `outside`: wo is on the side that the primitive's own normal points to.
 BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
   BsdfSample result = kAbsorbed;
-  result.weight = m.diffuse * weightSum(m);
+  result.weight = m.specular * weightSum(m);
   float eta = outside ? 1.0 / m.ior : m.ior;
   precise float sinSquaredT = eta * eta * (1.0 - wo.z * wo.z);
   float cosT = sqrt(max(0.0, 1.0 - sinSquaredT));
@@ -100,7 +113,7 @@ BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
 
 // Numbers: x chooses the lobe, yz the direction.
 BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
-  if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.diffuse, 0.0, kLobeMirror);
+  if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);
   if (total <= 0.0) return kAbsorbed;
   precise float diffuseShare = m.diffuseWeight / total;

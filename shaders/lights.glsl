@@ -1,4 +1,7 @@
-// Sampling the table of emitters and point lights: docs/light-transport.md section 6.
+// Sampling the table of emitters and point lights: docs/light-transport.md section 6. Every kind of light has a function
+// that samples it from a surface, and one that gives the pdf with which this finds what a ray has found; the power, by
+// which lights are chosen, is in the probabilities of the table. Point lights are never found by rays. The background
+// has its pdf in background.glsl.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
 #include "primitives.glsl"
@@ -65,14 +68,21 @@ LightSample sampleLight(Light light, Surface from, vec2 u) {
   return kNoLight;
 }
 
-// The pdf with which sampleLight, from the start of `ray`, would have found the emitter that the ray hit at distance t.
+float sphereLightPdf(Light light, Ray ray) {
+  bool leaving = leaves(ray, light.slot);
+  return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, leaving));
+}
+
+float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
+  return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
+}
+
+// The pdf with which sampleLight, from the start of `ray`, would have found the emitter that the ray hit at distance t,
+// an entry of the table.
 float lightPdf(Ray ray, Surface emitter, float t) {
   Light light = loadLight(emitter.light - 1u);
-  if (kHasSphereLights && light.kind == kLightSphere) {
-    bool leaving = leaves(ray, light.slot);
-    return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, leaving));
-  }
-  return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
+  if (kHasSphereLights && light.kind == kLightSphere) return sphereLightPdf(light, ray);
+  return triangleLightPdf(light, ray, emitter, t);
 }
 
 #endif

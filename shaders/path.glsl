@@ -56,6 +56,11 @@ Shading shadingAt(Surface surface, vec3 wo) {
   return Shading(frame, normals.geometric, wo * frame, normals.outside);
 }
 
+// Whether a direction that is reflected, or transmitted, by the shading normal is so by the geometric normal, too.
+bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
+  return (dot(direction, shading.facing) > 0.0) != transmitted;
+}
+
 // Emission found by the path itself, weighed against the chance that a light sample had found it.
 vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
@@ -66,6 +71,13 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   }
   noteEmission(material.emission, weight);
   return material.emission * weight;
+}
+
+// The same for the background.
+vec3 backgroundFound(Path path) {
+  float otherPdf = backgroundPdf(path.ray.direction);
+  float weight = path.pdf > 0.0 && otherPdf > 0.0 ? powerHeuristic(path.pdf, otherPdf) : 1.0;
+  return backgroundRadiance(path.ray.direction) * weight;
 }
 
 // A ray to a sample of a light, and what it brings to the path if nothing stands between.
@@ -86,9 +98,10 @@ void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface,
   float pdf;
   vec3 wi = lit.wi * shading.frame;
   vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
-  bool sameSide = dot(lit.wi, shading.facing) > 0.0;
-  vec3 arriving = f * wi.z * lit.emission;
-  if (lit.pdf <= 0.0 || !sameSide || largest(arriving) <= 0.0) return;
+  bool transmitted = wi.z < 0.0;
+  bool received = scattersTo(material, transmitted) && keepsSide(shading, lit.wi, transmitted);
+  vec3 arriving = f * abs(wi.z) * lit.emission;
+  if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
   precise vec3 radiance = throughput * weighed;
@@ -103,8 +116,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   decisions.lobe = next.lobe;
   if (next.lobe == kLobeNone) return false;
   precise vec3 direction = unit(shading.frame * next.wi);
-  bool transmitted = next.lobe == kLobeRefract;
-  bool above = dot(direction, shading.facing) > 0.0;
+  bool kept = keepsSide(shading, direction, next.lobe == kLobeRefract);
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
@@ -114,7 +126,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
     path.radiance = vec3(uintBitsToFloat(kNotANumber));
     return false;
   }
-  return above != transmitted && largest(path.throughput) > 0.0;
+  return kept && largest(path.throughput) > 0.0;
 }
 
 // Russian roulette; true if the path survives. The square root of the throughput gives less noise for the same number of
@@ -135,14 +147,14 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundRadiance(path.ray.direction);
+    path.radiance += path.throughput * backgroundFound(path);
     return false;
   }
   counts.vertices += 1u;
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
-  Material material = loadMaterial(surface.kind);
+  Material material = materialAt(surface);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
 

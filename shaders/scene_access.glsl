@@ -40,54 +40,6 @@ vec4 sceneRowFloat(uint row) { return uintBitsToFloat(sceneRow(row)); }
 
 uint primitiveRow(uint slot) { return constants.firstPrimitiveRow + slot * kPrimitiveRows; }
 
-struct Material {
-  vec3 diffuse;
-  float diffuseWeight;
-  vec3 specular;
-  float glossyWeight;
-  vec3 emission;
-  float dielectricWeight;
-  float exponent;
-  float ior;
-  bool mirror;
-};
-
-uint materialRow(uint kindAndMaterial) {
-  return constants.firstMaterialRow + (kindAndMaterial >> kMaterialShift) * kMaterialRows;
-}
-
-Material loadMaterial(uint kindAndMaterial) {
-  uint row = materialRow(kindAndMaterial);
-  Material material;
-  vec4 diffuse = sceneRowFloat(row);
-  material.diffuse = diffuse.xyz;
-  material.diffuseWeight = diffuse.w;
-  material.specular = vec3(0.0);
-  material.glossyWeight = 0.0;
-  if (kHasGlossy) {
-    vec4 specular = sceneRowFloat(row + 1u);
-    material.specular = specular.xyz;
-    material.glossyWeight = specular.w;
-  }
-  material.emission = vec3(0.0);
-  material.dielectricWeight = 0.0;
-  if (kHasEmission || kHasDielectric) {
-    vec4 emission = sceneRowFloat(row + 2u);
-    material.emission = emission.xyz;
-    material.dielectricWeight = emission.w;
-  }
-  material.exponent = 0.0;
-  material.ior = 1.0;
-  material.mirror = false;
-  if (kHasGlossy || kHasMirror || kHasDielectric) {
-    vec4 last = sceneRowFloat(row + 3u);
-    material.exponent = last.x;
-    material.ior = last.y;
-    material.mirror = last.z != 0.0;
-  }
-  return material;
-}
-
 struct Light {
   float probability;
   uint kind;

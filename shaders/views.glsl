@@ -6,8 +6,11 @@
 vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
 
 vec3 albedo(Material m) {
-  if (kHasMirror && m.mirror) return m.diffuse;
-  precise vec3 sum = (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.specular;
+  if (kHasMirror && m.mirror) return m.specular;
+  // Where the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
+  vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);
+  precise vec3 sum =
+      (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.glossy + m.dielectricWeight * apart;
   return sum;
 }
 
@@ -27,7 +30,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kView == kViewDepth) return vec3(hit.t);
   if (kView == kViewId) return indexColour(hit.index);
   Surface surface = surfaceAt(ray, hit.slot, hit.t);
-  if (kView == kViewAlbedo) return albedo(loadMaterial(surface.kind));
+  if (kView == kViewAlbedo) return albedo(materialAt(surface));
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));
   precise vec3 coded = 0.5 * (normals.outside ? normals.shading : -normals.shading) + 0.5;

@@ -5,6 +5,7 @@
 #include "background.glsl"
 #include "camera.glsl"
 #include "fresnel.glsl"
+#include "material.glsl"
 #include "normals.glsl"
 #include "traversal.glsl"
 
@@ -73,7 +74,7 @@ float highlight(vec3 normal, vec3 wo, vec3 wi, float shine) {
 vec3 localColour(Material m, Normals normals, vec3 wo, vec3 wi) {
   vec3 colour = m.diffuse * (m.diffuseWeight * dot(normals.shading, wi));
   if (kHasGlossy && m.glossyWeight > 0.0) {
-    colour += m.specular * (m.glossyWeight * highlight(normals.shading, wo, wi, m.exponent));
+    colour += m.glossy * (m.glossyWeight * highlight(normals.shading, wo, wi, m.exponent));
   }
   return colour;
 }
@@ -166,7 +167,7 @@ bool visitNode(inout Tree tree, SampleKey key, inout Work work, inout RayCounts 
   counts.vertices += first ? 1u : 0u;
   counts.cameraHits += first && tree.node == 1u ? 1u : 0u;
   surface = surfaceAt(tree.ray, hit.slot, hit.t);
-  Material material = loadMaterial(surface.kind);
+  Material material = materialAt(surface);
   vec3 wo = -tree.ray.direction;
   Normals normals = normalsTowards(surface, wo);
   if (kHasEmission && first) tree.radiance += tree.weight * material.emission;

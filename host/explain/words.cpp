@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "host/flatten/lobes.h"
-
 namespace candela::explain {
 namespace {
 
@@ -19,12 +17,21 @@ const char* kindWord(scene::PrimitiveKind kind) {
 }
 
 const char* materialWord(const scene::Material& material) {
-  const flatten::Lobes lobes = flatten::lobesOf(material);
-  if (lobes.mirror) return "mirror";
-  const int count = (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0);
-  if (count == 0) return "black";
-  if (count > 1) return "mixture";
-  return lobes.diffuse > 0 ? "diffuse" : lobes.glossy > 0 ? "glossy" : "dielectric";
+  switch (scene::kindOf(material)) {
+    case scene::MaterialKind::black:
+      return "black";
+    case scene::MaterialKind::diffuse:
+      return "diffuse";
+    case scene::MaterialKind::glossy:
+      return "glossy";
+    case scene::MaterialKind::dielectric:
+      return "dielectric";
+    case scene::MaterialKind::mirror:
+      return "mirror";
+    case scene::MaterialKind::mixture:
+      break;
+  }
+  return "mixture";
 }
 
 }  // namespace

@@ -23,6 +23,10 @@
 namespace candela::flatten {
 namespace {
 
+static_assert(static_cast<std::uint32_t>(LightKind::sphere) == gpu::kLightSphere);
+static_assert(static_cast<std::uint32_t>(LightKind::triangle) == gpu::kLightTriangle);
+static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
+
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // what a packed stack word holds
 
 void checkLimits(const scene::Scene& scene) {
@@ -40,10 +44,11 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
   flat.constants.firstMaterialRow = rowCount(flat.rows);
   for (const scene::Material& material : scene.materials) {
     const Lobes lobes = lobesFor(integrator, material);
-    flat.rows.push_back(row(glm::dvec3(material.diffuse), lobes.diffuse));
-    flat.rows.push_back(row(glm::dvec3(material.specular), lobes.glossy));
+    flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
+    flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
-    flat.rows.push_back({floatBits(material.shine), floatBits(material.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+    flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+    flat.rows.push_back(row(lobes.specularColour, 0.0));
   }
 }
 
@@ -63,9 +68,8 @@ void appendPointLight(const scene::PointLight& light, const LightEntry& entry, R
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
-  const bool sphere = primitive.kind == scene::PrimitiveKind::sphere;
-  rows.push_back(
-      {entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
+  const bool sphere = entry.kind == LightKind::sphere;
+  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
   rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
   const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
@@ -76,14 +80,13 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
   flat.constants.firstLightRow = rowCount(flat.rows);
   flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
   for (const LightEntry& entry : table) {
-    if (entry.isPoint) {
+    if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
       flat.features.pointLights = true;
     } else {
       appendEmitter(scene, entry, slots[entry.index], flat.rows);
-      const bool sphere = scene.primitives[entry.index].kind == scene::PrimitiveKind::sphere;
-      flat.features.sphereLights |= sphere;
-      flat.features.triangleLights |= !sphere;
+      flat.features.sphereLights |= entry.kind == LightKind::sphere;
+      flat.features.triangleLights |= entry.kind == LightKind::triangle;
     }
   }
 }
@@ -105,7 +108,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
                       std::span<const LightEntry> table, FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (!table[i].isPoint) lightOf[table[i].index] = i + 1;
+    if (!table[i].isPoint()) lightOf[table[i].index] = i + 1;
   }
   Rows normals;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);

@@ -14,8 +14,7 @@ glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double 
 }
 
 std::uint32_t kindWord(const scene::Scene& scene, const scene::Primitive& primitive, std::uint32_t kindAndFlags) {
-  const scene::Material& material = scene.materials[primitive.material];
-  const std::uint32_t opaque = material.t == 0 ? gpu::kFlagOpaque : 0;
+  const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
   return kindAndFlags | opaque | primitive.material << gpu::kMaterialShift;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "host/image/film.h"
@@ -11,19 +12,16 @@ namespace {
 
 constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
 
-double emitterWeight(const scene::Scene& scene, const scene::Primitive& primitive) {
-  const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
-  if (primitive.kind == scene::PrimitiveKind::sphere) {
-    const double radius = scene.spheres[primitive.index].radius;
-    return 4 * std::numbers::pi * radius * radius * emitted;
+// Nothing for primitives that light samples cannot find.
+std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Primitive& primitive) {
+  if (!isEmissive(scene.materials[primitive.material])) return std::nullopt;
+  if (primitive.kind == scene::PrimitiveKind::sphere && scene.spheres[primitive.index].radius != 0) {
+    return LightKind::sphere;
   }
-  return triangleArea(scene.triangles[primitive.index]) * emitted;
-}
-
-bool isInTable(const scene::Scene& scene, const scene::Primitive& primitive) {
-  if (!isEmissive(scene.materials[primitive.material])) return false;
-  if (primitive.kind == scene::PrimitiveKind::sphere) return scene.spheres[primitive.index].radius != 0;
-  return primitive.kind == scene::PrimitiveKind::triangle && triangleArea(scene.triangles[primitive.index]) > 0;
+  if (primitive.kind == scene::PrimitiveKind::triangle && triangleArea(scene.triangles[primitive.index]) > 0) {
+    return LightKind::triangle;
+  }
+  return std::nullopt;
 }
 
 // Shares of the two groups: half each if both can be chosen.
@@ -55,27 +53,34 @@ double triangleArea(const scene::Triangle& triangle) {
   return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.p[1]) - p0, glm::dvec3(triangle.p[2]) - p0));
 }
 
+double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index) {
+  if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
+  const scene::Primitive& primitive = scene.primitives[index];
+  const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
+  if (kind == LightKind::triangle) return triangleArea(scene.triangles[primitive.index]) * emitted;
+  const double radius = scene.spheres[primitive.index].radius;
+  return 4 * std::numbers::pi * radius * radius * emitted;
+}
+
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
   std::vector<LightEntry> table;
   std::vector<double> weights;
   double emitterSum = 0;
   double pointSum = 0;
+  const auto add = [&](LightKind kind, std::uint32_t index, double& groupSum) {
+    table.push_back({.kind = kind, .index = index});
+    weights.push_back(lightPower(scene, kind, index));
+    groupSum += weights.back();
+  };
   for (std::uint32_t i = 0; withEmitters && i < scene.primitives.size(); ++i) {
-    if (!isInTable(scene, scene.primitives[i])) continue;
-    table.push_back({.isPoint = false, .index = i});
-    weights.push_back(emitterWeight(scene, scene.primitives[i]));
-    emitterSum += weights.back();
+    if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i, emitterSum);
   }
-  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) {
-    table.push_back({.isPoint = true, .index = i});
-    weights.push_back(image::luminance(glm::dvec3(scene.pointLights[i].colour)));
-    pointSum += weights.back();
-  }
+  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i, pointSum);
   const auto [emitterShare, pointShare] = groupShares(emitterSum, pointSum);
   if (emitterShare + pointShare == 0) return {};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double sum = table[i].isPoint ? pointSum : emitterSum;
-    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isPoint ? pointShare : emitterShare) : 0;
+    const double sum = table[i].isPoint() ? pointSum : emitterSum;
+    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isPoint() ? pointShare : emitterShare) : 0;
   }
   setThresholds(table, weights);
   return table;

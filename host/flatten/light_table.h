@@ -7,15 +7,23 @@
 
 namespace candela::flatten {
 
+/// The kinds that have entries; the values are those of shaders/shared/scene_rows.h. The background has none.
+enum class LightKind : std::uint32_t { sphere, triangle, point };
+
 struct LightEntry {
-  bool isPoint = false;
+  LightKind kind = LightKind::sphere;
   std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights
   std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
   float probability = 0;        ///< P_i, exact
+
+  bool isPoint() const { return kind == LightKind::point; }
 };
 
 /// `withEmitters` false leaves point lights only (--nee off).
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters);
+
+/// Weight of a light in the choice.
+double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index);
 
 /// Area of a triangle, in double.
 double triangleArea(const scene::Triangle& triangle);

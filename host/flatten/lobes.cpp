@@ -1,34 +1,52 @@
 #include "host/flatten/lobes.h"
 
 namespace candela::flatten {
+namespace {
 
 Lobes lobesOf(const scene::Material& material) {
-  if (material.kd == 1) return {.diffuse = 1};
-  if (material.ks == 1) return {.mirror = true};
-  const double transmitted = material.ior > 0 ? 1 : 0;
-  if (material.kd == 0 && material.ks == 0) return {.dielectric = transmitted};
-  const double sum = double{material.kd} + double{material.ks} + double{material.t};
-  const double scale = sum > 1 ? 1 / sum : 1;
-  return {
-      .diffuse = material.kd * scale, .glossy = material.ks * scale, .dielectric = material.t * scale * transmitted};
+  Lobes lobes;
+  if (material.diffuse) {
+    lobes.diffuse = material.diffuse->weight;
+    lobes.diffuseColour = material.diffuse->colour;
+  }
+  if (material.glossy) {
+    lobes.glossy = material.glossy->weight;
+    lobes.glossyColour = material.glossy->colour;
+    lobes.exponent = material.glossy->exponent;
+  }
+  if (material.dielectric) {
+    lobes.dielectric = material.dielectric->weight;
+    lobes.specularColour = material.dielectric->colour;
+    lobes.ior = material.dielectric->ior;
+  }
+  if (material.mirror) {
+    lobes.mirror = true;
+    lobes.specularColour = material.mirror->colour;
+  }
+  return lobes;
 }
 
-Lobes whittedLobesOf(const scene::Material& material) {
-  const bool glass = material.t > 0 && material.ior > 0;
+Lobes lobesOf(const scene::WhittedMaterial& material) {
   return {.diffuse = material.kd,
           .glossy = material.ks,
-          .dielectric = glass ? 1.0 : 0.0,
-          .mirror = material.t == 0 && material.ks > 0};
+          .dielectric = material.kind == scene::WhittedKind::glass ? 1.0 : 0.0,
+          .mirror = material.kind == scene::WhittedKind::mirror,
+          .diffuseColour = material.diffuse,
+          .glossyColour = material.specular,
+          .exponent = material.shine,
+          .ior = material.ior};
 }
 
+}  // namespace
+
 Lobes lobesFor(render::Integrator integrator, const scene::Material& material) {
-  return integrator == render::Integrator::whitted ? whittedLobesOf(material) : lobesOf(material);
+  return integrator == render::Integrator::whitted ? lobesOf(material.whitted) : lobesOf(material);
 }
 
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material) {
   const glm::dvec3 emission(material.emission);
   if (integrator != render::Integrator::whitted) return emission;
-  return emission + double{material.ka} * glm::dvec3(material.diffuse);
+  return emission + double{material.whitted.ka} * glm::dvec3(material.whitted.diffuse);
 }
 
 }  // namespace candela::flatten

@@ -1,27 +1,26 @@
-// The rules that turn an `f` line into what an integrator makes of it: docs/light-transport.md sections 5 and 9.
+// The lobes of a material as the device's records have them: those of the path tracer, or those of Whitted's.
 #pragma once
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
 namespace candela::flatten {
 
-/// Weights sum to at most 1; all 0: the surface is black. A mirror has weights 0 and takes `diffuse` as its colour.
+/// A lobe of weight 0 does not exist.
 struct Lobes {
   double diffuse = 0;
   double glossy = 0;
   double dielectric = 0;
   bool mirror = false;
+  glm::dvec3 diffuseColour{0};
+  glm::dvec3 glossyColour{0};
+  glm::dvec3 specularColour{0};  ///< of the dielectric or of the mirror
+  double exponent = 0;           ///< of the glossy lobe
+  double ior = 1;                ///< of the dielectric
 };
 
-Lobes lobesOf(const scene::Material& material);
-
-/// As Whitted's tracer reads the line: Kd, Ks, 1 if it is glass, and whether it is a mirror, which takes Ks as its
-/// factor.
-Lobes whittedLobesOf(const scene::Material& material);
-
-/// Of the integrator that is used.
+/// Of Whitted's integrator, the weights are Kd, Ks, and 1 for glass; a mirror has Ks as its factor.
 Lobes lobesFor(render::Integrator integrator, const scene::Material& material);
-/// What a surface shows without any light: its emission, and with Whitted's tracer its ambient share.
+/// The radiance of a surface without any light: its emission, and with Whitted's integrator its ambient term.
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material);
 
 }  // namespace candela::flatten

@@ -16,30 +16,27 @@ double blinnDistribution(double cosH, double exponent) { return (exponent + 2) /
 
 }  // namespace
 
-Bsdf::Bsdf(const scene::Material& material)
-    : diffuseColour_(material.diffuse),
-      specularColour_(material.specular),
-      exponent_(material.shine),
-      ior_(material.ior) {
-  if (material.kd == 1) {
-    diffuse_ = 1;
-  } else if (material.ks == 1) {
-    mirror_ = true;
-  } else if (material.kd == 0 && material.ks == 0) {
-    dielectric_ = 1;
-  } else {
-    const double sum = double{material.kd} + double{material.ks} + double{material.t};
-    const double scale = 1 / std::max(1.0, sum);
-    diffuse_ = material.kd * scale;
-    glossy_ = material.ks * scale;
-    dielectric_ = material.t * scale;
+Bsdf::Bsdf(const scene::Material& material) : mirror_(material.mirror.has_value()) {
+  if (const auto& lobe = material.diffuse) {
+    diffuse_ = lobe->weight;
+    diffuseColour_ = lobe->colour;
   }
-  if (ior_ <= 0) dielectric_ = 0;
+  if (const auto& lobe = material.glossy) {
+    glossy_ = lobe->weight;
+    glossyColour_ = lobe->colour;
+    exponent_ = lobe->exponent;
+  }
+  if (const auto& lobe = material.dielectric) {
+    dielectric_ = lobe->weight;
+    specularColour_ = lobe->colour;
+    ior_ = lobe->ior;
+  }
+  if (material.mirror) specularColour_ = material.mirror->colour;
 }
 
 dvec3 Bsdf::albedo() const {
-  if (mirror_) return diffuseColour_;
-  return diffuse_ * diffuseColour_ + glossy_ * specularColour_ + dielectric_ * diffuseColour_;
+  if (mirror_) return specularColour_;
+  return diffuse_ * diffuseColour_ + glossy_ * glossyColour_ + dielectric_ * specularColour_;
 }
 
 render::Lobe Bsdf::chooseLobe(double u) const {
@@ -49,17 +46,26 @@ render::Lobe Bsdf::chooseLobe(double u) const {
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
-  if (wo.z <= 0 || wi.z <= 0) return {};
-  BsdfValue value{diffuse_ / kPi * diffuseColour_, diffuse_ / weightSum() * wi.z / kPi};
-  if (glossy_ == 0) return value;
+  BsdfValue value;
+  addDiffuse(wo, wi, value);
+  if (glossy_ > 0) addGlossy(wo, wi, value);
+  return value;
+}
 
+void Bsdf::addDiffuse(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
+  if (wo.z <= 0 || wi.z <= 0) return;
+  value.f += diffuse_ / kPi * diffuseColour_;
+  value.pdf += diffuse_ / weightSum() * wi.z / kPi;
+}
+
+void Bsdf::addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
+  if (wo.z <= 0 || wi.z <= 0) return;
   const dvec3 h = normalize(wo + wi);
   const double cosHO = dot(wo, h);
   const double d = blinnDistribution(h.z, exponent_);
   const double g = std::min(1.0, 2 * h.z * std::min(wo.z, wi.z) / cosHO);
-  value.f += glossy_ * d * g / (4 * wo.z * wi.z) * specularColour_;
+  value.f += glossy_ * d * g / (4 * wo.z * wi.z) * glossyColour_;
   value.pdf += glossy_ / weightSum() * d * h.z / (4 * cosHO);
-  return value;
 }
 
 dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const {
@@ -74,11 +80,11 @@ dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) con
 }
 
 DeltaSample Bsdf::sampleMirror(const dvec3& wo) const {
-  return {reflectAboutZ(wo), diffuseColour_, render::Lobe::mirror};
+  return {reflectAboutZ(wo), specularColour_, render::Lobe::mirror};
 }
 
 DeltaSample Bsdf::sampleDielectric(const dvec3& wo, bool into, double u) const {
-  const dvec3 weight = weightSum() * diffuseColour_;  // t / p_t = S
+  const dvec3 weight = weightSum() * specularColour_;  // t / p_t = S
   const DeltaSample reflected{reflectAboutZ(wo), weight, render::Lobe::reflect};
   const double eta = into ? 1 / ior_ : ior_;
   const double sin2Squared = eta * eta * (wo.x * wo.x + wo.y * wo.y);

@@ -1,6 +1,8 @@
 // How surfaces scatter light: docs/light-transport.md section 5. Directions are unit vectors in the shading frame (z
-// the shading normal, on the side of wo), pointing away from the surface.
+// the shading normal, on the side of wo), pointing away from the surface. wi is any direction of the sphere; each lobe
+// decides which side of the surface it serves.
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "host/render/path_record.h"
@@ -10,6 +12,11 @@ namespace candela::reference {
 
 using glm::dvec2;
 using glm::dvec3;
+
+/// The side of the surface to which a direction points: that of wo, or the other.
+enum class Side : std::uint8_t { reflection, transmission };
+
+inline Side sideOf(const dvec3& wi) { return wi.z < 0 ? Side::transmission : Side::reflection; }
 
 /// A value of f and the density, per solid angle, with which the choice of a lobe and its sampling find the direction.
 struct BsdfValue {
@@ -32,15 +39,16 @@ class Bsdf {
   bool isBlack() const { return !mirror_ && weightSum() == 0; }
   /// The lobes' weights times their colours.
   dvec3 albedo() const;
-  /// Whether light samples can find it.
-  bool hasSmoothLobe() const { return diffuse_ > 0 || glossy_ > 0; }
+  /// Whether some lobe with a density, which light samples can therefore find, serves directions of this side.
+  bool scattersTo(Side side) const { return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0); }
+  bool hasSmoothLobe() const { return scattersTo(Side::reflection) || scattersTo(Side::transmission); }
 
   /// Diffuse, glossy, or, for the dielectric lobe, `refract`. Not for mirrors and black surfaces.
   render::Lobe chooseLobe(double u) const;
 
-  /// Diffuse and glossy lobe together. 0 where wi or wo is not above the surface.
+  /// The sum over all lobes with a density. The integrator multiplies f by |cos wi|.
   BsdfValue evaluate(const dvec3& wo, const dvec3& wi) const;
-  /// A direction from lobe `diffuse` or `glossy`; may be below the surface.
+  /// A direction from lobe `diffuse` or `glossy`; it may be one that the lobe does not serve, where its density is 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
 
   DeltaSample sampleMirror(const dvec3& wo) const;
@@ -49,15 +57,18 @@ class Bsdf {
 
  private:
   double weightSum() const { return diffuse_ + glossy_ + dielectric_; }
+  void addDiffuse(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
+  void addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
 
   double diffuse_ = 0;
   double glossy_ = 0;
   double dielectric_ = 0;
   bool mirror_ = false;
-  dvec3 diffuseColour_;
-  dvec3 specularColour_;
-  double exponent_;
-  double ior_;
+  dvec3 diffuseColour_{0};
+  dvec3 glossyColour_{0};
+  dvec3 specularColour_{0};  ///< of the dielectric or of the mirror
+  double exponent_ = 0;
+  double ior_ = 1;
 };
 
 }  // namespace candela::reference

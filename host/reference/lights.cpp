@@ -1,71 +1,60 @@
-// The table's weights and thresholds, and the sampling of spheres by solid angle and of triangles by area.
+// The table's entries and thresholds.
 #include "host/reference/lights.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/image/film.h"
-
 namespace candela::reference {
 namespace {
 
-constexpr std::uint32_t kNoEntry = 0xffffffffu;
 constexpr std::uint32_t kChoiceCount = 1u << 24;
 
-// How a sphere is sampled from `point`: the cap of directions that meet it, or all directions.
-struct SphereView {
-  bool wholeSphere;
-  double capHeight;
-
-  SphereView(const SphereShape& sphere, const dvec3& point, bool leaving) {
-    const dvec3 toCentre = sphere.centre - point;
-    const double sinSquared = sphere.radius * sphere.radius / dot(toCentre, toCentre);
-    wholeSphere = leaving || !(sinSquared < 1);
-    capHeight = wholeSphere ? 2 : sinSquared / (1 + std::sqrt(1 - sinSquared));  // 1 - cos, without cancellation
-  }
-};
+bool isPoint(const Light& light) { return std::holds_alternative<PointLight>(light); }
 
 }  // namespace
 
 LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
-    : scene_(scene), oneSided_(settings.image.oneSided), entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
-  collect(settings.image.nextEventEstimation);
+    : entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
+  if (settings.image.nextEventEstimation) {
+    for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) collectEmitter(scene, i, settings.image.oneSided);
+    collectBackground();
+  }
+  for (const scene::PointLight& light : scene.pointLights) add(PointLight(light));
   computeThresholds();
 }
 
-void LightTable::collect(bool withEmitters) {
-  for (std::uint32_t i = 0; withEmitters && i < scene_.primitives.size(); ++i) {
-    const auto [kind, index, materialIndex] = scene_.primitives[i];
-    const scene::Material& material = scene_.materials[materialIndex];
-    if (!isEmissive(material)) continue;
-    const double brightness = image::luminance(material.emission);
-    if (kind == scene::PrimitiveKind::sphere) {
-      const double radius = scene_.spheres[index].radius;
-      entries_.push_back({Kind::sphere, i, 4 * kPi * radius * radius * brightness});
-    } else if (kind == scene::PrimitiveKind::triangle) {
-      const double area = length(TriangleShape(scene_.triangles[index]).areaNormal()) / 2;
-      if (area == 0) continue;
-      entries_.push_back({Kind::triangle, i, area * brightness});
-    } else {
-      continue;
-    }
-    entryOfPrimitive_[i] = static_cast<std::uint32_t>(entries_.size() - 1);
+void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
+  const auto [kind, index, materialIndex] = scene.primitives[primitive];
+  const scene::Material& material = scene.materials[materialIndex];
+  if (!isEmissive(material)) return;
+  if (kind == scene::PrimitiveKind::sphere) {
+    entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[index], material.emission, primitive));
+  } else if (kind == scene::PrimitiveKind::triangle) {
+    const TriangleLight light(scene.triangles[index], material.emission, primitive, oneSided);
+    if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
   }
-  for (std::uint32_t i = 0; i < scene_.pointLights.size(); ++i) {
-    entries_.push_back({Kind::point, i, image::luminance(scene_.pointLights[i].colour)});
-  }
+}
+
+void LightTable::collectBackground() {
+  const BackgroundLight background;
+  if (background.power() > 0) entryOfBackground_ = add(background);
+}
+
+std::uint32_t LightTable::add(const Light& light) {
+  entries_.push_back({light, std::visit([](const auto& of) { return of.power(); }, light)});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
 void LightTable::computeThresholds() {
   double emitterSum = 0;
   double pointSum = 0;
-  for (const Entry& entry : entries_) (entry.kind == Kind::point ? pointSum : emitterSum) += entry.weight;
+  for (const Entry& entry : entries_) (isPoint(entry.light) ? pointSum : emitterSum) += entry.weight;
   const double share = emitterSum > 0 && pointSum > 0 ? 0.5 : 1;
 
   double running = 0;
   std::size_t last = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const double groupSum = entries_[i].kind == Kind::point ? pointSum : emitterSum;
+    const double groupSum = isPoint(entries_[i].light) ? pointSum : emitterSum;
     if (entries_[i].weight > 0) {
       running += share * entries_[i].weight / groupSum;
       last = i;
@@ -86,67 +75,20 @@ LightChoice LightTable::choose(std::uint32_t word) const {
   return {entry, probability(entry)};
 }
 
-const scene::Material& LightTable::materialOf(const Entry& entry) const {
-  return scene_.materials[scene_.primitives[entry.index].material];
-}
-
 std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
-  switch (entries_[entry].kind) {
-    case Kind::sphere:
-      return sampleSphere(entries_[entry], surface, u);
-    case Kind::triangle:
-      return sampleTriangleArea(entries_[entry], surface, u);
-    case Kind::point:
-      break;
-  }
-  return samplePoint(entries_[entry], surface);
-}
-
-std::optional<LightSample> LightTable::samplePoint(const Entry& entry, const Surface& surface) const {
-  const scene::PointLight& light = scene_.pointLights[entry.index];
-  const dvec3 toLight = dvec3(light.position) - surface.position;
-  const double distance = length(toLight);
-  if (distance == 0) return std::nullopt;
-  return LightSample{toLight / distance, distance, kPi * dvec3(light.colour), std::nullopt, kNoPrimitive};
-}
-
-std::optional<LightSample> LightTable::sampleSphere(const Entry& entry, const Surface& surface, const dvec2& u) const {
-  const SphereShape sphere(scene_.spheres[scene_.primitives[entry.index].index]);
-  const bool leaving = surface.primitive == entry.index;
-  const SphereView view(sphere, surface.position, leaving);
-  const dvec3 local = sampleCap(u, view.capHeight);
-  const dvec3 wi = view.wholeSphere ? local : Frame(normalize(sphere.centre - surface.position)).toWorld(local);
-  const double distance = sphere.distance({surface.position, wi}, leaving);
-  if (distance == kNoHit) return std::nullopt;
-  return LightSample{wi, distance, materialOf(entry).emission, capPdf(view.capHeight), entry.index};
-}
-
-std::optional<LightSample> LightTable::sampleTriangleArea(const Entry& entry, const Surface& surface,
-                                                          const dvec2& u) const {
-  if (surface.primitive == entry.index) return std::nullopt;
-  const TriangleShape triangle(scene_.triangles[scene_.primitives[entry.index].index]);
-  const dvec2 b = sampleTriangle(u);
-  const dvec3 toLight = triangle.corner + b.x * triangle.edge1 + b.y * triangle.edge2 - surface.position;
-  const double distance = length(toLight);
-  if (distance == 0) return std::nullopt;
-  const dvec3 wi = toLight / distance;
-  // Twice the area times the cosine; above 0 on the back.
-  const double projected = dot(wi, triangle.areaNormal());
-  if (projected == 0 || (oneSided_ && projected > 0)) return std::nullopt;
-  const double pdf = 2 * distance * distance / std::abs(projected);
-  return LightSample{wi, distance, materialOf(entry).emission, pdf, entry.index};
+  return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
 }
 
 double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) const {
-  const std::uint32_t entry = entryOfPrimitive_[surface.primitive];
+  return pdfOf(entryOfPrimitive_[surface.primitive], ray, distance);
+}
+
+double LightTable::backgroundPdf(const Ray& ray) const { return pdfOf(entryOfBackground_, ray, kNoHit); }
+
+double LightTable::pdfOf(std::uint32_t entry, const Ray& ray, double distance) const {
   if (entry == kNoEntry) return 0;
-  const std::uint32_t index = scene_.primitives[surface.primitive].index;
-  if (entries_[entry].kind == Kind::sphere) {
-    const SphereView view(SphereShape(scene_.spheres[index]), ray.origin, ray.leaving == surface.primitive);
-    return probability(entry) * capPdf(view.capHeight);
-  }
-  const double projected = std::abs(dot(ray.direction, TriangleShape(scene_.triangles[index]).areaNormal()));
-  return probability(entry) * 2 * distance * distance / projected;
+  const double chosen = probability(entry);
+  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry].light);
 }
 
 }  // namespace candela::reference

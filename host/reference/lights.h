@@ -1,35 +1,24 @@
-// The lights that paths sample explicitly: docs/light-transport.md section 6.
+// The table of the lights that paths sample explicitly: docs/light-transport.md section 6.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "host/reference/geometry.h"
-#include "host/reference/sampling.h"
-#include "host/reference/surface.h"
+#include "host/reference/light.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
 namespace candela::reference {
 
-/// A place in the table and the probability of being chosen.
+/// An entry of the table and the probability of being chosen.
 struct LightChoice {
   std::uint32_t entry;
   double probability;
 };
 
-/// A lit point as seen from a surface.
-struct LightSample {
-  dvec3 wi;
-  double distance;
-  dvec3 radiance;             ///< pi times the colour for a point light
-  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a point light, which only samples find
-  std::uint32_t primitive;    ///< kNoPrimitive for a point light
-};
-
 class LightTable {
  public:
-  /// Of `settings`, `nextEventEstimation` and `oneSided` count. The scene must outlive the object.
+  /// Depends on `nextEventEstimation` and `oneSided` of the settings.
   LightTable(const scene::Scene& scene, const render::RenderSettings& settings);
 
   /// Whether there is a light of positive weight.
@@ -44,28 +33,29 @@ class LightTable {
   /// Density, per solid angle and times the choice's probability, with which light samples find the hit of `ray` on
   /// `surface`; 0 if it is not in the table.
   double pdf(const Ray& ray, double distance, const Surface& surface) const;
+  /// The same for the background, which `ray` finds.
+  double backgroundPdf(const Ray& ray) const;
 
  private:
-  enum class Kind : std::uint8_t { sphere, triangle, point };
   struct Entry {
-    Kind kind;
-    std::uint32_t index;  ///< primitive, or point light
+    Light light;
     double weight;
   };
+  static constexpr std::uint32_t kNoEntry = 0xffffffffu;
 
-  void collect(bool withEmitters);
+  void collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
+  void collectBackground();
+  /// Returns the index of the entry.
+  std::uint32_t add(const Light& light);
   void computeThresholds();
   double probability(std::uint32_t entry) const;
-  std::optional<LightSample> samplePoint(const Entry& entry, const Surface& surface) const;
-  std::optional<LightSample> sampleSphere(const Entry& entry, const Surface& surface, const dvec2& u) const;
-  std::optional<LightSample> sampleTriangleArea(const Entry& entry, const Surface& surface, const dvec2& u) const;
-  const scene::Material& materialOf(const Entry& entry) const;
+  /// Of `entry`, or 0 for kNoEntry.
+  double pdfOf(std::uint32_t entry, const Ray& ray, double distance) const;
 
-  const scene::Scene& scene_;
-  bool oneSided_;
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;
   std::vector<std::uint32_t> entryOfPrimitive_;
+  std::uint32_t entryOfBackground_ = kNoEntry;
 };
 
 }  // namespace candela::reference

@@ -43,15 +43,16 @@ struct PathTracer::Vertex {
   Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection)
       : surface(at), bsdf(material), frame(at.shadingNormal), wo(frame.toLocal(-rayDirection)) {}
 
-  bool isAboveSurface(const dvec3& wi) const { return dot(wi, surface.facingNormal) > 0; }
-  bool isBelowSurface(const dvec3& wi) const { return dot(wi, surface.facingNormal) < 0; }
+  /// Whether `wi`, in world space, is on this side of the geometric normal, too.
+  bool isOn(Side side, const dvec3& wi) const {
+    const double cosine = dot(wi, surface.facingNormal);
+    return side == Side::reflection ? cosine > 0 : cosine < 0;
+  }
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
-  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
-}
+    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
 
 render::PathTrace PathTracer::trace(const render::PixelSample& place) const {
   render::PathTrace trace;
@@ -78,7 +79,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     const Hit hit = tracing().closest(ray, counters);
-    if (!hit) return radiance + beta * background_.radiance(ray.direction);
+    if (!hit) return radiance + beta * background(ray, pdf);
 
     ++counters.vertices;
     const Surface surface = surfaceAt(scene(), ray, hit);
@@ -86,7 +87,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     radiance += beta * emission(ray, hit.distance, surface, pdf, notes);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, bsdfs_[surface.material], ray.direction);
+    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction);
     const VertexNumbers u(numbers, depth);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += beta * directLight(vertex, u, counters, notes);
@@ -110,14 +111,19 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   }
 }
 
+dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf) const {
+  const double weight = pdf ? powerHeuristic(*pdf, lights_.backgroundPdf(ray)) : 1;
+  return weight * background_.radiance(ray.direction);
+}
+
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                            PathNotes& notes) const {
-  const scene::Material& material = scene().materials[surface.material];
-  if (!isEmissive(material)) return dvec3(0);
+  const SurfaceMaterial& material = materialAt(surface);
+  if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
   const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
-  const dvec3 found = weight * dvec3(material.emission);
+  const dvec3 found = weight * material.emission;
   notes.emission(found, weight);
   return found;
 }
@@ -126,8 +132,10 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
   const std::optional<LightSample> light = lights_.sample(choice.entry, vertex.surface, u.light());
-  if (!light || !vertex.isAboveSurface(light->wi)) return dvec3(0);
+  if (!light) return dvec3(0);
   const dvec3 wi = vertex.frame.toLocal(light->wi);
+  const Side side = sideOf(wi);
+  if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
   const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, wi);
   if (bsdf.f == dvec3(0)) return dvec3(0);
 
@@ -138,7 +146,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
-  const dvec3 arriving = bsdf.f * wi.z * light->radiance * weight / lightPdf;
+  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
   notes.lit(weight, arriving);
   return arriving;
 }
@@ -152,16 +160,16 @@ PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u
   const DeltaSample sample = mirror ? vertex.bsdf.sampleMirror(vertex.wo)
                                     : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside, u.bsdf().x);
   const dvec3 wi = vertex.frame.toWorld(sample.wi);
-  const bool onItsSide = sample.lobe == render::Lobe::refract ? vertex.isBelowSurface(wi) : vertex.isAboveSurface(wi);
-  return {sample.lobe, wi, onItsSide ? sample.weight : dvec3(0), std::nullopt};
+  const Side side = sample.lobe == render::Lobe::refract ? Side::transmission : Side::reflection;
+  return {sample.lobe, wi, vertex.isOn(side, wi) ? sample.weight : dvec3(0), std::nullopt};
 }
 
 PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const {
   const dvec3 local = vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf());
   const dvec3 wi = vertex.frame.toWorld(local);
   const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, local);
-  if (bsdf.pdf == 0 || !vertex.isAboveSurface(wi)) return {.lobe = lobe, .pdf = 0.0};
-  return {lobe, wi, bsdf.f * local.z / bsdf.pdf, bsdf.pdf};
+  if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
+  return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
 }
 
 }  // namespace candela::reference

@@ -1,7 +1,6 @@
 // The estimator: docs/light-transport.md section 7.
 #pragma once
 #include <optional>
-#include <vector>
 
 #include "host/reference/background.h"
 #include "host/reference/bsdf.h"
@@ -37,6 +36,8 @@ class PathTracer final : public PixelTracer {
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
+  /// The radiance that a ray without a hit finds, times its weight; `pdf` of the ray's direction.
+  dvec3 background(const Ray& ray, std::optional<double> pdf) const;
   dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                  PathNotes& notes) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const;
@@ -46,7 +47,6 @@ class PathTracer final : public PixelTracer {
   render::RenderSettings settings_;
   Background background_;
   LightTable lights_;
-  std::vector<Bsdf> bsdfs_;  ///< by material
 };
 
 }  // namespace candela::reference

@@ -7,7 +7,8 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
       image_(settings.image),
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_),
-      tracing_(scene, settings) {}
+      tracing_(scene, settings),
+      materials_(scene.materials.begin(), scene.materials.end()) {}
 
 void PixelTracer::setSeed(std::uint32_t seed) {
   image_.seed = seed;

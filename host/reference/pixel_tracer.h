@@ -1,10 +1,13 @@
 // What all integrators share: a camera ray for each sample of each pixel, and what it is traced through.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "host/reference/camera.h"
 #include "host/reference/ray.h"
 #include "host/reference/sampler.h"
+#include "host/reference/surface.h"
+#include "host/reference/surface_material.h"
 #include "host/reference/tracing.h"
 #include "host/render/path_record.h"
 #include "host/render/settings.h"
@@ -31,6 +34,8 @@ class PixelTracer {
 
  protected:
   const scene::Scene& scene() const { return scene_; }
+  /// All that an integrator knows of a material comes from here, and the surface point is all that it depends on.
+  const SurfaceMaterial& materialAt(const Surface& surface) const { return materials_[surface.material]; }
   SampleNumbers numbersOf(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex) const {
     return SampleNumbers(sampler_, x, y, sampleIndex);
   }
@@ -48,6 +53,7 @@ class PixelTracer {
   Sampler sampler_;
   CameraRays camera_;
   Tracing tracing_;
+  std::vector<SurfaceMaterial> materials_;
 };
 
 }  // namespace candela::reference

@@ -63,7 +63,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   }
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
-    addItem(scene, primitive, settings.image.oneSided && material.t == 0);
+    addItem(scene, primitive, settings.image.oneSided && material.opaque);
   };
 
   items_.reserve(scene.primitives.size());

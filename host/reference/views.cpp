@@ -29,9 +29,7 @@ ViewTracer::ViewTracer(const scene::Scene& scene, const render::RenderSettings& 
     : PixelTracer(scene, settings),
       view_(settings.image.integrator),
       askedAoDistance_(settings.image.aoDistance),
-      aoDistance_(aoDistanceOf(*scene.camera, askedAoDistance_)) {
-  for (const scene::Material& material : scene.materials) bsdfs_.emplace_back(material);
-}
+      aoDistance_(aoDistanceOf(*scene.camera, askedAoDistance_)) {}
 
 void ViewTracer::setCamera(const scene::Camera& camera) {
   PixelTracer::setCamera(camera);
@@ -62,7 +60,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return bsdfs_[surface.material].albedo();
+      return materialAt(surface).bsdf.albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:

@@ -1,9 +1,7 @@
 // Pictures of what the camera rays meet: docs/light-transport.md section 10.
 #pragma once
 #include <optional>
-#include <vector>
 
-#include "host/reference/bsdf.h"
 #include "host/reference/pixel_tracer.h"
 #include "host/reference/surface.h"
 #include "host/render/settings.h"
@@ -29,7 +27,6 @@ class ViewTracer final : public PixelTracer {
   render::Integrator view_;
   std::optional<float> askedAoDistance_;
   double aoDistance_;
-  std::vector<Bsdf> bsdfs_;  ///< by material
 };
 
 }  // namespace candela::reference

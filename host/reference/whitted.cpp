@@ -9,10 +9,7 @@
 namespace candela::reference {
 namespace {
 
-bool isGlass(const scene::Material& material) { return material.t > 0 && material.ior > 0; }
-bool isMirror(const scene::Material& material) { return material.t == 0 && material.ks > 0; }
-
-dvec3 localColour(const scene::Material& material, const dvec3& normal, const dvec3& wo, const dvec3& wi) {
+dvec3 localColour(const scene::WhittedMaterial& material, const dvec3& normal, const dvec3& wo, const dvec3& wi) {
   const double cosH = dot(normal, normalize(wi + wo));
   return double{material.kd} * dot(normal, wi) * dvec3(material.diffuse) +
          material.ks * std::pow(cosH, double{material.shine}) * dvec3(material.specular);
@@ -79,8 +76,8 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   ++state.counters.vertices;
   if (node.depth == 1) ++state.counters.cameraHits;
   const Surface surface = surfaceAt(scene(), node.ray, hit);
-  const scene::Material& material = scene().materials[surface.material];
-  dvec3 sum = dvec3(material.emission) + double{material.ka} * dvec3(material.diffuse);
+  const SurfaceMaterial& material = materialAt(surface);
+  dvec3 sum = material.emission + double{material.whitted.ka} * dvec3(material.whitted.diffuse);
   sum += direct(node, surface, state, record);
   const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -node.ray.direction) : Branches{};
   record.lobe = branches.lobe;
@@ -104,7 +101,7 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
                             render::VertexRecord& record) const {
-  const scene::Material& material = scene().materials[surface.material];
+  const scene::WhittedMaterial& material = materialAt(surface).whitted;
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
@@ -140,14 +137,14 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
 }
 
 WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo) const {
-  const scene::Material& material = scene().materials[surface.material];
-  if (!isMirror(material) && !isGlass(material)) return {};
+  const scene::WhittedMaterial& material = materialAt(surface).whitted;
+  if (material.kind == scene::WhittedKind::opaque) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);
   Branches branches;
   branches.reflected = {2 * cosine * normal - wo, material.ks};
   branches.lobe = render::Lobe::mirror;
-  if (isGlass(material)) {
+  if (material.kind == scene::WhittedKind::glass) {
     const double ior = material.ior;
     const double eta = surface.fromOutside ? 1 / ior : ior;
     const Boundary boundary = fresnel(cosine, eta);

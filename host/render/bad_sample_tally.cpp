@@ -20,7 +20,7 @@ void BadSampleTally::add(const image::Film& film, const ImageSettings& settings)
     samples_ += pixel.badCount;
     if (!note(i, film.pixels().size()) || firstPixels_.size() == kPixelsKept) continue;
     firstPixels_.push_back({static_cast<std::uint32_t>(i % film.width()), static_cast<std::uint32_t>(i / film.width()),
-                            pixel.badCount, pixel.firstBadSample - 1, settings.seed, settings.sampleCount});
+                            pixel.badCount, pixel.firstBadSample - 1, settings.image.seed, settings.image.sampleCount});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/scene/keywords.h"
+#include "host/scene/nff_material.h"
 #include "host/scene/number.h"
 #include "host/scene/quote.h"
 
@@ -66,7 +67,7 @@ std::uint32_t Parser::currentMaterial() {
   if (!material) {
     log.warn("default material", keyword, "an object before any material (\"f\") is diffuse white");
     material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.emplace_back();
+    scene.materials.push_back(fromNff({}));
   }
   return *material;
 }

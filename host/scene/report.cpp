@@ -78,14 +78,25 @@ SceneReport::Materials materialsOf(const Scene& scene) {
   SceneReport::Materials materials;
   for (const Material& m : scene.materials) {
     if (isEmissive(m)) ++materials.emitting;
-    if (m.kd == 1) {
-      ++materials.diffuse;
-    } else if (m.ks == 1) {
-      ++materials.mirror;
-    } else if (m.kd == 0 && m.ks == 0) {
-      ++materials.dielectric;
-    } else {
-      ++materials.mixture;
+    switch (kindOf(m)) {
+      case MaterialKind::black:
+        ++materials.black;
+        break;
+      case MaterialKind::diffuse:
+        ++materials.diffuse;
+        break;
+      case MaterialKind::glossy:
+        ++materials.glossy;
+        break;
+      case MaterialKind::dielectric:
+        ++materials.dielectric;
+        break;
+      case MaterialKind::mirror:
+        ++materials.mirror;
+        break;
+      case MaterialKind::mixture:
+        ++materials.mixture;
+        break;
     }
   }
   return materials;

@@ -25,10 +25,10 @@ struct SceneReport {
     std::uint64_t spheres = 0, triangles = 0, cones = 0, planes = 0, points = 0;
     std::uint64_t total() const { return spheres + triangles + cones + planes + points; }
   };
-  /// By the first rule of docs/light-transport.md, section 5, that fits; `emitting` counts across them.
+  /// By kindOf(); `emitting` counts across the kinds.
   struct Materials {
-    std::uint64_t diffuse = 0, mirror = 0, dielectric = 0, mixture = 0, emitting = 0;
-    std::uint64_t total() const { return diffuse + mirror + dielectric + mixture; }
+    std::uint64_t diffuse = 0, glossy = 0, mirror = 0, dielectric = 0, mixture = 0, black = 0, emitting = 0;
+    std::uint64_t total() const { return diffuse + glossy + mirror + dielectric + mixture + black; }
   };
 
   std::string name;

@@ -53,9 +53,9 @@ std::string toText(const SceneReport& r) {
   line("bounds", r.bounds ? fmt::format("{} to {}", toText(r.bounds->min), toText(r.bounds->max)) : "none");
   line("lights", fmt::format("{}: spheres {}, triangles {}, cones {}, planes {}, points {}", lights.total(),
                              lights.spheres, lights.triangles, lights.cones, lights.planes, lights.points));
-  line("materials",
-       fmt::format("{}: diffuse {}, mirror {}, dielectric {}, mixture {}; {} emit", materials.total(),
-                   materials.diffuse, materials.mirror, materials.dielectric, materials.mixture, materials.emitting));
+  line("materials", fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, black {}; {} emit",
+                                materials.total(), materials.diffuse, materials.glossy, materials.mirror,
+                                materials.dielectric, materials.mixture, materials.black, materials.emitting));
   line("camera", r.camera ? toText(*r.camera) : "none");
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
@@ -91,9 +91,11 @@ json toJson(const SceneReport& r) {
       {"materials",
        {{"total", r.materials.total()},
         {"diffuse", r.materials.diffuse},
+        {"glossy", r.materials.glossy},
         {"mirror", r.materials.mirror},
         {"dielectric", r.materials.dielectric},
         {"mixture", r.materials.mixture},
+        {"black", r.materials.black},
         {"emitting", r.materials.emitting}}},
       {"camera", orNull(r.camera, camera)},
       {"background", toJson(r.background)},

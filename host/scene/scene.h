@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/material.h"
 #include "host/scene/primitive_kind_list.h"
 
 namespace candela::scene {
@@ -22,21 +23,6 @@ struct Camera {
   std::uint32_t height = 512;
   float aperture = 0;  ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
   float focal = 1;     ///< distance of the plane in focus, as a multiple of |from - at|
-};
-
-/// An `f` line, read in one dialect or another; what the dialect does not give has the default here. The rules that
-/// turn it into lobes are in docs/light-transport.md.
-struct Material {
-  glm::vec3 diffuse{1, 1, 1};
-  float kd = 1;
-  glm::vec3 specular{1, 1, 1};
-  float ks = 0;
-  float shine = 1;  ///< Blinn-Phong exponent, >= 0
-  float t = 0;      ///< share of transmitted light
-  float ior = 1;
-  float ka = 0;                 ///< ambient, Whitted only
-  float roughness = 0;          ///< parsed and kept
-  glm::vec3 emission{0, 0, 0};  ///< radiance, W/(sr m^2) in arbitrary units, >= 0
 };
 
 /// Radius < 0: the surface is seen from inside only and its normal points to the centre.
@@ -138,10 +124,5 @@ struct Scene {
   std::optional<ExactMean> exactMean;             ///< for paths of any length, next-event estimation or not
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };
-
-/// True if the material emits at all.
-inline bool isEmissive(const Material& material) {
-  return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
-}
 
 }  // namespace candela::scene

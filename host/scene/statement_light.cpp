@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "host/scene/nff_material.h"
 #include "host/scene/parser.h"
 #include "host/scene/quote.h"
 #include "host/scene/scene_builder.h"
@@ -30,10 +31,7 @@ void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, c
   if (glm::cross(glm::dvec3(u), glm::dvec3(v)) == glm::dvec3(0)) {
     StatementReader::fail(parser.keyword, "the area light has no area: its edges are parallel");
   }
-  Material lamp;
-  lamp.diffuse = {0, 0, 0};
-  lamp.emission = colour;
-  parser.scene.materials.push_back(lamp);
+  parser.scene.materials.push_back(fromNff({.diffuse = {0, 0, 0}, .emission = colour}));
   addParallelogram(parser.scene, corner, u, v, static_cast<std::uint32_t>(parser.scene.materials.size() - 1));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "host/scene/nff_material.h"
 #include "host/scene/parser.h"
 #include "host/scene/statements.h"
 
@@ -13,50 +14,6 @@ namespace {
 constexpr std::size_t kRequired = 8;  ///< numbers that every dialect has
 constexpr std::size_t kOptional = 7;  ///< that the longest has beyond them
 constexpr std::size_t kFewest = 3;    ///< that --lenient completes: a colour
-
-bool inUnitRange(float x) { return x >= 0 && x <= 1; }
-
-/// Eleven numbers are P3F, unless only NFF with emission fits.
-bool isNffWithEmission(const std::vector<float>& n) { return n[5] > 1 || !inUnitRange(n[7]) || !inUnitRange(n[9]); }
-
-glm::vec3 tripleAt(const std::vector<float>& n, std::size_t i) { return {n[i], n[i + 1], n[i + 2]}; }
-
-/// r g b Kd Ks Shine T ior, as far as given.
-Material readNff(const std::vector<float>& n) {
-  Material m;
-  m.diffuse = tripleAt(n, 0);
-  float* const rest[] = {&m.kd, &m.ks, &m.shine, &m.t, &m.ior};
-  for (std::size_t i = 3; i < std::min(n.size(), kRequired); ++i) *rest[i - 3] = n[i];
-  return m;
-}
-
-/// r g b Kd r g b Ks Shine T ior
-Material readP3f(const std::vector<float>& n) {
-  Material m;
-  m.diffuse = tripleAt(n, 0);
-  m.kd = n[3];
-  m.specular = tripleAt(n, 4);
-  m.ks = n[7];
-  m.shine = n[8];
-  m.t = n[9];
-  m.ior = n[10];
-  return m;
-}
-
-/// `n` has one of the counts that name a dialect, or fewer than 8.
-Material interpret(const std::vector<float>& n) {
-  const std::size_t count = n.size();
-  if (count == 11 && isNffWithEmission(n)) {
-    Material m = readNff(n);
-    m.emission = tripleAt(n, 8);
-    return m;
-  }
-  Material m = count < 11 ? readNff(n) : readP3f(n);
-  if (count == 9) m.ka = n[8];
-  if (count == 12 || count == 15) m.roughness = n[11];
-  if (count >= 14) m.emission = tripleAt(n, count - 3);
-  return m;
-}
 
 bool isDialect(std::size_t count) { return count == 8 || count == 9 || (count >= 11 && count <= 15 && count != 13); }
 
@@ -85,7 +42,7 @@ std::vector<float> readNumbers(Parser& parser) {
   return n;
 }
 
-void checkRanges(Parser& parser, const Material& m) {
+void checkRanges(Parser& parser, const NffMaterial& m) {
   const Position at = parser.keyword;
   parser.requireNonNegative("the diffuse colour", m.diffuse, at);
   parser.requireNonNegative("Kd", m.kd, at);
@@ -99,7 +56,7 @@ void checkRanges(Parser& parser, const Material& m) {
   parser.requireNonNegative("the emission", m.emission, at);
 }
 
-void warnOfGain(Parser& parser, const Material& m) {
+void warnOfGain(Parser& parser, const NffMaterial& m) {
   constexpr float kRounding = 1e-6f;  // of a sum like .1 + .9
   const bool mixture = m.kd != 1 && m.ks != 1;
   const float sum = m.kd + m.ks + m.t;
@@ -115,11 +72,11 @@ void warnOfGain(Parser& parser, const Material& m) {
 }  // namespace
 
 void parseMaterial(Parser& parser) {
-  const Material material = interpret(readNumbers(parser));
+  const NffMaterial material = readNffMaterial(readNumbers(parser));
   checkRanges(parser, material);
   warnOfGain(parser, material);
   parser.material = static_cast<std::uint32_t>(parser.scene.materials.size());
-  parser.scene.materials.push_back(material);
+  parser.scene.materials.push_back(fromNff(material));
 }
 
 }  // namespace candela::scene

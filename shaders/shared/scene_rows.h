@@ -41,10 +41,11 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 // Vertex normals of smooth triangles, three rows: (n0, light + 1) (n1, 0) (n2, 0).
 CANDELA_CONST uint kNormalRows = 3u;
 
-// Materials of the path tracer, four rows: (diffuse, weight of the diffuse lobe) (specular, weight of the glossy lobe)
-// (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0).
-// Of Whitted's tracer: Kd, Ks, emission and ambient light together, and 1 if glass take the places of the weights.
-CANDELA_CONST uint kMaterialRows = 4u;
+// Materials of the path tracer, five rows: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its weight)
+// (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror lobe, 0).
+// Whitted's tracer has Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient term instead of the
+// emission, and no use for the last row.
+CANDELA_CONST uint kMaterialRows = 5u;
 
 // Lights of the path tracer, three rows: (threshold, probability, kind, slot) (emission or colour, area) (centre or position, radius).
 CANDELA_CONST uint kLightRows = 3u;

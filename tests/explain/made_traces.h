@@ -1,6 +1,7 @@
 // Paths made by hand.
 #pragma once
 #include "host/explain/explanation.h"
+#include "host/scene/nff_material.h"
 
 namespace candela::explain {
 
@@ -8,8 +9,7 @@ namespace candela::explain {
 inline scene::Scene twoSpheres() {
   scene::Scene scene;
   scene.name = "made.p3f";
-  scene.materials.resize(2);
-  scene.materials[1].emission = glm::vec3(5);
+  scene.materials = {scene::fromNff({}), scene::fromNff({.emission = glm::vec3(5)})};
   scene.spheres = {{glm::vec3(0), 1}, {glm::vec3(0, 0, 9), 1}};
   scene.primitives = {{scene::PrimitiveKind::sphere, 0, 0}, {scene::PrimitiveKind::sphere, 1, 1}};
   return scene;

@@ -92,7 +92,9 @@ TEST_CASE("nothing planted, nothing named") {
 }
 
 TEST_CASE("another albedo is named where the surface is lit, with its size") {
-  const auto brighter = [](scene::Scene& scene, render::RenderSettings&) { scene.materials[3].diffuse *= 1.005f; };
+  const auto brighter = [](scene::Scene& scene, render::RenderSettings&) {
+    scene.materials[3].diffuse->colour *= 1.005f;
+  };
   requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
   const Explanation explanation = explainPlanted(seesLitFloor, brighter, true);
   CHECK(explanation.at(*explanation.firstDifference).apart == Approx(0.005 / 1.005).epsilon(0.01));
@@ -109,8 +111,8 @@ TEST_CASE("another index of refraction is named by the direction in the glass") 
     return sees(v, kGlass) && v.scattering && v.scattering->lobe == render::Lobe::refract;
   };
   requireFirst(
-      refracts, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[1].ior = 1.51f; }, "vertex 1",
-      "direction");
+      refracts, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[1].dielectric->ior = 1.51f; },
+      "vertex 1", "direction");
 }
 
 TEST_CASE("a surface that is gone is named by the primitive") {
@@ -176,7 +178,8 @@ TEST_CASE("a difference at a later vertex is named there") {
   };
   const bool onDevice = GENERATE(true, false);
   const Explanation explanation = explainPlanted(
-      viaBall, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[3].diffuse *= 1.005f; }, onDevice);
+      viaBall, [](scene::Scene& scene, render::RenderSettings&) { scene.materials[3].diffuse->colour *= 1.005f; },
+      onDevice);
   CAPTURE(toText(explanation));
   REQUIRE(explanation.firstDifference);
   CHECK(explanation.stages[explanation.firstDifference->stage].title == "vertex 2");

@@ -14,7 +14,7 @@ void main() {
   if (i >= count) return;
   vec4 first = inputs[2u * i];
   vec4 second = inputs[2u * i + 1u];
-  Material material = loadMaterial(uint(first.w) << kMaterialShift);
+  Material material = loadMaterial(uint(first.w));
   if (evaluates != 0u) {
     float pdf;
     vec3 f = evaluateBsdf(material, first.xyz, second.xyz, pdf);

@@ -122,7 +122,7 @@ TEST_CASE("densities integrate to 1 with what falls below the surface or to the 
     double above = 0;
     for (std::size_t i = 0; i < values.size(); ++i) above += values[i].pdf * grid.points()[i].solidAngle;
     const SmoothMaterial& smooth = kSmooth[material];
-    const double below = smooth.glossyShare > 0 ? shareBelow(smooth.material.shine, wo) : 0;
+    const double below = smooth.glossyShare > 0 ? shareBelow(smooth.material.glossy->exponent, wo) : 0;
     CHECK(above + smooth.glossyShare * below + smooth.dielectricShare == Approx(1).margin(5e-4));
   });
 }
@@ -215,7 +215,7 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
       for (const Scattered& sample : sampled(leaves, material, wo, numbers)) {
         albedo += sample.weight.x / static_cast<double>(numbers.size());
       }
-      CAPTURE(materials[material].shine, materials[material].kd, wo.z);
+      CAPTURE(materials[material].glossy->exponent, materials[material].glossy->weight, wo.z);
       CHECK(albedo <= 1.001);
       CHECK(albedo > 0.3);  // grooves hide at most so much
     }

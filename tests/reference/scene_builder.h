@@ -5,6 +5,7 @@
 
 #include "host/reference/reference_renderer.h"
 #include "host/render/renderer.h"
+#include "host/scene/nff_material.h"
 #include "host/scene/scene.h"
 
 namespace candela::test {
@@ -13,37 +14,19 @@ using glm::dvec3;
 using glm::vec3;
 
 inline scene::Material diffuseMaterial(const vec3& albedo, const vec3& emission = vec3(0)) {
-  scene::Material material;
-  material.diffuse = albedo;
-  material.emission = emission;
-  return material;
+  return scene::fromNff({.diffuse = albedo, .emission = emission});
 }
 
 inline scene::Material mirrorMaterial(const vec3& colour) {
-  scene::Material material;
-  material.diffuse = colour;
-  material.kd = 0;
-  material.ks = 1;
-  return material;
+  return scene::fromNff({.diffuse = colour, .kd = 0, .ks = 1});
 }
 
 inline scene::Material glassMaterial(const vec3& colour, float ior) {
-  scene::Material material;
-  material.diffuse = colour;
-  material.kd = 0;
-  material.t = 1;
-  material.ior = ior;
-  return material;
+  return scene::fromNff({.diffuse = colour, .kd = 0, .t = 1, .ior = ior});
 }
 
 inline scene::Material mixtureMaterial(float kd, float ks, float shine, float t = 0, float ior = 1) {
-  scene::Material material;
-  material.kd = kd;
-  material.ks = ks;
-  material.shine = shine;
-  material.t = t;
-  material.ior = ior;
-  return material;
+  return scene::fromNff({.kd = kd, .ks = ks, .shine = shine, .t = t, .ior = ior});
 }
 
 /// Primitives take the material that was added last.

@@ -34,25 +34,38 @@ double integrate(const Function& g, int steps) {
   return sum * kPi / steps / steps;
 }
 
+// All have a glossy lobe.
 const std::vector<scene::Material> kSmoothMaterials{mixtureMaterial(0.5f, 0.5f, 10), mixtureMaterial(0, 0.9f, 0),
                                                     mixtureMaterial(0, 0.9f, 50),
                                                     mixtureMaterial(0.3f, 0.4f, 5, 0.3f, 1.5f)};
 
 }  // namespace
 
-TEST_CASE("a material's rule is the first that fits") {
-  scene::Material everything = mixtureMaterial(1, 1, 10, 1, 1.5f);
-  CHECK(Bsdf(everything).chooseLobe(0.999) == render::Lobe::diffuse);
-  everything.kd = 0.5f;
-  CHECK(Bsdf(everything).isMirror());
-  everything.ks = 0;
-  everything.kd = 0;
-  everything.t = 0;  // ignored by the dielectric
-  CHECK(Bsdf(everything).chooseLobe(0) == render::Lobe::refract);
-  CHECK_FALSE(Bsdf(everything).isBlack());
-  everything.ior = 0;
-  CHECK(Bsdf(everything).isBlack());
-  CHECK_FALSE(Bsdf(everything).hasSmoothLobe());
+TEST_CASE("a surface scatters by the lobes that its material has") {
+  CHECK(Bsdf(test::diffuseMaterial(glm::vec3(1))).chooseLobe(0.999) == render::Lobe::diffuse);
+  CHECK(Bsdf(test::mirrorMaterial(glm::vec3(1))).isMirror());
+  CHECK(Bsdf(test::glassMaterial(glm::vec3(1), 1.5f)).chooseLobe(0) == render::Lobe::refract);
+  CHECK_FALSE(Bsdf(test::glassMaterial(glm::vec3(1), 1.5f)).isBlack());
+  CHECK(Bsdf(scene::Material{}).isBlack());
+  CHECK_FALSE(Bsdf(scene::Material{}).hasSmoothLobe());
+}
+
+TEST_CASE("lobes with a density serve reflection, and there alone have a value") {
+  for (const scene::Material& material : kSmoothMaterials) {
+    const Bsdf bsdf(material);
+    CHECK(bsdf.scattersTo(Side::reflection));
+    CHECK_FALSE(bsdf.scattersTo(Side::transmission));
+    for (const double cosTheta : {0.9, 0.1, -0.1, -0.9}) {
+      const dvec3 wi = direction(cosTheta, 2);
+      const BsdfValue value = bsdf.evaluate({0, 0, 1}, wi);
+      CHECK((value.f.x > 0) == bsdf.scattersTo(sideOf(wi)));
+      CHECK((value.pdf > 0) == bsdf.scattersTo(sideOf(wi)));
+    }
+  }
+  for (const scene::Material& material :
+       {test::mirrorMaterial(glm::vec3(1)), test::glassMaterial(glm::vec3(1), 1.5f)}) {
+    CHECK_FALSE(Bsdf(material).hasSmoothLobe());
+  }
 }
 
 TEST_CASE("a mixture's lobes are chosen by their weights, scaled to at most 1") {
@@ -126,7 +139,7 @@ TEST_CASE("the density of all directions, those that end the path included, is 1
         if (lobe == render::Lobe::refract) ++delta;
         if (lobe != render::Lobe::refract && bsdf.sampleSmooth(lobe, wo, {u, v}).z <= 0) ++below;
       }
-      INFO("cos " << cosTheta << ", Ks " << material.ks << ", shine " << material.shine);
+      INFO("cos " << cosTheta << ", Ks " << material.glossy->weight << ", shine " << material.glossy->exponent);
       CHECK(above + (below + delta) / double{kSide * kSide} == Approx(1).epsilon(3e-3));
     }
   }
@@ -168,7 +181,8 @@ TEST_CASE("directions are sampled with the density that is stated") {
       chiSquare += (observed[i] - expected[i]) * (observed[i] - expected[i]) / expected[i];
       ++cells;
     }
-    INFO("Ks " << material.ks << ", shine " << material.shine << ": " << chiSquare << " over " << cells << " cells");
+    INFO("Ks " << material.glossy->weight << ", shine " << material.glossy->exponent << ": " << chiSquare << " over "
+               << cells << " cells");
     CHECK(cells > 8);
     CHECK(chiSquare < cells + 4.5 * std::sqrt(2.0 * cells));  // beyond the quantile 1 - 1e-4
   }

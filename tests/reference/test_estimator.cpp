@@ -154,7 +154,7 @@ TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
 TEST_CASE("a point light shows Kd Lc cd (N.L), with next-event estimation or without") {
   SceneBuilder b;
   scene::Material material = mixtureMaterial(0.5f, 0, 1);
-  material.diffuse = {0.25f, 0.5f, 1};
+  material.diffuse->colour = {0.25f, 0.5f, 1};
   b.material(material).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.pointLight({3e7f, 0, 4e7f}, {2, 4, 8});  // N.L = 0.8
   lookDownAt(b, 1, 1);
@@ -183,7 +183,7 @@ TEST_CASE("many point lights add up") {
 
 TEST_CASE("next-event estimation leaves the mean of a box with every kind of surface") {
   SceneBuilder b = closedBox(mixtureMaterial(0.5f, 0.2f, 20));
-  b.scene.materials[0].diffuse = {0.8f, 0.6f, 0.4f};
+  b.scene.materials[0].diffuse->colour = {0.8f, 0.6f, 0.4f};
   b.material(diffuseMaterial(vec3(0.3f), vec3(4))).sphere({-0.4f, 0.4f, -0.3f}, 0.4f);
   b.quad({0.2f, 0.9f, -0.6f}, {0.9f, 0.9f, -0.6f}, {0.9f, 0.9f, 0.4f}, {0.2f, 0.9f, 0.4f});
   b.material(mirrorMaterial(vec3(0.9f))).sphere({0.4f, -0.7f, -0.3f}, 0.3f);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/reference/lights.h"
+#include "host/reference/sampling.h"
 #include "host/reference/tracing.h"
 #include "tests/reference/scene_builder.h"
 
@@ -163,4 +164,21 @@ TEST_CASE("a triangle light does not light itself, nor with --one-sided what is 
   CHECK(oneSided.sample(0, above, {0.5, 0.5}));
   CHECK_FALSE(twoSided.sample(0, surfaceFacing({0.2, 0.2, 1}, {0, 0, 1}, 0), {0.5, 0.5}));
   CHECK_FALSE(twoSided.sample(0, surfaceFacing({5, 5, 1}, {0, 0, 1}), {0.5, 0.5}));  // edge on
+}
+
+TEST_CASE("the background has no entry, no samples and no density") {
+  SceneBuilder b;
+  b.scene.background = vec3(1);
+  const LightTable lights(b.scene, {});
+  CHECK(lights.thresholds().empty());
+  CHECK(lights.backgroundPdf({dvec3(0), dvec3(0, 0, 1)}) == 0);
+  CHECK_FALSE(BackgroundLight().sample(surfaceFacing(dvec3(0), {0, 0, 1}), {0.5, 0.5}));
+}
+
+TEST_CASE("every kind of light states its power") {
+  const dvec3 white(1);
+  CHECK(SphereLight({vec3(0), -2}, white, 0).power() == Approx(16 * kPi));
+  CHECK(TriangleLight({{vec3(0), vec3(2, 0, 0), vec3(0, 3, 0)}}, white, 0, false).power() == Approx(3));
+  CHECK(PointLight({vec3(0), vec3(5)}).power() == Approx(5));
+  CHECK(BackgroundLight().power() == 0);
 }

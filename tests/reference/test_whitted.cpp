@@ -56,7 +56,7 @@ TEST_CASE("the camera's ray has depth 1, and no ray comes from the last depth") 
 
 TEST_CASE("glass of index 1 reflects no ray") {
   SceneBuilder b = paneBetweenWalls();
-  b.scene.materials[0].ior = 1;
+  b.scene.materials[0].whitted.ior = 1;
   const render::RenderResult result = renderScene(b.scene, whittedSettings(4));
   CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0, 1});
   CHECK(result.film.mean(0, 0).x == 2);

@@ -11,9 +11,9 @@ const glm::dvec3 kTooBright(1e9);
 
 render::ImageSettings settingsOf(std::uint32_t seed) {
   render::ImageSettings settings;
-  settings.size = {4, 3};
-  settings.seed = seed;
-  settings.sampleCount = 8;
+  settings.image.size = {4, 3};
+  settings.image.seed = seed;
+  settings.image.sampleCount = 8;
   return settings;
 }
 

@@ -10,9 +10,7 @@ namespace {
 // Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
 scene::Scene lamps() {
   scene::Scene scene;
-  scene::Material lamp;
-  lamp.emission = {2, 2, 2};
-  scene.materials = {scene::Material{}, lamp};
+  scene.materials = {scene::Material{}, scene::Material{.emission = {2, 2, 2}}};
   scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
   scene.primitives = {{scene::PrimitiveKind::triangle, 0, 0},
                       {scene::PrimitiveKind::triangle, 0, 1},
@@ -42,7 +40,7 @@ TEST_CASE("point lights get half of the probability beside emitters, and all of 
   CHECK(both[3].probability == 0.375f);
   const auto pointsOnly = flatten::buildLightTable(scene, false);
   REQUIRE(pointsOnly.size() == 2);
-  CHECK(pointsOnly[0].isPoint);
+  CHECK(pointsOnly[0].isPoint());
   CHECK(pointsOnly[0].probability == 0.25f);
 }
 

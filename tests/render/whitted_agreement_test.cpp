@@ -55,7 +55,7 @@ scene::Scene loadDatabase(const char* file) {
 
 TEST_CASE("lights, mirrors, glass and every primitive look as in the reference") {
   scene::Scene scene = primitivesUnderLights();
-  scene.materials[2].ka = 0.2f;
+  scene.materials[2].whitted.ka = 0.2f;
   requireAgreement(scene, whittedSettings(256), kFlat);
 }
 

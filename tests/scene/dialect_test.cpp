@@ -1,12 +1,23 @@
 // Every dialect in circulation is read as its programs meant it.
 #include <catch2/catch.hpp>
+#include <sstream>
+#include <vector>
 
+#include "host/scene/nff_material.h"
 #include "tests/scene/scene_text.h"
 
 namespace candela::scene {
 namespace {
 
-Material materialOf(const std::string& line) { return sceneOf(line + "\n").materials.at(0); }
+// What the numbers of an `f` line mean; the scene's material must be made of the same.
+NffMaterial materialOf(const std::string& line) {
+  std::istringstream words(line.substr(1));
+  std::vector<float> numbers;
+  for (float number; words >> number;) numbers.push_back(number);
+  const NffMaterial material = readNffMaterial(numbers);
+  CHECK(sceneOf(line + "\n").materials.at(0) == fromNff(material));
+  return material;
+}
 PointLight pointLightOf(const std::string& line) { return sceneOf(line + "\n").pointLights.at(0); }
 
 }  // namespace
@@ -40,11 +51,11 @@ TEST_CASE("the dialect with camera, eye, mat and named structures is read") {
   CHECK(scene.camera->from == glm::vec3(0, 0, 5));
   CHECK(scene.camera->aperture == 2);
   CHECK(scene.requestedAccel == 2u);
-  CHECK(scene.materials.at(0).specular == glm::vec3(.5f, .6f, .7f));
+  CHECK(scene.materials.at(0).glossy->colour == glm::vec3(.5f, .6f, .7f));
 }
 
 TEST_CASE("8 numbers are NFF") {
-  const Material m = materialOf("f .1 .2 .3 .4 .5 30 .6 1.5");
+  const NffMaterial m = materialOf("f .1 .2 .3 .4 .5 30 .6 1.5");
   CHECK(m.diffuse == glm::vec3(.1f, .2f, .3f));
   CHECK(m.kd == .4f);
   CHECK(m.ks == .5f);
@@ -57,7 +68,7 @@ TEST_CASE("8 numbers are NFF") {
 }
 
 TEST_CASE("9 numbers are NFF with Ka") {
-  const Material m = materialOf("f .1 .2 .3 .4 .5 30 .6 1.5 .25");
+  const NffMaterial m = materialOf("f .1 .2 .3 .4 .5 30 .6 1.5 .25");
   CHECK(m.ior == 1.5f);
   CHECK(m.ka == .25f);
 }
@@ -65,7 +76,7 @@ TEST_CASE("9 numbers are NFF with Ka") {
 TEST_CASE("11, 12, 14 and 15 numbers are P3F, with roughness and emission where given") {
   for (const std::string tail : {"", " .7", " 4 5 6", " .7 4 5 6"}) {
     CAPTURE(tail);
-    const Material m = materialOf("f .1 .2 .3 .4 .5 .6 .7 .8 90 .9 1.5" + tail);
+    const NffMaterial m = materialOf("f .1 .2 .3 .4 .5 .6 .7 .8 90 .9 1.5" + tail);
     CHECK(m.diffuse == glm::vec3(.1f, .2f, .3f));
     CHECK(m.kd == .4f);
     CHECK(m.specular == glm::vec3(.5f, .6f, .7f));
@@ -82,23 +93,23 @@ TEST_CASE("11 numbers that cannot be P3F are NFF with emission") {
   // The 6th is a Shine above 1; or the 8th an index above 1; or the 10th an emission above 1.
   CHECK(materialOf("f 1 1 1 .5 .5 30 0 1 0 0 0").shine == 30);
   CHECK(materialOf("f 1 1 1 .5 .5 1 .25 1.5 0 0 0").ior == 1.5f);
-  const Material m = materialOf("f 0 0 0 1 0 1 0 1 6 7 8");
+  const NffMaterial m = materialOf("f 0 0 0 1 0 1 0 1 6 7 8");
   CHECK(m.emission == glm::vec3(6, 7, 8));
   CHECK(m.ior == 1);
 }
 
 TEST_CASE("11 numbers that fit both readings are P3F") {
-  const Material m = materialOf("f 0 0 0 1 0 1 0 1 6 1 8");
+  const NffMaterial m = materialOf("f 0 0 0 1 0 1 0 1 6 1 8");
   CHECK(m.specular == glm::vec3(0, 1, 0));
   CHECK(m.ks == 1);
   CHECK(m.shine == 6);
   CHECK(m.t == 1);
   CHECK(m.ior == 8);
-  CHECK_FALSE(isEmissive(m));
+  CHECK(m.emission == glm::vec3(0));
 }
 
 TEST_CASE("an opaque material with index 0 is kept as it stands") {
-  const Material m = materialOf("f 1 .85 .7 .3 .6 3.0827 0 0");
+  const NffMaterial m = materialOf("f 1 .85 .7 .3 .6 3.0827 0 0");
   CHECK(m.t == 0);
   CHECK(m.ior == 0);
 }
@@ -130,8 +141,8 @@ TEST_CASE("an area light in each of its forms is two emitting black triangles") 
     REQUIRE(scene.primitives.size() == 2);
     REQUIRE(scene.triangles.size() == 2);
     const Material& lamp = scene.materials.at(scene.primitives[1].material);
-    CHECK(lamp.diffuse == glm::vec3(0));
-    CHECK(lamp.kd == 1);
+    CHECK(lamp.diffuse->colour == glm::vec3(0));
+    CHECK(lamp.diffuse->weight == 1);
     CHECK(lamp.emission == glm::vec3(4, 5, 6));
     CHECK(scene.triangles[0].p[1] == glm::vec3(3, 0, 0));
     CHECK(scene.triangles[1].p[1] == glm::vec3(3, 3, 0));
@@ -142,7 +153,7 @@ TEST_CASE("an area light in each of its forms is two emitting black triangles") 
 
 TEST_CASE("an area light leaves the current material as it was") {
   const Scene scene = sceneOf("f 1 0 0 1 0 1 0 1\nal 0 0 0 1 0 0 0 1 0 1 1 1\ns 0 0 0 1\n");
-  CHECK(scene.materials.at(scene.primitives.back().material).diffuse == glm::vec3(1, 0, 0));
+  CHECK(scene.materials.at(scene.primitives.back().material).diffuse->colour == glm::vec3(1, 0, 0));
 }
 
 TEST_CASE("a moving sphere stays at its first centre, with a warning") {
@@ -182,8 +193,7 @@ TEST_CASE("an object before any material is diffuse white, with a warning") {
   const LoadedScene loaded = load("s 0 0 0 1\nf 1 0 0 1 0 1 0 1\ns 1 0 0 1\n");
   CHECK(warningWith(loaded, "before any material").line == 1);
   CHECK(loaded.scene.primitives[0].material == 0);
-  CHECK(loaded.scene.materials[0].diffuse == glm::vec3(1));
-  CHECK(loaded.scene.materials[0].kd == 1);
+  CHECK(loaded.scene.materials[0] == fromNff({}));
   CHECK(loaded.scene.primitives[1].material == 1);
 }
 
@@ -201,11 +211,8 @@ TEST_CASE("lenient reading skips what it does not know and warns of each kind on
   CHECK(warningWith(loaded, "what is missing has its default").line == 10);
   CHECK(warningWith(loaded, "not 10").line == 12);
   CHECK(warningWith(loaded, "radius must not be 0").line == 14);
-  const Material& shortened = loaded.scene.materials.at(1);
-  CHECK(shortened.kd == .5f);
-  CHECK(shortened.ks == 0);
-  CHECK(shortened.ior == 1);
-  CHECK(loaded.scene.materials.at(2).ka == .25f);
+  CHECK(loaded.scene.materials.at(1) == fromNff({.kd = .5f}));
+  CHECK(loaded.scene.materials.at(2).whitted.ka == .25f);
 }
 
 TEST_CASE("lenient reading completes a short view") {

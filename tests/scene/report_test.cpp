@@ -15,6 +15,8 @@ const std::string kScene =
     "f 1 1 1 0 1 1 0 1\npl 0 0 0 1 0 0 0 1 0\n"                      // mirror
     "f 1 1 1 0 0 1 1 1.5\nc 0 0 0 2  0 0 5 1\n"                      // dielectric
     "f 1 1 1 .5 .5 9 0 1\nbox 0 0 -2 1 1 0\n"                        // mixture
+    "f 1 1 1 0 .5 9 0 1\nf 1 1 1 .5 0 9 0 1\n"                       // glossy, diffuse
+    "f 1 1 1 0 0 9 1 0\n"                                            // black
     "f 0 0 0 1 0 0 0 0 1 0 1 2 2 2\ns 0 7 0 -.5\nbox 0 0 0 1 1 1\n"  // lamps
     "l 1 1 1\nspp 16\n";
 
@@ -35,11 +37,14 @@ TEST_CASE("a report counts statements, primitives, lights and materials") {
   CHECK(report.lights.triangles == 12);
   CHECK(report.lights.points == 1);
   CHECK(report.lights.total() == 14);
-  CHECK(report.materials.diffuse == 2);
+  CHECK(report.materials.diffuse == 3);
+  CHECK(report.materials.glossy == 1);
   CHECK(report.materials.mirror == 1);
   CHECK(report.materials.dielectric == 1);
   CHECK(report.materials.mixture == 1);
+  CHECK(report.materials.black == 1);
   CHECK(report.materials.emitting == 1);
+  CHECK(report.materials.total() == 8);
   CHECK(report.requestedAccel == 1u);
   CHECK(report.requestedSamples == 16u);
 }
@@ -61,6 +66,7 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(json["bounds"]["min"] == nlohmann::json({-4, -2, -2}));
   CHECK(json["lights"]["triangles"] == 12);
   CHECK(json["materials"]["emitting"] == 1);
+  CHECK(json["materials"]["glossy"] == 1);
   CHECK(json["camera"]["resolution"] == nlohmann::json({64, 32}));
   CHECK(json["camera"]["from"] == nlohmann::json({0, 0, 9}));
   CHECK(json["requestedSamples"] == 16);

@@ -18,7 +18,7 @@ scene::Scene shadowedPlane(float albedo) {
       "v\nfrom 4 0 2.5\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
       "f .5 .5 .5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\ns .4 .5 .4 .4\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 8 8 8\ns 0 0 2 .5\n");
-  scene.materials[0].diffuse = glm::vec3(albedo);
+  scene.materials[0].diffuse->colour = glm::vec3(albedo);
   return scene;
 }
 

@@ -1,0 +1,72 @@
+// The sampling of spheres by solid angle and of triangles by area.
+#include "host/reference/light.h"
+
+#include <cmath>
+
+#include "host/image/film.h"
+#include "host/reference/sampling.h"
+
+namespace candela::reference {
+namespace {
+
+// How a sphere is sampled from `point`: the cap of directions that meet it, or all directions.
+struct SphereView {
+  bool wholeSphere;
+  double capHeight;
+
+  SphereView(const SphereShape& sphere, const dvec3& point, bool leaving) {
+    const dvec3 toCentre = sphere.centre - point;
+    const double sinSquared = sphere.radius * sphere.radius / dot(toCentre, toCentre);
+    wholeSphere = leaving || !(sinSquared < 1);
+    capHeight = wholeSphere ? 2 : sinSquared / (1 + std::sqrt(1 - sinSquared));  // 1 - cos, without cancellation
+  }
+};
+
+}  // namespace
+
+std::optional<LightSample> SphereLight::sample(const Surface& from, const dvec2& u) const {
+  const bool leaving = from.primitive == primitive_;
+  const SphereView view(sphere_, from.position, leaving);
+  const dvec3 local = sampleCap(u, view.capHeight);
+  const dvec3 wi = view.wholeSphere ? local : Frame(normalize(sphere_.centre - from.position)).toWorld(local);
+  const double distance = sphere_.distance({from.position, wi}, leaving);
+  if (distance == kNoHit) return std::nullopt;
+  return LightSample{wi, distance, radiance_, capPdf(view.capHeight), primitive_};
+}
+
+double SphereLight::pdf(const Ray& ray, double, double probability) const {
+  return probability * capPdf(SphereView(sphere_, ray.origin, ray.leaving == primitive_).capHeight);
+}
+
+double SphereLight::power() const { return 4 * kPi * sphere_.radius * sphere_.radius * image::luminance(radiance_); }
+
+std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec2& u) const {
+  if (from.primitive == primitive_) return std::nullopt;
+  const dvec2 b = sampleTriangle(u);
+  const dvec3 toLight = triangle_.corner + b.x * triangle_.edge1 + b.y * triangle_.edge2 - from.position;
+  const double distance = length(toLight);
+  if (distance == 0) return std::nullopt;
+  const dvec3 wi = toLight / distance;
+  // Twice the area times the cosine; above 0 on the back.
+  const double projected = dot(wi, triangle_.areaNormal());
+  if (projected == 0 || (oneSided_ && projected > 0)) return std::nullopt;
+  const double pdf = 2 * distance * distance / std::abs(projected);
+  return LightSample{wi, distance, radiance_, pdf, primitive_};
+}
+
+double TriangleLight::pdf(const Ray& ray, double distance, double probability) const {
+  return probability * 2 * distance * distance / std::abs(dot(ray.direction, triangle_.areaNormal()));
+}
+
+double TriangleLight::power() const { return area() * image::luminance(radiance_); }
+
+std::optional<LightSample> PointLight::sample(const Surface& from, const dvec2&) const {
+  const dvec3 toLight = position_ - from.position;
+  const double distance = length(toLight);
+  if (distance == 0) return std::nullopt;
+  return LightSample{toLight / distance, distance, kPi * colour_, std::nullopt, kNoPrimitive};
+}
+
+double PointLight::power() const { return image::luminance(colour_); }
+
+}  // namespace candela::reference

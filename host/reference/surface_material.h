@@ -1,0 +1,18 @@
+// The material at a point of a surface, as the integrators read it.
+#pragma once
+#include "host/reference/bsdf.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+struct SurfaceMaterial {
+  Bsdf bsdf;
+  dvec3 emission;  ///< radiance, on both sides
+  bool emits;
+  scene::WhittedMaterial whitted;
+
+  explicit SurfaceMaterial(const scene::Material& material)
+      : bsdf(material), emission(material.emission), emits(isEmissive(material)), whitted(material.whitted) {}
+};
+
+}  // namespace candela::reference

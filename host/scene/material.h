@@ -1,0 +1,83 @@
+// How surfaces scatter and emit light, for the path tracer and for Whitted's: docs/light-transport.md sections 5 and 9.
+// Every file format has one function that makes this of its own statements (nff_material.h); tracers know nothing else.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace candela::scene {
+
+/// Lambert's.
+struct DiffuseLobe {
+  double weight = 1;  ///< > 0
+  glm::vec3 colour{1, 1, 1};
+
+  bool operator==(const DiffuseLobe&) const = default;
+};
+
+/// Blinn-Phong, with the masking of Torrance and Sparrow.
+struct GlossyLobe {
+  double weight = 1;  ///< > 0
+  glm::vec3 colour{1, 1, 1};
+  float exponent = 1;  ///< >= 0
+
+  bool operator==(const GlossyLobe&) const = default;
+};
+
+/// A smooth boundary between two dielectrics.
+struct DielectricLobe {
+  double weight = 1;  ///< > 0
+  glm::vec3 colour{1, 1, 1};
+  float ior = 1;  ///< > 0, of the inside by that of the outside
+
+  bool operator==(const DielectricLobe&) const = default;
+};
+
+struct MirrorLobe {
+  glm::vec3 colour{1, 1, 1};
+
+  bool operator==(const MirrorLobe&) const = default;
+};
+
+/// The rays that Whitted's integrator spawns at a surface.
+enum class WhittedKind : std::uint8_t { opaque, mirror, glass };
+
+/// The coefficients of Whitted's integrator.
+struct WhittedMaterial {
+  WhittedKind kind = WhittedKind::opaque;
+  glm::vec3 diffuse{1, 1, 1};
+  float kd = 0;  ///< diffuse reflection of light from point lights
+  float ka = 0;  ///< ambient light, with the diffuse colour
+  glm::vec3 specular{1, 1, 1};
+  float ks = 0;     ///< highlights of point lights, and the factor of a mirror
+  float shine = 1;  ///< exponent of the highlights, >= 0
+  float ior = 1;    ///< > 0 where `kind` is glass
+
+  bool operator==(const WhittedMaterial&) const = default;
+};
+
+/// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
+/// for rounding. A mirror lobe is the only lobe of its material.
+struct Material {
+  std::optional<DiffuseLobe> diffuse;
+  std::optional<GlossyLobe> glossy;
+  std::optional<DielectricLobe> dielectric;
+  std::optional<MirrorLobe> mirror;
+  glm::vec3 emission{0, 0, 0};  ///< radiance, W/(sr m^2) in arbitrary units, >= 0
+  bool opaque = true;           ///< with `--one-sided`, the backs of its triangles and planes are not hit
+  WhittedMaterial whitted;
+
+  bool operator==(const Material&) const = default;
+};
+
+/// True if the material emits at all.
+inline bool isEmissive(const Material& material) {
+  return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
+}
+
+/// The name of a material with one lobe is that of the lobe.
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture };
+
+MaterialKind kindOf(const Material& material);
+
+}  // namespace candela::scene
