@@ -66,7 +66,7 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   const bool sphere = primitive.kind == scene::PrimitiveKind::sphere;
   rows.push_back(
       {entry.threshold, floatBits(entry.probability), sphere ? gpu::kLightSphere : gpu::kLightTriangle, slot});
-  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
+  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(triangleOf(scene, primitive))));
   const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
 }

@@ -15,7 +15,7 @@ void noteKind(const scene::Scene& scene, const scene::Primitive& primitive, Scen
       break;
     case scene::PrimitiveKind::triangle:
       features.triangles = true;
-      features.smooth |= scene.triangles[primitive.index].normals != scene::Triangle::kNoNormals;
+      features.smooth |= isSmooth(scene, primitive);
       break;
     case scene::PrimitiveKind::box:
       features.boxes = true;

@@ -17,13 +17,13 @@ double emitterWeight(const scene::Scene& scene, const scene::Primitive& primitiv
     const double radius = scene.spheres[primitive.index].radius;
     return 4 * std::numbers::pi * radius * radius * emitted;
   }
-  return triangleArea(scene.triangles[primitive.index]) * emitted;
+  return triangleArea(triangleOf(scene, primitive)) * emitted;
 }
 
 bool isInTable(const scene::Scene& scene, const scene::Primitive& primitive) {
   if (!isEmissive(scene.materials[primitive.material])) return false;
   if (primitive.kind == scene::PrimitiveKind::sphere) return scene.spheres[primitive.index].radius != 0;
-  return primitive.kind == scene::PrimitiveKind::triangle && triangleArea(scene.triangles[primitive.index]) > 0;
+  return primitive.kind == scene::PrimitiveKind::triangle && triangleArea(triangleOf(scene, primitive)) > 0;
 }
 
 // Shares of the two groups: half each if both can be chosen.

@@ -35,15 +35,15 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
 
 void LightTable::collect(bool withEmitters) {
   for (std::uint32_t i = 0; withEmitters && i < scene_.primitives.size(); ++i) {
-    const auto [kind, index, materialIndex] = scene_.primitives[i];
-    const scene::Material& material = scene_.materials[materialIndex];
+    const scene::Primitive& primitive = scene_.primitives[i];
+    const scene::Material& material = scene_.materials[primitive.material];
     if (!isEmissive(material)) continue;
     const double brightness = image::luminance(material.emission);
-    if (kind == scene::PrimitiveKind::sphere) {
-      const double radius = scene_.spheres[index].radius;
+    if (primitive.kind == scene::PrimitiveKind::sphere) {
+      const double radius = scene_.spheres[primitive.index].radius;
       entries_.push_back({Kind::sphere, i, 4 * kPi * radius * radius * brightness});
-    } else if (kind == scene::PrimitiveKind::triangle) {
-      const double area = length(TriangleShape(scene_.triangles[index]).areaNormal()) / 2;
+    } else if (primitive.kind == scene::PrimitiveKind::triangle) {
+      const double area = length(TriangleShape(triangleOf(scene_, primitive)).areaNormal()) / 2;
       if (area == 0) continue;
       entries_.push_back({Kind::triangle, i, area * brightness});
     } else {
@@ -124,7 +124,7 @@ std::optional<LightSample> LightTable::sampleSphere(const Entry& entry, const Su
 std::optional<LightSample> LightTable::sampleTriangleArea(const Entry& entry, const Surface& surface,
                                                           const dvec2& u) const {
   if (surface.primitive == entry.index) return std::nullopt;
-  const TriangleShape triangle(scene_.triangles[scene_.primitives[entry.index].index]);
+  const TriangleShape triangle(triangleOf(scene_, scene_.primitives[entry.index]));
   const dvec2 b = sampleTriangle(u);
   const dvec3 toLight = triangle.corner + b.x * triangle.edge1 + b.y * triangle.edge2 - surface.position;
   const double distance = length(toLight);
@@ -140,12 +140,12 @@ std::optional<LightSample> LightTable::sampleTriangleArea(const Entry& entry, co
 double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) const {
   const std::uint32_t entry = entryOfPrimitive_[surface.primitive];
   if (entry == kNoEntry) return 0;
-  const std::uint32_t index = scene_.primitives[surface.primitive].index;
+  const scene::Primitive& primitive = scene_.primitives[surface.primitive];
   if (entries_[entry].kind == Kind::sphere) {
-    const SphereView view(SphereShape(scene_.spheres[index]), ray.origin, ray.leaving == surface.primitive);
+    const SphereView view(SphereShape(scene_.spheres[primitive.index]), ray.origin, ray.leaving == surface.primitive);
     return probability(entry) * capPdf(view.capHeight);
   }
-  const double projected = std::abs(dot(ray.direction, TriangleShape(scene_.triangles[index]).areaNormal()));
+  const double projected = std::abs(dot(ray.direction, TriangleShape(triangleOf(scene_, primitive)).areaNormal()));
   return probability(entry) * 2 * distance * distance / projected;
 }
 

@@ -38,8 +38,10 @@ void addCone(Extent3& extent, const Cone& cone) {
 std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
   Extent3 extent;
   for (const Sphere& s : scene.spheres) extent.add(s.centre, glm::dvec3(std::abs(static_cast<double>(s.radius))));
-  for (const Triangle& t : scene.triangles) {
-    for (const glm::vec3& corner : t.p) extent.add(corner);
+  for (const Primitive& primitive : scene.primitives) {
+    if (primitive.kind != PrimitiveKind::triangle) continue;
+    const Triangle triangle = triangleOf(scene, primitive);
+    for (const glm::vec3& vertex : triangle.p) extent.add(vertex);
   }
   for (const Box& box : scene.boxes) {
     extent.add(box.min);
@@ -47,6 +49,11 @@ std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
   }
   for (const Cone& cone : scene.cones) addCone(extent, cone);
   return extent.bounds();
+}
+
+std::uint64_t triangleCount(const Scene& scene) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count(scene.primitives, PrimitiveKind::triangle, [](const Primitive& p) { return p.kind; }));
 }
 
 SceneReport::Lights lightsOf(const Scene& scene) {
@@ -105,7 +112,7 @@ SceneReport makeReport(const LoadedScene& loaded) {
   SceneReport report;
   report.name = scene.name;
   report.statements = loaded.counts;
-  report.primitives = {scene.spheres.size(), scene.triangles.size(), scene.boxes.size(), scene.cones.size(),
+  report.primitives = {scene.spheres.size(), triangleCount(scene), scene.boxes.size(), scene.cones.size(),
                        scene.planes.size()};
   report.bounds = boundsOf(scene);
   report.lights = lightsOf(scene);

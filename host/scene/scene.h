@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/mesh.h"
+
 namespace candela::scene {
 
 /// The view, as NFF states it. The view plane passes through `at`.
@@ -43,19 +45,6 @@ struct Sphere {
   float radius;
 };
 
-/// Counter-clockwise from its front. Polygons, patches, meshes and emitting boxes are stored as triangles.
-/// `normals` is an index into Scene::vertexNormals, or kNoNormals.
-struct Triangle {
-  static constexpr std::uint32_t kNoNormals = ~0u;
-  glm::vec3 p[3];
-  std::uint32_t normals = kNoNormals;
-};
-
-/// Unit normals at a patch triangle's three vertices.
-struct VertexNormals {
-  glm::vec3 n[3];
-};
-
 /// Axis-aligned, min <= max on each axis (equal: a flat box, allowed).
 struct Box {
   glm::vec3 min;
@@ -78,13 +67,22 @@ struct Plane {
 
 enum class PrimitiveKind : std::uint8_t { sphere, triangle, box, cone, plane };
 
-/// One entry of the scene's list of primitives. Its place in Scene::primitives is the *primitive index* that both
-/// tracers report and that breaks ties between equal distances.
+/// One entry of the scene's list of primitives. Its position in Scene::primitives is the *primitive index* that both
+/// tracers report and that breaks ties between equal distances. Polygons, patches and emitting boxes are stored as
+/// triangles.
 struct Primitive {
+  static constexpr std::uint32_t kMaxMeshes = 1u << 24;
+
   PrimitiveKind kind;
-  std::uint32_t index;     ///< into the vector of its kind
-  std::uint32_t material;  ///< into Scene::materials
+  std::uint32_t mesh : 24;  ///< of a triangle: into Scene::meshes; 0 otherwise
+  std::uint32_t index;      ///< of a triangle: its number in its mesh; otherwise into the vector of the kind
+  std::uint32_t material;   ///< into Scene::materials
+
+  Primitive(PrimitiveKind primitiveKind, std::uint32_t shapeIndex, std::uint32_t materialIndex,
+            std::uint32_t meshIndex = 0)
+      : kind(primitiveKind), mesh(meshIndex & (kMaxMeshes - 1)), index(shapeIndex), material(materialIndex) {}
 };
+static_assert(sizeof(Primitive) == 12);
 
 /// `l`: a point light without fall-off, see docs/light-transport.md.
 struct PointLight {
@@ -119,8 +117,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Primitive> primitives;
   std::vector<Sphere> spheres;
-  std::vector<Triangle> triangles;
-  std::vector<VertexNormals> vertexNormals;
+  std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes
   std::vector<Box> boxes;
   std::vector<Cone> cones;
   std::vector<Plane> planes;
@@ -135,6 +132,28 @@ struct Scene {
 /// True if the material emits at all.
 inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
+}
+
+/// The mesh of a primitive that is a triangle.
+inline const Mesh& meshOf(const Scene& scene, const Primitive& triangle) { return scene.meshes[triangle.mesh]; }
+
+/// The vertices of a primitive that is a triangle.
+inline Triangle triangleOf(const Scene& scene, const Primitive& triangle) {
+  const Mesh& mesh = meshOf(scene, triangle);
+  const auto [p0, p1, p2] = attributeOf(mesh, mesh.positions, triangle.index);
+  return {{p0, p1, p2}};
+}
+
+/// True if the primitive is a triangle whose vertices have normals.
+inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
+  return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();
+}
+
+/// The vertex normals of a primitive for which isSmooth is true.
+inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
+  const Mesh& mesh = meshOf(scene, triangle);
+  const auto [n0, n1, n2] = attributeOf(mesh, mesh.normals, triangle.index);
+  return {{n0, n1, n2}};
 }
 
 }  // namespace candela::scene
