@@ -51,11 +51,6 @@ std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
   return extent.bounds();
 }
 
-std::uint64_t triangleCount(const Scene& scene) {
-  return static_cast<std::uint64_t>(
-      std::ranges::count(scene.primitives, PrimitiveKind::triangle, [](const Primitive& p) { return p.kind; }));
-}
-
 SceneReport::Lights lightsOf(const Scene& scene) {
   SceneReport::Lights lights;
   lights.points = scene.pointLights.size();
@@ -112,7 +107,8 @@ SceneReport makeReport(const LoadedScene& loaded) {
   SceneReport report;
   report.name = scene.name;
   report.statements = loaded.counts;
-  report.primitives = {scene.spheres.size(), triangleCount(scene), scene.boxes.size(), scene.cones.size(),
+  report.memory = memoryOf(scene);
+  report.primitives = {scene.spheres.size(), report.memory.triangleCount, scene.boxes.size(), scene.cones.size(),
                        scene.planes.size()};
   report.bounds = boundsOf(scene);
   report.lights = lightsOf(scene);
