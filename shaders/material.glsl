@@ -19,7 +19,7 @@ struct Material {
 
 // `index`: of the scene's materials.
 Material loadMaterial(uint index) {
-  uint row = constants.sections.z + index * kMaterialRows;
+  uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;

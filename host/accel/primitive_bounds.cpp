@@ -52,7 +52,7 @@ std::optional<ExactBounds> exactBounds(const scene::Scene& scene, const scene::P
     case scene::PrimitiveKind::sphere:
       return boundsOf(scene.spheres[primitive.index]);
     case scene::PrimitiveKind::triangle:
-      return boundsOf(scene.triangles[primitive.index]);
+      return boundsOf(triangleOf(scene, primitive));
     case scene::PrimitiveKind::box:
       return boundsOf(scene.boxes[primitive.index]);
     case scene::PrimitiveKind::cone:

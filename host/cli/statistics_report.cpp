@@ -12,6 +12,7 @@
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
+#include "host/scene/memory.h"
 
 namespace candela::cli {
 namespace {
@@ -125,6 +126,9 @@ ordered_json toJson(const RenderReport& report) {
   json["segmentsPerDispatch"] = statistics.maxSegmentsPerDispatch;
   json["threads"] = statistics.threads;
   json["deviceBytes"] = statistics.deviceBytes;
+  const scene::SceneMemory memory = scene::memoryOf(report.job.scene);
+  json["sceneBytes"] = memory.total;
+  json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
   json["samples"] = statistics.samples;
   json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;

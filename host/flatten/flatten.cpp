@@ -70,7 +70,7 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
   const bool sphere = entry.kind == LightKind::sphere;
   rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
-  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(scene.triangles[primitive.index])));
+  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(triangleOf(scene, primitive))));
   const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
 }

@@ -24,7 +24,7 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
     features.insideOnly |= scene.spheres[primitive.index].radius < 0;
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
-    features.smooth |= scene.triangles[primitive.index].normals != scene::Triangle::kNoNormals;
+    features.smooth |= isSmooth(scene, primitive);
   }
 }
 

@@ -36,11 +36,11 @@ void appendNormals(const scene::VertexNormals& normals, std::uint32_t light, Row
 
 void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
                     Rows& rows, Rows& normals) {
-  const scene::Triangle& triangle = scene.triangles[primitive.index];
-  const bool smooth = triangle.normals != scene::Triangle::kNoNormals;
+  const scene::Triangle triangle = triangleOf(scene, primitive);
+  const bool smooth = isSmooth(scene, primitive);
   const std::uint32_t extra = smooth ? static_cast<std::uint32_t>(normals.size()) : context.light;
   const std::uint32_t kind = gpu::kKindTriangle | (smooth ? gpu::kFlagSmooth : 0);
-  if (smooth) appendNormals(scene.vertexNormals[triangle.normals], context.light, normals);
+  if (smooth) appendNormals(vertexNormalsOf(scene, primitive), context.light, normals);
   rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
   rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
   rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, primitive, kind)));

@@ -18,7 +18,7 @@ std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Pri
   if (primitive.kind == scene::PrimitiveKind::sphere && scene.spheres[primitive.index].radius != 0) {
     return LightKind::sphere;
   }
-  if (primitive.kind == scene::PrimitiveKind::triangle && triangleArea(scene.triangles[primitive.index]) > 0) {
+  if (primitive.kind == scene::PrimitiveKind::triangle && triangleArea(triangleOf(scene, primitive)) > 0) {
     return LightKind::triangle;
   }
   return std::nullopt;

@@ -129,7 +129,7 @@ std::optional<Bounds> boundsOf(const scene::Scene& scene, const scene::Primitive
       return widened(around(sphere.centre, dvec3(std::abs(sphere.radius))));
     }
     case scene::PrimitiveKind::triangle: {
-      const scene::Triangle& triangle = scene.triangles[primitive.index];
+      const scene::Triangle triangle = triangleOf(scene, primitive);
       return widened(ofPoints({triangle.p[0], triangle.p[1], triangle.p[2]}));
     }
     case scene::PrimitiveKind::box: {

@@ -24,13 +24,13 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
 }
 
 void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
-  const auto [kind, index, materialIndex] = scene.primitives[primitive];
-  const scene::Material& material = scene.materials[materialIndex];
+  const scene::Primitive& emitter = scene.primitives[primitive];
+  const scene::Material& material = scene.materials[emitter.material];
   if (!isEmissive(material)) return;
-  if (kind == scene::PrimitiveKind::sphere) {
-    entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[index], material.emission, primitive));
-  } else if (kind == scene::PrimitiveKind::triangle) {
-    const TriangleLight light(scene.triangles[index], material.emission, primitive, oneSided);
+  if (emitter.kind == scene::PrimitiveKind::sphere) {
+    entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[emitter.index], material.emission, primitive));
+  } else if (emitter.kind == scene::PrimitiveKind::triangle) {
+    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided);
     if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
   }
 }

@@ -12,7 +12,7 @@ dvec3 outwardNormalAt(const scene::Scene& scene, const Ray& ray, const Hit& hit)
     case scene::PrimitiveKind::sphere:
       return SphereShape(scene.spheres[primitive.index]).normal(ray.at(hit.distance));
     case scene::PrimitiveKind::triangle:
-      return normalize(TriangleShape(scene.triangles[primitive.index]).areaNormal());
+      return normalize(TriangleShape(triangleOf(scene, primitive)).areaNormal());
     case scene::PrimitiveKind::box:
       return BoxShape(scene.boxes[primitive.index]).normal(ray, ray.leaving == hit.primitive);
     case scene::PrimitiveKind::cone:
@@ -25,11 +25,10 @@ dvec3 outwardNormalAt(const scene::Scene& scene, const Ray& ray, const Hit& hit)
 
 // The mean of a patch's vertex normals, of any length; 0 for primitives without.
 dvec3 interpolatedNormal(const scene::Scene& scene, const Ray& ray, const scene::Primitive& primitive) {
-  if (primitive.kind != scene::PrimitiveKind::triangle) return dvec3(0);
-  const scene::Triangle& triangle = scene.triangles[primitive.index];
-  if (triangle.normals == scene::Triangle::kNoNormals) return dvec3(0);
-  const glm::vec3(&n)[3] = scene.vertexNormals[triangle.normals].n;
-  const dvec2 b = TriangleShape(triangle).barycentrics(ray);
+  if (!isSmooth(scene, primitive)) return dvec3(0);
+  const scene::VertexNormals normals = vertexNormalsOf(scene, primitive);
+  const glm::vec3(&n)[3] = normals.n;
+  const dvec2 b = TriangleShape(triangleOf(scene, primitive)).barycentrics(ray);
   return (1 - b.x - b.y) * dvec3(n[0]) + b.x * dvec3(n[1]) + b.y * dvec3(n[2]);
 }
 

@@ -33,7 +33,7 @@ bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double 
 
 bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
   return primitive.kind != scene::PrimitiveKind::triangle ||
-         TriangleShape(scene.triangles[primitive.index]).areaNormal() != dvec3(0);
+         TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
 }
 
 }  // namespace
@@ -82,8 +82,9 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
 }
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
-  const auto [kind, index, material] = scene.primitives[primitive];
-  const auto append = [&, kind = kind](auto& shapes, const auto& source) {
+  const scene::PrimitiveKind kind = scene.primitives[primitive].kind;
+  const std::uint32_t index = scene.primitives[primitive].index;
+  const auto append = [&](auto& shapes, const auto& source) {
     shapes.emplace_back(source);
     items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
   };
@@ -91,7 +92,7 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool o
     case scene::PrimitiveKind::sphere:
       return append(spheres_, scene.spheres[index]);
     case scene::PrimitiveKind::triangle:
-      return append(triangles_, scene.triangles[index]);
+      return append(triangles_, triangleOf(scene, scene.primitives[primitive]));
     case scene::PrimitiveKind::box:
       return append(boxes_, scene.boxes[index]);
     case scene::PrimitiveKind::cone:

@@ -1,4 +1,4 @@
-// Reads NFF and P3F files in all their dialects.
+// Reads scene files, each by the loader of its format (host/scene/loader.h).
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace candela::scene {
 
 struct LoadOptions {
   bool lenient = false;  ///< unknown lines are skipped, short materials completed, each with a warning
-  std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that `env` may name
+  std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that a scene may read
 };
 
 /// How many statements of each kind the file had: "sphere", "polygon", "patch", "material", ...
@@ -25,10 +25,11 @@ struct LoadedScene {
   std::vector<Diagnostic> warnings;
 };
 
-/// Throws SceneError with every error that was found. A file without a view loads: Scene::camera is then empty, and
-/// the caller decides (requireCamera).
-LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
-/// The same from memory; `name` stands in messages, `folder` is where `env` paths start.
+/// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that
+/// was found, and FileError if the file cannot be read or is larger than 1 GiB. A file without a view loads:
+/// Scene::camera is then empty, and the caller decides (requireCamera).
+LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+/// Reads NFF or P3F from memory; `name` stands in messages, `folder` is where `env` paths start.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});
 /// Throws SceneError, which says how to give a view, if there is none.

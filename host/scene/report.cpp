@@ -38,8 +38,10 @@ void addCone(Extent3& extent, const Cone& cone) {
 std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
   Extent3 extent;
   for (const Sphere& s : scene.spheres) extent.add(s.centre, glm::dvec3(std::abs(static_cast<double>(s.radius))));
-  for (const Triangle& t : scene.triangles) {
-    for (const glm::vec3& corner : t.p) extent.add(corner);
+  for (const Primitive& primitive : scene.primitives) {
+    if (primitive.kind != PrimitiveKind::triangle) continue;
+    const Triangle triangle = triangleOf(scene, primitive);
+    for (const glm::vec3& vertex : triangle.p) extent.add(vertex);
   }
   for (const Box& box : scene.boxes) {
     extent.add(box.min);
@@ -116,7 +118,8 @@ SceneReport makeReport(const LoadedScene& loaded) {
   SceneReport report;
   report.name = scene.name;
   report.statements = loaded.counts;
-  report.primitives = {scene.spheres.size(), scene.triangles.size(), scene.boxes.size(), scene.cones.size(),
+  report.memory = memoryOf(scene);
+  report.primitives = {scene.spheres.size(), report.memory.triangleCount, scene.boxes.size(), scene.cones.size(),
                        scene.planes.size()};
   report.bounds = boundsOf(scene);
   report.lights = lightsOf(scene);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/scene/load.h"
+#include "host/scene/memory.h"
 
 namespace candela::scene {
 
@@ -43,6 +44,7 @@ struct SceneReport {
   std::optional<std::uint32_t> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
   std::uint64_t hash = 0;
+  SceneMemory memory;
   std::vector<std::string> warnings;
 };
 

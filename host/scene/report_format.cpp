@@ -37,6 +37,12 @@ std::string statementsText(const StatementCounts& counts) {
   return text.empty() ? "none" : text;
 }
 
+std::string memoryText(const SceneMemory& memory) {
+  const std::string total = fmt::format("{} bytes", memory.total);
+  const std::optional<double> perTriangle = memory.bytesPerTriangle();
+  return perTriangle ? fmt::format("{}; {:.1f} bytes per triangle", total, *perTriangle) : total;
+}
+
 }  // namespace
 
 std::string toText(const SceneReport& r) {
@@ -60,6 +66,7 @@ std::string toText(const SceneReport& r) {
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
   if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
+  line("memory", memoryText(r.memory));
   line("hash", hashText(r.hash));
   for (const std::string& warning : r.warnings) line("warning", warning);
   return text;
@@ -102,6 +109,7 @@ json toJson(const SceneReport& r) {
       {"skySide", orNull(r.skySide, same)},
       {"requestedAccel", orNull(r.requestedAccel, same)},
       {"requestedSamples", orNull(r.requestedSamples, same)},
+      {"memory", {{"bytes", r.memory.total}, {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)}}},
       {"warnings", r.warnings},
   };
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/scene/material.h"
+#include "host/scene/mesh.h"
 #include "host/scene/primitive_kind_list.h"
 
 namespace candela::scene {
@@ -29,19 +30,6 @@ struct Camera {
 struct Sphere {
   glm::vec3 centre;
   float radius;
-};
-
-/// Counter-clockwise from its front. Polygons, patches, meshes and emitting boxes are stored as triangles.
-/// `normals` is an index into Scene::vertexNormals, or kNoNormals.
-struct Triangle {
-  static constexpr std::uint32_t kNoNormals = ~0u;
-  glm::vec3 p[3];
-  std::uint32_t normals = kNoNormals;
-};
-
-/// Unit normals at a patch triangle's three vertices.
-struct VertexNormals {
-  glm::vec3 n[3];
 };
 
 /// Axis-aligned, min <= max on each axis (equal: a flat box, allowed).
@@ -71,13 +59,22 @@ enum class PrimitiveKind : std::uint8_t {
 #undef CANDELA_ENUMERATE_KIND
 };
 
-/// One entry of the scene's list of primitives. Its place in Scene::primitives is the *primitive index* that both
-/// tracers report and that breaks ties between equal distances.
+/// One entry of the scene's list of primitives. Its position in Scene::primitives is the *primitive index* that both
+/// tracers report and that breaks ties between equal distances. Polygons, patches and emitting boxes are stored as
+/// triangles.
 struct Primitive {
+  static constexpr std::uint32_t kMaxMeshes = 1u << 24;
+
   PrimitiveKind kind;
-  std::uint32_t index;     ///< into the vector of its kind
-  std::uint32_t material;  ///< into Scene::materials
+  std::uint32_t mesh : 24;  ///< of a triangle: into Scene::meshes; 0 otherwise
+  std::uint32_t index;      ///< of a triangle: its number in its mesh; otherwise into the vector of the kind
+  std::uint32_t material;   ///< into Scene::materials
+
+  Primitive(PrimitiveKind primitiveKind, std::uint32_t shapeIndex, std::uint32_t materialIndex,
+            std::uint32_t meshIndex = 0)
+      : kind(primitiveKind), mesh(meshIndex & (kMaxMeshes - 1)), index(shapeIndex), material(materialIndex) {}
 };
+static_assert(sizeof(Primitive) == 12);
 
 /// `l`: a point light without fall-off, see docs/light-transport.md.
 struct PointLight {
@@ -112,8 +109,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Primitive> primitives;
   std::vector<Sphere> spheres;
-  std::vector<Triangle> triangles;
-  std::vector<VertexNormals> vertexNormals;
+  std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes
   std::vector<Box> boxes;
   std::vector<Cone> cones;
   std::vector<Plane> planes;
@@ -125,4 +121,7 @@ struct Scene {
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };
 
+#include "host/scene/material.h"
+#include "host/scene/mesh.h"
+#include "host/scene/primitive_kind_list.h"
 }  // namespace candela::scene

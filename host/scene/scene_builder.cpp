@@ -1,6 +1,14 @@
 // Adds primitives to a scene, in order.
 #include "host/scene/scene_builder.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "host/core/errors.h"
+
 namespace candela::scene {
 namespace {
 
@@ -8,6 +16,34 @@ template <typename Shape>
 void add(Scene& scene, std::vector<Shape>& shapes, const Shape& shape, PrimitiveKind kind, std::uint32_t material) {
   scene.primitives.push_back({kind, static_cast<std::uint32_t>(shapes.size()), material});
   shapes.push_back(shape);
+}
+
+void appendMesh(Scene& scene, Mesh mesh) {
+  if (scene.meshes.size() >= Primitive::kMaxMeshes) {
+    throw FileError(fmt::format("the scene has more than {} meshes", Primitive::kMaxMeshes));
+  }
+  scene.meshes.push_back(std::move(mesh));
+}
+
+/// The index of the first mesh with or without indices and normals, and with no other attribute than positions.
+std::uint32_t findOrAddMesh(Scene& scene, bool hasIndices, bool hasNormals) {
+  const auto fits = [&](const Mesh& mesh) {
+    const bool isPlain = mesh.texCoords[0].empty() && mesh.texCoords[1].empty() && mesh.tangents.empty() &&
+                         mesh.colours.empty();
+    return isPlain && mesh.indices.empty() != hasIndices && mesh.normals.empty() != hasNormals;
+  };
+  const auto found = std::ranges::find_if(scene.meshes, fits);
+  const auto index = static_cast<std::uint32_t>(found - scene.meshes.begin());
+  if (found == scene.meshes.end()) appendMesh(scene, {});
+  return index;
+}
+
+/// Adds a primitive for each triangle of a mesh from `first` on.
+void addTrianglesOf(Scene& scene, std::uint32_t mesh, std::size_t first, std::uint32_t material) {
+  const std::size_t end = triangleCount(scene.meshes[mesh]);
+  for (std::size_t i = first; i < end; ++i) {
+    scene.primitives.emplace_back(PrimitiveKind::triangle, static_cast<std::uint32_t>(i), material, mesh);
+  }
 }
 
 void addQuad(Scene& scene, const glm::vec3 (&corner)[4], std::uint32_t material) {
@@ -35,7 +71,17 @@ void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material) {
   add(scene, scene.spheres, sphere, PrimitiveKind::sphere, material);
 }
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material) {
-  add(scene, scene.triangles, triangle, PrimitiveKind::triangle, material);
+  const std::uint32_t index = findOrAddMesh(scene, false, false);
+  Mesh& mesh = scene.meshes[index];
+  mesh.positions.insert(mesh.positions.end(), std::begin(triangle.p), std::end(triangle.p));
+  addTrianglesOf(scene, index, triangleCount(mesh) - 1, material);
+}
+void addTriangle(Scene& scene, const Triangle& triangle, const VertexNormals& normals, std::uint32_t material) {
+  const std::uint32_t index = findOrAddMesh(scene, false, true);
+  Mesh& mesh = scene.meshes[index];
+  mesh.positions.insert(mesh.positions.end(), std::begin(triangle.p), std::end(triangle.p));
+  mesh.normals.insert(mesh.normals.end(), std::begin(normals.n), std::end(normals.n));
+  addTrianglesOf(scene, index, triangleCount(mesh) - 1, material);
 }
 void addBox(Scene& scene, const Box& box, std::uint32_t material) {
   add(scene, scene.boxes, box, PrimitiveKind::box, material);
@@ -45,6 +91,25 @@ void addCone(Scene& scene, const Cone& cone, std::uint32_t material) {
 }
 void addPlane(Scene& scene, const Plane& plane, std::uint32_t material) {
   add(scene, scene.planes, plane, PrimitiveKind::plane, material);
+}
+
+void addMesh(Scene& scene, Mesh mesh, std::uint32_t material) {
+  if (triangleCount(mesh) == 0) return;
+  appendMesh(scene, std::move(mesh));
+  addTrianglesOf(scene, static_cast<std::uint32_t>(scene.meshes.size() - 1), 0, material);
+}
+
+void addIndexedTriangles(Scene& scene, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                         std::uint32_t material) {
+  if (indices.empty()) return;
+  const std::uint32_t index = findOrAddMesh(scene, true, false);
+  Mesh& mesh = scene.meshes[index];
+  const std::size_t first = mesh.indices.size() / 3;
+  const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), positions.begin(), positions.end());
+  mesh.indices.insert(mesh.indices.end(), indices.begin(), indices.end());
+  for (std::size_t i = 3 * first; i < mesh.indices.size(); ++i) mesh.indices[i] += offset;
+  addTrianglesOf(scene, index, first, material);
 }
 
 void addBoxAsTriangles(Scene& scene, const Box& box, std::uint32_t material) {

@@ -9,10 +9,22 @@ namespace candela::scene {
 
 /// Each appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
+/// Its vertices are appended to the scene's mesh without indices, which all such triangles share.
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material);
+/// The same with normals, in another mesh.
+void addTriangle(Scene& scene, const Triangle& triangle, const VertexNormals& normals, std::uint32_t material);
 void addBox(Scene& scene, const Box& box, std::uint32_t material);
 void addCone(Scene& scene, const Cone& cone, std::uint32_t material);
 void addPlane(Scene& scene, const Plane& plane, std::uint32_t material);
+
+/// Appends the triangles of a mesh, each as one primitive, and the mesh itself. A mesh without triangles is left out.
+/// Throws FileError beyond Primitive::kMaxMeshes meshes.
+void addMesh(Scene& scene, Mesh mesh, std::uint32_t material);
+
+/// Appends triangles over vertices that they share: three indices into `positions` each. All such triangles share one
+/// mesh, so that many small meshes take no more memory than a large one.
+void addIndexedTriangles(Scene& scene, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                         std::uint32_t material);
 
 /// Appends the faces of a box, seen from outside, as triangles: 12, or 2 if the box is flat on one axis (of faces that
 /// coincide only one may shine), or none if it has no area.

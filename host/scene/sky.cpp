@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "host/core/errors.h"
@@ -17,30 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFaceNames{"right", "left", "top", "bottom", "front", "back"};
 constexpr std::array kExtensions{".jpg", ".jpeg", ".png"};
-
-/// Absolute, without links and dots; what does not exist is taken as it is written. Empty if that fails.
-fs::path resolve(const fs::path& path) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(path, error);
-  if (error) return {};
-  const fs::path resolved = fs::weakly_canonical(absolute, error);
-  return error ? fs::path{} : resolved;
-}
-
-bool lies(const fs::path& resolvedPath, const fs::path& folder) {
-  fs::path base = resolve(folder);
-  if (resolvedPath.empty() || base.empty()) return false;
-  if (base.filename().empty()) base = base.parent_path();  // a trailing slash
-  return std::mismatch(base.begin(), base.end(), resolvedPath.begin(), resolvedPath.end()).first == base.end();
-}
-
-void requirePermitted(const fs::path& path, const std::vector<fs::path>& permitted) {
-  const fs::path resolved = resolve(path);
-  const bool inside = std::ranges::any_of(permitted, [&](const fs::path& folder) { return lies(resolved, folder); });
-  if (inside) return;
-  throw FileError(
-      fmt::format("{} leads outside the scene's folder; --allow-path FOLDER permits it", quote(path.string())));
-}
 
 fs::path findFace(const fs::path& folder, const std::string& name) {
   for (const char* extension : kExtensions) {
@@ -63,14 +38,14 @@ SkyFace readFace(const fs::path& file) {
 
 }  // namespace
 
-std::optional<Sky> loadSky(const fs::path& folder, const std::vector<fs::path>& permitted) {
-  requirePermitted(folder, permitted);
+std::optional<Sky> loadSky(const fs::path& folder, const PathGuard& guard) {
+  guard.require(folder);
   std::error_code error;
   if (!fs::is_directory(folder, error)) return std::nullopt;
   Sky sky;
   for (std::size_t i = 0; i < kFaceNames.size(); ++i) {
     const fs::path file = findFace(folder, kFaceNames[i]);
-    requirePermitted(file, permitted);
+    guard.require(file);
     sky.faces[i] = readFace(file);
   }
   return sky;

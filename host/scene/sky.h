@@ -2,8 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
-#include <vector>
 
+#include "host/scene/path_guard.h"
 #include "host/scene/scene.h"
 
 namespace candela::scene {
@@ -12,7 +12,7 @@ namespace candela::scene {
 inline constexpr std::uint32_t kLargestSkySide = 8192;
 
 /// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
-/// resolved, must lie in one of `permitted`. Empty if there is no such folder. Throws FileError.
-std::optional<Sky> loadSky(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& permitted);
+/// resolved, must be permitted by `guard`. Empty if there is no such folder. Throws FileError.
+std::optional<Sky> loadSky(const std::filesystem::path& folder, const PathGuard& guard);
 
 }  // namespace candela::scene

@@ -11,13 +11,13 @@ namespace {
 constexpr std::int64_t kMostItems = 0xffffffff;
 
 /// 1-based; 0 and below count from the end, so that -1 is the last vertex and 0 is none.
-std::size_t readIndex(Parser& parser, std::size_t vertexCount) {
+std::uint32_t readIndex(Parser& parser, std::size_t vertexCount) {
   const auto count = static_cast<std::int64_t>(vertexCount);
   const std::int64_t index = parser.in.wholeNumber("a vertex index", -count, count);
   if (index == 0) {
     StatementReader::fail(parser.in.lastNumber(), "vertex index 0: the first vertex is 1, the last one also -1");
   }
-  return static_cast<std::size_t>(index > 0 ? index - 1 : index + count);
+  return static_cast<std::uint32_t>(index > 0 ? index - 1 : index + count);
 }
 
 }  // namespace
@@ -27,11 +27,9 @@ void parseMesh(Parser& parser) {
   const std::size_t faceCount = parser.itemCount("the number of triangles", 0, kMostItems, 3);
   for (glm::vec3& vertex : vertices) vertex = parser.in.vector("a vertex");
   const std::uint32_t material = parser.currentMaterial();
-  for (std::size_t i = 0; i < faceCount; ++i) {
-    Triangle triangle;
-    for (glm::vec3& corner : triangle.p) corner = vertices[readIndex(parser, vertices.size())];
-    addTriangle(parser.scene, triangle, material);
-  }
+  std::vector<std::uint32_t> indices(3 * faceCount);
+  for (std::uint32_t& index : indices) index = readIndex(parser, vertices.size());
+  addIndexedTriangles(parser.scene, vertices, indices, material);
 }
 
 }  // namespace candela::scene

@@ -55,9 +55,8 @@ void parsePatch(Parser& parser) {
   }
   const std::uint32_t material = parser.currentMaterial();
   for (const auto& [a, b, c] : triangulateWithWarnings(parser, vertices).triangles) {
-    const auto index = static_cast<std::uint32_t>(parser.scene.vertexNormals.size());
-    parser.scene.vertexNormals.push_back({{normals[a], normals[b], normals[c]}});
-    addTriangle(parser.scene, {{vertices[a], vertices[b], vertices[c]}, index}, material);
+    const Triangle triangle{{vertices[a], vertices[b], vertices[c]}};
+    addTriangle(parser.scene, triangle, {{normals[a], normals[b], normals[c]}}, material);
   }
 }
 

@@ -22,10 +22,8 @@ void parseSky(Parser& parser) {
   const Token name = parser.tokens.takeRestOfLine();
   const bool printable = std::ranges::none_of(name.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!printable) StatementReader::fail(name.position, "the sky's folder has a control character in its name");
-  std::vector<std::filesystem::path> permitted = parser.options.allowedPaths;
-  permitted.push_back(parser.folder);
   try {
-    parser.scene.sky = loadSky(parser.folder / name.text, permitted);
+    parser.scene.sky = loadSky(parser.folder / name.text, PathGuard(parser.folder, parser.options.allowedPaths));
   } catch (const FileError& error) {
     return parser.deviation("sky", name.position, error.what());
   }

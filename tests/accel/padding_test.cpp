@@ -49,9 +49,10 @@ glm::dvec3 makePrimitive(scene::PrimitiveKind kind, const Setting& setting, cons
       const glm::vec3 p = point();
       const float size = length();
       const auto near = [&] { return p + size * glm::vec3(random.direction()); };
-      scene.triangles = {{{p, near(), near()}}};
-      if (random.real() < 0.2) scene.triangles[0].p[2].y = scene.triangles[0].p[1].y = p.y;
-      const auto& corners = scene.triangles[0].p;
+      const glm::vec3 second = near(), third = near();
+      scene.meshes = {{.positions = {p, second, third}}};
+      std::vector<glm::vec3>& corners = scene.meshes[0].positions;
+      if (random.real() < 0.2) corners[2].y = corners[1].y = p.y;
       return glm::mix(glm::dvec3(corners[0]), glm::dvec3(corners[1]), std::max(0.0, random.real(-0.2, 1)));
     }
     case scene::PrimitiveKind::box: {
@@ -151,10 +152,10 @@ TEST_CASE("a needle's distance, clamped to its own box, is never in front of any
     scene::Scene scene;
     const glm::vec3 eye(makeEye(setting, random));
     const glm::dvec3 target = makePrimitive(scene::PrimitiveKind::triangle, setting, glm::dvec3(eye), random, scene);
-    auto& corners = scene.triangles[0].p;
+    std::vector<glm::vec3>& corners = scene.meshes[0].positions;
     corners[2] = glm::mix(corners[1], corners[2], static_cast<float>(std::exp2(random.real(-20, -6))));
     const Ray<float> ray{eye, glm::vec3(glm::normalize(target - glm::dvec3(eye)))};
-    const auto t = intersect(ray, scene.triangles[0]);
+    const auto t = intersect(ray, triangleOf(scene, scene.primitives[0]));
     if (!t) continue;
     ++hits;
     const Aabb own = *primitiveBounds(scene, scene.primitives[0]);

@@ -39,7 +39,7 @@ void checkPadded(const Aabb& box, const glm::dvec3& min, const glm::dvec3& max) 
 TEST_CASE("each kind of primitive has its box, padded by 2^-19 of its largest coordinate") {
   scene::Scene scene;
   scene.spheres = {{{1, 2, 3}, 0.5f}, {{1, 2, 3}, -0.5f}, {{1e5f + 1, 40.8f, 81.6f}, 1e5f}};
-  scene.triangles.push_back({{{0, 1, 0}, {2, -1, 5}, {-3, 0, 1}}});
+  scene.meshes = {{.positions = {{0, 1, 0}, {2, -1, 5}, {-3, 0, 1}}}};
   scene.boxes = {{{0, 0, 0}, {0, 0, 0}}, {{-1, 2, 3}, {4, 2, 6}}};
   scene.primitives = {{scene::PrimitiveKind::sphere, 0, 0}, {scene::PrimitiveKind::sphere, 1, 0},
                       {scene::PrimitiveKind::sphere, 2, 0}, {scene::PrimitiveKind::triangle, 0, 0},

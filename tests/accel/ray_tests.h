@@ -118,7 +118,7 @@ std::optional<T> intersect(const Ray<T>& ray, const scene::Scene& scene, const s
     case scene::PrimitiveKind::sphere:
       return intersect(ray, scene.spheres[primitive.index]);
     case scene::PrimitiveKind::triangle:
-      return intersect(ray, scene.triangles[primitive.index]);
+      return intersect(ray, triangleOf(scene, primitive));
     case scene::PrimitiveKind::box:
       return intersect(ray, scene.boxes[primitive.index]);
     case scene::PrimitiveKind::cone:

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "host/scene/load.h"
+#include "host/scene/scene_builder.h"
 #include "tests/accel/inputs.h"
 
 namespace candela::test {
@@ -19,7 +20,7 @@ class Maker {
     add(scene::PrimitiveKind::sphere, scene.spheres, scene::Sphere{glm::vec3(centre), static_cast<float>(radius)});
   }
   void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    add(scene::PrimitiveKind::triangle, scene.triangles, scene::Triangle{{glm::vec3(a), glm::vec3(b), glm::vec3(c)}});
+    addTriangle(scene, {{glm::vec3(a), glm::vec3(b), glm::vec3(c)}}, 0);
   }
   void box(const glm::dvec3& min, const glm::dvec3& max) {
     add(scene::PrimitiveKind::box, scene.boxes, scene::Box{glm::vec3(min), glm::vec3(max)});

@@ -59,7 +59,7 @@ void EmbreeTracer::addTriangles(const scene::Scene& scene) {
   auto* corners = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
   for (std::size_t i = 0; i < 3 * count; ++i) {
-    vertices[i] = scene.triangles[scene.primitives[indices_[kTriangles][i / 3]].index].p[i % 3];
+    vertices[i] = triangleOf(scene, scene.primitives[indices_[kTriangles][i / 3]]).p[i % 3];
     corners[i] = static_cast<std::uint32_t>(i);
   }
   rtcCommitGeometry(geometry);

@@ -119,8 +119,8 @@ TEST_CASE("a surface that is gone is named by the primitive") {
   requireFirst(
       seesLitFloor,
       [](scene::Scene& scene, render::RenderSettings&) {
-        for (scene::Triangle& triangle : scene.triangles) {
-          for (glm::vec3& corner : triangle.p) corner.z -= 1000;
+        for (scene::Mesh& mesh : scene.meshes) {
+          for (glm::vec3& position : mesh.positions) position.z -= 1000;
         }
       },
       "vertex 1", "primitive");

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "tests/generate/generated_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela {
 namespace {
@@ -48,7 +49,8 @@ std::set<Corner> cornersOf(const scene::Scene& scene, std::size_t first, std::si
     REQUIRE(kindOf(material) == scene::MaterialKind::diffuse);
     CHECK(material.diffuse->weight == 1);
     const glm::vec3 colour = isEmissive(material) ? glm::vec3(0) : material.diffuse->colour;
-    for (const glm::vec3& p : scene.triangles[scene.primitives[i].index].p) {
+    const scene::Triangle triangle = triangleOf(scene, scene.primitives[i]);
+    for (const glm::vec3& p : triangle.p) {
       corners.insert({key(p), key(colour), key(material.emission)});
     }
   }
@@ -60,7 +62,7 @@ std::set<Corner> cornersOf(const scene::Scene& scene, std::size_t first, std::si
 TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
   const scene::Scene scene = generatedScene("terrain", 64).scene;
   glm::vec3 least(1e9f), greatest(-1e9f);
-  for (const scene::Triangle& triangle : scene.triangles) {
+  for (const scene::Triangle& triangle : trianglesOf(scene)) {
     CHECK(normalOf(triangle).z > 0);
     for (const glm::vec3& p : triangle.p) {
       least = glm::min(least, p);
@@ -76,7 +78,7 @@ TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
 
 TEST_CASE("terrain is the same landscape at every size") {
   const auto heightAt = [](const scene::Scene& scene, const glm::vec2& place) {
-    for (const scene::Triangle& triangle : scene.triangles) {
+    for (const scene::Triangle& triangle : trianglesOf(scene)) {
       for (const glm::vec3& p : triangle.p) {
         if (glm::vec2(p) == place) return p.z;
       }
@@ -95,8 +97,8 @@ TEST_CASE("the bumpy sphere is closed, faces outwards and lies within its room")
   for (const std::uint32_t size : {1u, 2u, 9u, 76u}) {
     CAPTURE(size);
     const scene::Scene scene = generatedScene("sphere", size).scene;
-    const std::span<const scene::Triangle> all = scene.triangles;
-    const std::span<const scene::Triangle> sphere = all.last(12 * size * size);
+    const std::vector<scene::Triangle> all = trianglesOf(scene);
+    const auto sphere = std::span(all).last(12 * size * size);
     CHECK(unmatchedEdges(sphere).empty());
     const glm::dvec3 centre(0, 0, 1.8);
     for (const scene::Triangle& triangle : sphere) {
@@ -111,8 +113,8 @@ TEST_CASE("the bumpy sphere is closed, faces outwards and lies within its room")
 
 TEST_CASE("the room with its lamp is closed and faces inwards") {
   const scene::Scene scene = generatedScene("sphere", 1).scene;
-  const std::span<const scene::Triangle> all = scene.triangles;
-  const std::span<const scene::Triangle> room = all.first(20);
+  const std::vector<scene::Triangle> all = trianglesOf(scene);
+  const auto room = std::span(all).first(20);
   CHECK(unmatchedEdges(room).empty());
   for (const scene::Triangle& triangle : room) {
     CHECK(glm::dot(normalOf(triangle), glm::dvec3(0, 0, 1.8) - glm::dvec3(triangle.p[0])) > 0);
@@ -129,7 +131,8 @@ TEST_CASE("the balls of the Cornell box are closed, face outwards, and touch nei
   for (const std::uint32_t size : {1u, 2u, 29u}) {
     CAPTURE(size);
     const scene::Scene scene = generatedScene("cornell", size).scene;
-    const std::span<const scene::Triangle> balls = std::span<const scene::Triangle>(scene.triangles).subspan(18);
+    const std::vector<scene::Triangle> all = trianglesOf(scene);
+    const auto balls = std::span(all).subspan(18);
     for (std::size_t i = 0; i < 2; ++i) {
       const std::span<const scene::Triangle> ball = balls.subspan(i * 12 * size * size, 12 * size * size);
       CHECK(unmatchedEdges(ball).empty());
@@ -160,7 +163,8 @@ TEST_CASE("the balls' box and lamp are those of scenes/cornell.p3f, open at the 
   const scene::Scene original = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
                                     .scene;
   CHECK(cornersOf(box, 0, 18) == cornersOf(original, 0, 18));
-  const std::map<Edge, int> open = unmatchedEdges(std::span<const scene::Triangle>(box.triangles).first(18));
+  const std::vector<scene::Triangle> triangles = trianglesOf(box);
+  const std::map<Edge, int> open = unmatchedEdges(std::span(triangles).first(18));
   CHECK(open.size() == 4);
   for (const auto& [edge, surplus] : open) {
     CHECK(std::get<2>(edge.first) == 0);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/generate/generated_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela {
 namespace {
@@ -27,7 +28,7 @@ void check(const std::string& kind, std::uint32_t size, const Expectation& expec
   CHECK(loaded.scene.cones.size() == expected.cones);
   CHECK(statements(loaded, "polygon") == expected.polygons);
   CHECK(statements(loaded, "patch") == expected.patches);
-  CHECK(loaded.scene.triangles.size() == expected.triangles);
+  CHECK(trianglesOf(loaded.scene).size() == expected.triangles);
   CHECK(loaded.scene.primitives.size() == kindNamed(kind).primitiveCount(size));
 }
 

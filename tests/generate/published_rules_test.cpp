@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/generate/generated_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela {
 namespace {
@@ -14,7 +15,7 @@ using Heights = std::map<std::pair<float, float>, float>;
 /// z over x and y, of all vertices.
 Heights heightsOf(const scene::Scene& scene) {
   Heights heights;
-  for (const scene::Triangle& triangle : scene.triangles) {
+  for (const scene::Triangle& triangle : trianglesOf(scene)) {
     for (const glm::vec3& p : triangle.p) {
       const auto [place, isNew] = heights.insert({{p.x, p.y}, p.z});
       REQUIRE((isNew || place->second == p.z));  // neighbours agree about their common vertices
@@ -63,13 +64,14 @@ TEST_CASE("the mountain's rim is displaced and its corners are not") {
 TEST_CASE("tetra's triangles are equilateral, of one size, and face outwards") {
   const scene::Scene scene = generatedScene("tetra", 3).scene;
   const double side = 2 * std::sqrt(2.0) / 4;
-  for (std::size_t i = 0; i < scene.triangles.size(); i += 4) {
+  const std::vector<scene::Triangle> triangles = trianglesOf(scene);
+  for (std::size_t i = 0; i < triangles.size(); i += 4) {
     glm::dvec3 middle(0);
     for (std::size_t face = i; face < i + 4; ++face) {
-      for (const glm::vec3& p : scene.triangles[face].p) middle += glm::dvec3(p) / 12.0;
+      for (const glm::vec3& p : triangles[face].p) middle += glm::dvec3(p) / 12.0;
     }
     for (std::size_t face = i; face < i + 4; ++face) {
-      const glm::dvec3 a = scene.triangles[face].p[0], b = scene.triangles[face].p[1], c = scene.triangles[face].p[2];
+      const glm::dvec3 a = triangles[face].p[0], b = triangles[face].p[1], c = triangles[face].p[2];
       for (const double length : {glm::length(a - b), glm::length(b - c), glm::length(c - a)}) {
         CHECK(length == Approx(side).epsilon(1e-6));
       }
@@ -81,11 +83,12 @@ TEST_CASE("tetra's triangles are equilateral, of one size, and face outwards") {
 TEST_CASE("gears that mesh are apart, and turn in half steps") {
   const scene::Scene scene = generatedScene("gears", 2).scene;
   const std::size_t trianglesOfGear = 2 * 142 + 144 * 2;
-  REQUIRE(scene.triangles.size() == 2 + 8 * trianglesOfGear);
+  const std::vector<scene::Triangle> triangles = trianglesOf(scene);
+  REQUIRE(triangles.size() == 2 + 8 * trianglesOfGear);
   const auto greatest = [&](std::size_t gear, int axis) {
     float result = -1e9f;
     for (std::size_t i = 0; i < trianglesOfGear; ++i) {
-      for (const glm::vec3& p : scene.triangles[2 + gear * trianglesOfGear + i].p) result = std::max(result, p[axis]);
+      for (const glm::vec3& p : triangles[2 + gear * trianglesOfGear + i].p) result = std::max(result, p[axis]);
     }
     return result;
   };
@@ -99,7 +102,7 @@ TEST_CASE("gears that mesh are apart, and turn in half steps") {
 TEST_CASE("the sombrero is cos(2 pi r) exp(-r), sampled a little denser than its vertices lie") {
   constexpr int kPoints = 64;
   const scene::Scene scene = generatedScene("sombrero", 2).scene;
-  for (const scene::Triangle& triangle : scene.triangles) {
+  for (const scene::Triangle& triangle : trianglesOf(scene)) {
     for (const glm::vec3& p : triangle.p) {
       const double column = std::round((p.x + 4.0) / 8 * (kPoints - 1));
       const double row = std::round((p.z + 4.0) / 8 * (kPoints - 1));
@@ -113,12 +116,14 @@ TEST_CASE("the sombrero is cos(2 pi r) exp(-r), sampled a little denser than its
 
 TEST_CASE("the teapot's normals are unit and point to the front of its triangles") {
   const scene::Scene scene = generatedScene("teapot", 8).scene;
-  CHECK(scene.vertexNormals.size() == 64 * 8 * 8 - 8 * 8);
-  for (const scene::Triangle& triangle : scene.triangles) {
-    if (triangle.normals == scene::Triangle::kNoNormals) continue;
+  CHECK(vertexNormalsOf(scene).size() == 64 * 8 * 8 - 8 * 8);
+  for (const scene::Primitive& primitive : scene.primitives) {
+    if (!isSmooth(scene, primitive)) continue;
+    const scene::Triangle triangle = triangleOf(scene, primitive);
+    const scene::VertexNormals normals = vertexNormalsOf(scene, primitive);
     const glm::dvec3 a = triangle.p[0], b = triangle.p[1], c = triangle.p[2];
     const glm::dvec3 front = glm::cross(b - a, c - a);
-    for (const glm::vec3& normal : scene.vertexNormals[triangle.normals].n) {
+    for (const glm::vec3& normal : normals.n) {
       REQUIRE(glm::length(glm::dvec3(normal)) == Approx(1).epsilon(1e-5));
       REQUIRE(glm::dot(front, glm::dvec3(normal)) > 0);
     }

@@ -7,6 +7,7 @@
 #include "tests/proof/leaves.h"
 #include "tests/proof/numbers.h"
 #include "tests/reference/scene_builder.h"
+#include "tests/scene/triangles.h"
 
 using namespace candela;
 using namespace candela::proof;
@@ -61,7 +62,7 @@ double probabilityOf(std::uint32_t entry) {
   std::vector<double> weights;
   for (const scene::Sphere& sphere : lamps().spheres)
     weights.push_back(4 * std::numbers::pi * sphere.radius * sphere.radius);
-  for (const scene::Triangle& triangle : lamps().triangles) weights.push_back(length(areaNormalOf(triangle)));
+  for (const scene::Triangle& triangle : trianglesOf(lamps())) weights.push_back(length(areaNormalOf(triangle)));
   return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
 }
 
@@ -130,7 +131,7 @@ TEST_CASE("from inside a sphere and from its own surface all directions are samp
 TEST_CASE("samples of a triangle are uniform on it, from the front and from behind") {
   const LightLeaves lights(lamps());
   for (const std::uint32_t entry : {2u, 3u}) {
-    const scene::Triangle& triangle = lamps().triangles[entry - 2];
+    const scene::Triangle triangle = trianglesOf(lamps()).at(entry - 2);
     const dvec3 areaNormal = areaNormalOf(triangle);
     for (const dvec3& from : {dvec3(0), dvec3(4, 3, 5)}) {
       CAPTURE(entry, from.x);

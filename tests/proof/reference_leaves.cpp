@@ -104,7 +104,7 @@ struct LightLeaves::Side {
     if (primitive.kind == scene::PrimitiveKind::sphere) {
       return reference::SphereShape(scene.spheres[primitive.index]).distance(ray, leaving);
     }
-    return leaving ? reference::kNoHit : reference::TriangleShape(scene.triangles[primitive.index]).distance(ray);
+    return leaving ? reference::kNoHit : reference::TriangleShape(triangleOf(scene, primitive)).distance(ray);
   }
 };
 

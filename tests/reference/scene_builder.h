@@ -7,6 +7,7 @@
 #include "host/render/renderer.h"
 #include "host/scene/nff_material.h"
 #include "host/scene/scene.h"
+#include "host/scene/scene_builder.h"
 
 namespace candela::test {
 
@@ -44,12 +45,12 @@ class SceneBuilder {
     return add(scene::PrimitiveKind::sphere, scene.spheres, {centre, radius});
   }
   SceneBuilder& triangle(const vec3& a, const vec3& b, const vec3& c) {
-    return add(scene::PrimitiveKind::triangle, scene.triangles, {{a, b, c}, scene::Triangle::kNoNormals});
+    addTriangle(scene, {{a, b, c}}, lastMaterial());
+    return *this;
   }
   SceneBuilder& patch(const vec3& a, const vec3& b, const vec3& c, const scene::VertexNormals& normals) {
-    scene.vertexNormals.push_back(normals);
-    const auto index = static_cast<std::uint32_t>(scene.vertexNormals.size() - 1);
-    return add(scene::PrimitiveKind::triangle, scene.triangles, {{a, b, c}, index});
+    addTriangle(scene, {{a, b, c}}, normals, lastMaterial());
+    return *this;
   }
   /// Counter-clockwise from its front.
   SceneBuilder& quad(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
@@ -80,10 +81,10 @@ class SceneBuilder {
   template <class Shape>
   SceneBuilder& add(scene::PrimitiveKind kind, std::vector<Shape>& shapes, const Shape& shape) {
     shapes.push_back(shape);
-    scene.primitives.push_back(
-        {kind, static_cast<std::uint32_t>(shapes.size() - 1), static_cast<std::uint32_t>(scene.materials.size() - 1)});
+    scene.primitives.push_back({kind, static_cast<std::uint32_t>(shapes.size() - 1), lastMaterial()});
     return *this;
   }
+  std::uint32_t lastMaterial() const { return static_cast<std::uint32_t>(scene.materials.size() - 1); }
 };
 
 /// A box of side 2 around the origin, open to no side: red left, green right, a lamp below the ceiling; in it a box, a

@@ -226,7 +226,8 @@ TEST_CASE("one-sided lights shine from their front, with next-event estimation o
   settings.image.nextEventEstimation = false;
   checkEqualMeans(front, estimateOf(renderScene(b.scene, settings).film), 0.03);
 
-  for (scene::Triangle& triangle : b.scene.triangles) std::swap(triangle.p[1], triangle.p[2]);
+  std::vector<vec3>& positions = b.scene.meshes.at(0).positions;
+  for (std::size_t i = 0; i < positions.size(); i += 3) std::swap(positions[i + 1], positions[i + 2]);
   for (const bool nextEvent : {true, false}) {
     settings.image.nextEventEstimation = nextEvent;
     CHECK(estimateOf(renderScene(b.scene, settings).film).mean == 0);

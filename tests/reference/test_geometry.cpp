@@ -68,7 +68,7 @@ TEST_CASE("a wall of radius 100,000 never catches the ray that it scatters outwa
 }
 
 TEST_CASE("a triangle is met inside and on its edges") {
-  const TriangleShape triangle({{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0)}, scene::Triangle::kNoNormals});
+  const TriangleShape triangle(scene::Triangle{{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0)}});
   const auto down = [&](double x, double y) { return triangle.distance(rayOf({x, y, 3}, {0, 0, -1})); };
   CHECK(down(0.25, 0.25) == 3);
   CHECK(down(0, 0) == 3);
@@ -91,7 +91,7 @@ TEST_CASE("a triangle agrees with the plane and the sides of its edges") {
   int hits = 0;
   for (int i = 0; i < 3000; ++i) {
     const vec3 p0(rays.point()), p1(rays.point()), p2(rays.point());
-    const TriangleShape triangle({{p0, p1, p2}, scene::Triangle::kNoNormals});
+    const TriangleShape triangle(scene::Triangle{{p0, p1, p2}});
     const Ray ray = rays.next();
     const dvec3 n = cross(dvec3(p1) - dvec3(p0), dvec3(p2) - dvec3(p0));
     const double t = dot(dvec3(p0) - ray.origin, n) / dot(ray.direction, n);

@@ -72,7 +72,7 @@ TEST_CASE("a mirror's ray that would go into its own surface is not traced") {
   const render::RenderStatistics away = renderScene(b.scene, whittedSettings(4)).statistics;
   CHECK(away.treeRays->cameraHits == 1);
   CHECK(away.treeRays->reflected == 0);
-  b.scene.vertexNormals[0] = {{vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1)}};
+  b.scene.meshes.at(0).normals.assign(3, vec3(0, 0, 1));
   CHECK(renderScene(b.scene, whittedSettings(4)).statistics.treeRays->reflected == 1);
 }
 

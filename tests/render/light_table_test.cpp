@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "host/scene/scene_builder.h"
+
 using namespace candela;
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 scene::Scene lamps() {
   scene::Scene scene;
   scene.materials = {scene::Material{}, scene::Material{.emission = {2, 2, 2}}};
-  scene.triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
+  scene.meshes = {{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
   scene.primitives = {{scene::PrimitiveKind::triangle, 0, 0},
                       {scene::PrimitiveKind::triangle, 0, 1},
                       {scene::PrimitiveKind::triangle, 1, 1}};
@@ -48,8 +50,7 @@ TEST_CASE("what cannot be sampled by area is not in the table") {
   scene::Scene scene = lamps();
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
   scene.primitives.push_back({scene::PrimitiveKind::cone, 0, 1});
-  scene.triangles.push_back({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});  // no area
-  scene.primitives.push_back({scene::PrimitiveKind::triangle, 2, 1});
+  addTriangle(scene, {{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}, 1);  // no area
   CHECK(flatten::buildLightTable(scene, true).size() == 2);
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "host/core/errors.h"
+#include "host/scene/scene_builder.h"
 #include "host/verify/agreement.h"
 #include "host/vulkan/loop_limit.h"
 #include "tests/render/render_support.h"
@@ -29,8 +30,7 @@ scene::Scene heightField(std::uint32_t cells) {
     points.push_back({static_cast<float>(i % (cells + 1)) * size, static_cast<float>(i / (cells + 1)) * size, height});
   }
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    scene.primitives.push_back({scene::PrimitiveKind::triangle, static_cast<std::uint32_t>(scene.triangles.size()), 1});
-    scene.triangles.push_back({{points[a], points[b], points[c]}});
+    addTriangle(scene, {{points[a], points[b], points[c]}}, 1);
   };
   for (std::uint32_t y = 0; y < cells; ++y) {
     for (std::uint32_t x = 0; x < cells; ++x) {

@@ -8,6 +8,7 @@
 
 #include "tests/generate/generated_text.h"
 #include "tests/render/render_support.h"
+#include "tests/scene/triangles.h"
 #include "tests/vulkan_support/test_device.h"
 
 using namespace candela;
@@ -33,8 +34,8 @@ Words wordsOf(RayCaster& caster, const RaySets& sets, std::uint32_t kind) {
 }
 
 scene::Scene scaledTriangles(scene::Scene scene, float factor) {
-  for (scene::Triangle& triangle : scene.triangles) {
-    for (glm::vec3& vertex : triangle.p) vertex *= factor;
+  for (scene::Mesh& mesh : scene.meshes) {
+    for (glm::vec3& position : mesh.positions) position *= factor;
   }
   return scene;
 }
@@ -80,7 +81,7 @@ TEST_CASE("a terrain scaled into a unit cube has the same hits") {
   vulkan::Device device = openTestDevice();
   const float factor = 0x1p-7f;  // the terrain's side is 100: no rounding, so that hits agree to the last bit
   const scene::Scene scene = generatedScene("terrain", 40).scene;
-  REQUIRE(scene.primitives.size() == scene.triangles.size());
+  REQUIRE(scene.primitives.size() == trianglesOf(scene).size());
   render::RenderSettings settings = squareSettings(64, 1);
   settings.structure.bvhLayout = GENERATE(render::BvhLayout::bvh2, render::BvhLayout::cwbvh);
   RayCaster large(device, flatten::flattenScene(scene, settings), settings);

@@ -5,6 +5,7 @@
 
 #include "host/scene/nff_material.h"
 #include "tests/scene/scene_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela::scene {
 namespace {
@@ -127,7 +128,7 @@ TEST_CASE("optional numbers never cross a line end, required ones do") {
   CHECK(scene.pointLights.at(0).colour == glm::vec3(1));
   CHECK(scene.spheres.at(0).radius == 4);
   CHECK(scene.cones.at(0).apexRadius == 1);
-  CHECK(scene.triangles.size() == 1);
+  CHECK(trianglesOf(scene).size() == 1);
   const auto errors = errorsOf("l 1 2 3\n.1 .2 .3\n");
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].line == 2);
@@ -139,14 +140,14 @@ TEST_CASE("an area light in each of its forms is two emitting black triangles") 
     CAPTURE(line);
     const Scene scene = sceneOf(line + "\n");
     REQUIRE(scene.primitives.size() == 2);
-    REQUIRE(scene.triangles.size() == 2);
+    REQUIRE(trianglesOf(scene).size() == 2);
     const Material& lamp = scene.materials.at(scene.primitives[1].material);
     CHECK(lamp.diffuse->colour == glm::vec3(0));
     CHECK(lamp.diffuse->weight == 1);
     CHECK(lamp.emission == glm::vec3(4, 5, 6));
-    CHECK(scene.triangles[0].p[1] == glm::vec3(3, 0, 0));
-    CHECK(scene.triangles[1].p[1] == glm::vec3(3, 3, 0));
-    CHECK(scene.triangles[1].p[2] == glm::vec3(1, 3, 0));
+    CHECK(trianglesOf(scene).at(0).p[1] == glm::vec3(3, 0, 0));
+    CHECK(trianglesOf(scene).at(1).p[1] == glm::vec3(3, 3, 0));
+    CHECK(trianglesOf(scene).at(1).p[2] == glm::vec3(1, 3, 0));
   }
   CHECK(sceneOf("la 0 0 0 1 0 0 0 1 0\n").materials.at(0).emission == glm::vec3(1));
 }

@@ -1,6 +1,7 @@
 // No damage to a scene file crashes the reader: it loads or says what is wrong.
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -25,15 +26,26 @@ std::vector<std::string> seeds() {
   return texts;
 }
 
+void checkMesh(const Mesh& mesh) {
+  REQUIRE((mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size()) % 3 == 0);
+  REQUIRE((mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()));
+  for (const std::uint32_t index : mesh.indices) REQUIRE(index < mesh.positions.size());
+}
+
+std::size_t shapeCount(const Scene& scene, const Primitive& primitive) {
+  if (primitive.kind == PrimitiveKind::triangle) return triangleCount(scene.meshes.at(primitive.mesh));
+  const std::map<PrimitiveKind, std::size_t> counts{{PrimitiveKind::sphere, scene.spheres.size()},
+                                                    {PrimitiveKind::box, scene.boxes.size()},
+                                                    {PrimitiveKind::cone, scene.cones.size()},
+                                                    {PrimitiveKind::plane, scene.planes.size()}};
+  return counts.at(primitive.kind);
+}
+
 void checkIndices(const Scene& scene) {
-  const std::size_t counts[] = {scene.spheres.size(), scene.triangles.size(), scene.boxes.size(), scene.cones.size(),
-                                scene.planes.size()};
+  for (const Mesh& mesh : scene.meshes) checkMesh(mesh);
   for (const Primitive& primitive : scene.primitives) {
-    REQUIRE(primitive.index < counts[static_cast<std::size_t>(primitive.kind)]);
+    REQUIRE(primitive.index < shapeCount(scene, primitive));
     REQUIRE(primitive.material < scene.materials.size());
-  }
-  for (const Triangle& triangle : scene.triangles) {
-    REQUIRE((triangle.normals == Triangle::kNoNormals || triangle.normals < scene.vertexNormals.size()));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/scene/scene_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela::scene {
 namespace {
@@ -32,19 +33,19 @@ TEST_CASE("primitives keep the order of the file") {
 
 TEST_CASE("a mesh counts vertices from 1, and from the end with negative indices") {
   const Scene scene = sceneOf("mesh 4 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n-1 -4 3\n");
-  REQUIRE(scene.triangles.size() == 2);
-  CHECK(scene.triangles[0].p[2] == glm::vec3(0, 1, 0));
-  CHECK(scene.triangles[1].p[0] == glm::vec3(0, 0, 1));
-  CHECK(scene.triangles[1].p[1] == glm::vec3(0, 0, 0));
-  CHECK(scene.triangles[1].p[2] == glm::vec3(0, 1, 0));
+  REQUIRE(trianglesOf(scene).size() == 2);
+  CHECK(trianglesOf(scene).at(0).p[2] == glm::vec3(0, 1, 0));
+  CHECK(trianglesOf(scene).at(1).p[0] == glm::vec3(0, 0, 1));
+  CHECK(trianglesOf(scene).at(1).p[1] == glm::vec3(0, 0, 0));
+  CHECK(trianglesOf(scene).at(1).p[2] == glm::vec3(0, 1, 0));
 }
 
 TEST_CASE("an emitting box becomes twelve triangles that face outwards and cover it") {
   const Scene scene = sceneOf(std::string(kLamp) + "box -1 -2 -3  1 2 3\n");
   CHECK(scene.boxes.empty());
-  REQUIRE(scene.triangles.size() == 12);
+  REQUIRE(trianglesOf(scene).size() == 12);
   double area = 0;
-  for (const Triangle& t : scene.triangles) {
+  for (const Triangle& t : trianglesOf(scene)) {
     const glm::dvec3 a = areaVectorOf(t);
     const glm::dvec3 centre = (glm::dvec3(t.p[0]) + glm::dvec3(t.p[1]) + glm::dvec3(t.p[2])) / 3.0;
     CHECK(glm::dot(a, centre) > 0);  // the box is centred on the origin
@@ -55,16 +56,16 @@ TEST_CASE("an emitting box becomes twelve triangles that face outwards and cover
 
 TEST_CASE("a flat emitting box shines once, and one without area not at all") {
   const Scene flat = sceneOf(std::string(kLamp) + "box 0 0 5  2 3 5\n");
-  REQUIRE(flat.triangles.size() == 2);
-  CHECK(areaVectorOf(flat.triangles[0]).z == Approx(3));
-  CHECK(areaVectorOf(flat.triangles[1]).z == Approx(3));
+  REQUIRE(trianglesOf(flat).size() == 2);
+  CHECK(areaVectorOf(trianglesOf(flat).at(0)).z == Approx(3));
+  CHECK(areaVectorOf(trianglesOf(flat).at(1)).z == Approx(3));
   CHECK(sceneOf(std::string(kLamp) + "box 0 0 5  2 0 5\n").primitives.empty());
 }
 
 TEST_CASE("a box of zero thickness and a triangle without area are kept") {
   const Scene scene = sceneOf("box 0 0 0  1 1 0\np 3  0 0 0  1 1 1  2 2 2\np 3 1 1 1 1 1 1 1 1 1\n");
   CHECK(scene.boxes.size() == 1);
-  CHECK(scene.triangles.size() == 2);
+  CHECK(trianglesOf(scene).size() == 2);
 }
 
 TEST_CASE("a box with swapped corners is sorted, with a warning") {
@@ -76,10 +77,11 @@ TEST_CASE("a box with swapped corners is sorted, with a warning") {
 
 TEST_CASE("a patch keeps a unit normal at each vertex") {
   const Scene scene = sceneOf("pp 4\n0 0 0 0 0 2\n1 0 0 3 0 4\n1 1 0 0 0 1\n0 1 0 0 0 1\n");
-  REQUIRE(scene.triangles.size() == 2);
-  REQUIRE(scene.vertexNormals.size() == 2);
-  for (const Triangle& t : scene.triangles) {
-    const VertexNormals& normals = scene.vertexNormals.at(t.normals);
+  REQUIRE(trianglesOf(scene).size() == 2);
+  REQUIRE(vertexNormalsOf(scene).size() == 2);
+  for (const Primitive& primitive : scene.primitives) {
+    const Triangle t = triangleOf(scene, primitive);
+    const VertexNormals normals = vertexNormalsOf(scene, primitive);
     for (int i = 0; i < 3; ++i) {
       const bool tilted = t.p[i] == glm::vec3(1, 0, 0);
       CHECK(normals.n[i] == (tilted ? glm::vec3(.6f, 0, .8f) : glm::vec3(0, 0, 1)));

@@ -57,6 +57,29 @@ TEST_CASE("bounds hold everything but infinite planes, cones exactly") {
   CHECK_FALSE(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")).bounds);
 }
 
+TEST_CASE("the memory of a scene is that of its arrays, and per triangle that of meshes and primitives") {
+  const Scene scene = sceneOf("f 1 1 1 1 0 1 0 1\np 4 0 0 0 4 0 0 4 4 0 0 4 0\ns 0 0 0 1\nl 1 1 1\n");
+  const SceneMemory memory = memoryOf(scene);
+  CHECK(memory.triangleCount == 2);
+  CHECK(memory.triangles == sizeof(Mesh) + 2 * (3 * 12 + 12));
+  CHECK(memory.total == memory.triangles + sizeof(Material) + sizeof(Sphere) + sizeof(Primitive) + sizeof(PointLight));
+  CHECK(memory.bytesPerTriangle() == sizeof(Mesh) / 2. + 48);
+  CHECK_FALSE(memoryOf(sceneOf("s 0 0 0 1\n")).bytesPerTriangle());
+}
+
+TEST_CASE("triangles take no more memory than three positions and a normal index each did") {
+  const auto bytesPerTriangle = [](const std::string& statement) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) text += statement;
+    return *memoryOf(sceneOf(text)).bytesPerTriangle();
+  };
+  constexpr double kFlat = 40 + 12, kSmooth = kFlat + 36;
+  CHECK(bytesPerTriangle("p 3 0 0 0 1 0 0 0 1 0\n") < kFlat);
+  CHECK(bytesPerTriangle("p 4 0 0 0 1 0 0 1 1 0 0 1 0\n") < kFlat);
+  CHECK(bytesPerTriangle("mesh 4 2 0 0 0 1 0 0 1 1 0 0 1 0 1 2 3 1 3 4\n") < kFlat);
+  CHECK(bytesPerTriangle("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1\n") < kSmooth);
+}
+
 TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   const LoadedScene loaded = load(kScene);
   const nlohmann::json json = toJson(makeReport(loaded));
@@ -71,17 +94,20 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(json["camera"]["from"] == nlohmann::json({0, 0, 9}));
   CHECK(json["requestedSamples"] == 16);
   CHECK(json["skySide"].is_null());
+  CHECK(json["memory"]["bytes"] == memoryOf(loaded.scene).total);
+  CHECK(json["memory"]["bytesPerTriangle"] == *memoryOf(loaded.scene).bytesPerTriangle());
   CHECK(json["warnings"].size() == loaded.warnings.size());
   CHECK(json["hash"].get<std::string>().size() == 16);
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
   CHECK(bare["camera"].is_null());
   CHECK(bare["bounds"].is_null());
+  CHECK(bare["memory"]["bytesPerTriangle"].is_null());
 }
 
 TEST_CASE("text names what a person looks for") {
   const std::string text = toText(makeReport(load(kScene)));
   for (const char* part : {"test\n", "19: spheres 2, triangles 14", "-4 -2 -2 to 4 7.5 5", "64 x 32", "16 requested",
-                           "warning     test:", "background  0.1 0.2 0.3"}) {
+                           "warning     test:", "bytes per triangle", "background  0.1 0.2 0.3"}) {
     CAPTURE(part);
     CHECK(contains(text, part));
   }

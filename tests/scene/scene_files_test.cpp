@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tests/scene/scene_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela::scene {
 namespace {
@@ -30,7 +31,7 @@ TEST_CASE("all scenes of the project load strictly, with a view and without warn
 
 TEST_CASE("the Cornell box has 38 triangles, two of which shine") {
   const Scene scene = loadFile("scenes/cornell.p3f").scene;
-  CHECK(scene.triangles.size() == 38);
+  CHECK(trianglesOf(scene).size() == 38);
   CHECK(scene.primitives.size() == 38);
   CHECK(std::ranges::count_if(scene.primitives,
                               [&](const Primitive& p) { return isEmissive(scene.materials[p.material]); }) == 2);
@@ -53,12 +54,12 @@ TEST_CASE("files of the Standard Procedural Databases have the counts of their d
   const LoadedScene balls = loadSpd("balls_2");  // 1 + 9 + 81 spheres on one quad
   CHECK(balls.counts.at("sphere") == 91);
   CHECK(balls.scene.spheres.size() == 91);
-  CHECK(balls.scene.triangles.size() == 2);
+  CHECK(trianglesOf(balls.scene).size() == 2);
   CHECK(balls.scene.pointLights.size() == 3);
 
   const LoadedScene gears = loadSpd("gears_1");  // a floor, and one gear: two 144-gons, 144 quads
   CHECK(gears.counts.at("polygon") == 147);
-  CHECK(gears.scene.triangles.size() == 2 + 2 * 142 + 144 * 2);
+  CHECK(trianglesOf(gears.scene).size() == 2 + 2 * 142 + 144 * 2);
 
   const LoadedScene rings = loadSpd("rings_1");  // 5 s (s+1) (2s+1) spheres and as many cylinders
   CHECK(rings.scene.spheres.size() == 30);
@@ -69,14 +70,14 @@ TEST_CASE("files of the Standard Procedural Databases have the counts of their d
   CHECK(tree.scene.spheres.size() == 15);
 
   const LoadedScene mount = loadSpd("mount_3");  // 2 * 4^s triangles, four spheres
-  CHECK(mount.scene.triangles.size() == 128);
+  CHECK(trianglesOf(mount.scene).size() == 128);
   CHECK(mount.scene.spheres.size() == 4);
 
   CHECK(loadSpd("shells_1").scene.spheres.size() == 361);
   CHECK(loadSpd("jacks_1").counts.at("cone") == 3);
   const LoadedScene teapot = loadSpd("teapot_1");
   CHECK(teapot.counts.at("patch") == 56);
-  CHECK(teapot.scene.vertexNormals.size() + 2 == teapot.scene.triangles.size());
+  CHECK(vertexNormalsOf(teapot.scene).size() + 2 == trianglesOf(teapot.scene).size());
 }
 
 TEST_CASE("the views and colours of a database file are read to the digit") {
@@ -91,7 +92,7 @@ TEST_CASE("a million triangles load in seconds", "[slow]") {
   std::string text = "mesh 1000000 1000000\n";
   for (int i = 0; i < 1'000'000; ++i) text += "1.234567 -2.345678 3.456789\n";
   for (int i = 0; i < 1'000'000; ++i) text += "1 500000 -1\n";
-  CHECK(sceneOf(text).triangles.size() == 1'000'000);
+  CHECK(trianglesOf(sceneOf(text)).size() == 1'000'000);
 }
 
 }  // namespace candela::scene

@@ -1,7 +1,7 @@
 // Sky boxes: six images from permitted folders, or the background.
 #include <catch2/catch.hpp>
-#include <fstream>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 
 namespace candela::scene {
@@ -10,22 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kScenes = fs::path(CANDELA_SOURCE_DIR) / "scenes";
-
-/// A folder of its own for one test, removed at its end.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(const std::string& name) : path_(fs::temp_directory_path() / ("candela_sky_" + name)) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 LoadedScene loadIn(const fs::path& folder, const std::string& text, const LoadOptions& options = {}) {
   return parseScene(text, "test", folder, options);
@@ -82,7 +66,7 @@ TEST_CASE("a sky outside the scene's folder is refused unless permitted") {
 }
 
 TEST_CASE("a link out of the scene's folder is refused, to a folder and to a face") {
-  const TemporaryFolder folder("links");
+  const TemporaryFolder folder;
   fs::create_directory_symlink(kScenes / "sky", folder.path() / "sky");
   CHECK(contains(errorIn(folder.path(), "env sky\n"), "leads outside the scene's folder"));
   fs::create_directory(folder.path() / "faces");
@@ -94,7 +78,7 @@ TEST_CASE("a link out of the scene's folder is refused, to a folder and to a fac
 }
 
 TEST_CASE("a missing or broken face is an error that names it, and lenient reading skips the sky") {
-  const TemporaryFolder folder("broken");
+  const TemporaryFolder folder;
   fs::create_directory(folder.path() / "sky");
   CHECK(contains(errorIn(folder.path(), "env sky\n"), "has no right.jpg or right.png"));
   std::ofstream(folder.path() / "sky" / "right.png") << "not an image";

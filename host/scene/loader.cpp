@@ -1,0 +1,49 @@
+// The scene formats that can be read, and the choice among them.
+#include "host/scene/loader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "host/scene/nff_loader.h"
+
+namespace candela::scene {
+namespace {
+
+/// In lower case.
+std::string extensionOf(const std::string& fileName) {
+  std::string extension = std::filesystem::path(fileName).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c; });
+  return extension;
+}
+
+std::string formatsOf(std::span<const Loader> loaders) {
+  std::vector<std::string> formats;
+  for (const Loader& loader : loaders) {
+    formats.push_back(fmt::format("{} ({})", loader.name, fmt::join(loader.extensions, ", ")));
+  }
+  return fmt::format("{}", fmt::join(formats, ", "));
+}
+
+}  // namespace
+
+std::span<const Loader> allLoaders() {
+  static const std::vector<Loader> loaders{nffLoader()};
+  return loaders;
+}
+
+const Loader& chooseLoader(std::span<const Loader> loaders, const SceneFile& file) {
+  const auto byContent = std::ranges::find_if(loaders, [&](const Loader& l) { return l.recognises(file.bytes); });
+  if (byContent != loaders.end()) return *byContent;
+  const std::string extension = extensionOf(file.name);
+  const auto reads = [&](const Loader& loader) { return std::ranges::count(loader.extensions, extension) > 0; };
+  const auto byExtension = std::ranges::find_if(loaders, reads);
+  if (byExtension != loaders.end()) return *byExtension;
+  throw SceneError(
+      {{file.name, 0, 0,
+        fmt::format("unknown scene format: neither the content nor the extension is one of {}", formatsOf(loaders))}});
+}
+
+}  // namespace candela::scene

@@ -1,0 +1,44 @@
+// How much memory a scene takes up.
+#include "host/scene/memory.h"
+
+#include <algorithm>
+
+namespace candela::scene {
+namespace {
+
+template <class... Elements>
+std::uint64_t bytesOf(const std::vector<Elements>&... arrays) {
+  return (0 + ... + (arrays.size() * sizeof(Elements)));
+}
+
+std::uint64_t bytesOf(const Mesh& mesh) {
+  return sizeof(Mesh) + bytesOf(mesh.positions, mesh.normals, mesh.texCoords[0], mesh.texCoords[1], mesh.tangents,
+                                mesh.colours, mesh.indices);
+}
+
+std::uint64_t countTriangles(const Scene& scene) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count(scene.primitives, PrimitiveKind::triangle, [](const Primitive& p) { return p.kind; }));
+}
+
+}  // namespace
+
+std::optional<double> SceneMemory::bytesPerTriangle() const {
+  if (triangleCount == 0) return std::nullopt;
+  return static_cast<double>(triangles) / static_cast<double>(triangleCount);
+}
+
+SceneMemory memoryOf(const Scene& scene) {
+  SceneMemory memory;
+  memory.triangleCount = countTriangles(scene);
+  for (const Mesh& mesh : scene.meshes) memory.triangles += bytesOf(mesh);
+  memory.total = memory.triangles + bytesOf(scene.materials, scene.primitives, scene.spheres, scene.boxes, scene.cones,
+                                            scene.planes, scene.pointLights);
+  memory.triangles += memory.triangleCount * sizeof(Primitive);
+  if (scene.sky) {
+    for (const SkyFace& face : scene.sky->faces) memory.total += face.rgb.size();
+  }
+  return memory;
+}
+
+}  // namespace candela::scene

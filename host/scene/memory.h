@@ -1,0 +1,22 @@
+// How much memory a scene takes up.
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "host/scene/scene.h"
+
+namespace candela::scene {
+
+/// In bytes, of the elements in use: spare capacity of the arrays does not count.
+struct SceneMemory {
+  std::uint64_t total = 0;      ///< of all arrays of the scene, the sky's images included
+  std::uint64_t triangles = 0;  ///< of these: the meshes, and the primitives that are triangles
+  std::uint64_t triangleCount = 0;
+
+  /// Empty if there is no triangle.
+  std::optional<double> bytesPerTriangle() const;
+};
+
+SceneMemory memoryOf(const Scene& scene);
+
+}  // namespace candela::scene

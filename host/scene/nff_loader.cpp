@@ -1,0 +1,65 @@
+// The loader of NFF and P3F: statements, checks, hash.
+#include "host/scene/nff_loader.h"
+
+#include <fmt/format.h>
+
+#include "host/scene/exact_mean.h"
+#include "host/scene/hash.h"
+#include "host/scene/keywords.h"
+#include "host/scene/parser.h"
+#include "host/scene/scene_checks.h"
+
+namespace candela::scene {
+namespace {
+
+/// WorldToolKit's format of the same name begins with its name, perhaps behind // comments.
+bool isWorldToolKit(std::string_view text) {
+  Tokenizer tokens(text);
+  while (tokens.peek().text.starts_with("//")) {
+    tokens.take();
+    tokens.takeRestOfLine();
+  }
+  const std::string_view word = tokens.peek().text;
+  return word == "nff" || word == "NFF";
+}
+
+bool recognisesNff(std::string_view text) {
+  return findKeyword(Tokenizer(text).peek().text) != nullptr || isWorldToolKit(text);
+}
+
+std::span<const std::uint8_t> bytesOf(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+std::uint64_t hashOf(std::string_view text, const Scene& scene) {
+  std::uint64_t hash = fnv1a(bytesOf(text));
+  if (!scene.sky) return hash;
+  for (const SkyFace& face : scene.sky->faces) {
+    hash = fnv1a(bytesOf(fmt::format("{}x{}", face.width, face.height)), hash);
+    hash = fnv1a(face.rgb, hash);
+  }
+  return hash;
+}
+
+}  // namespace
+
+Loader nffLoader() { return {"NFF or P3F", {".nff", ".p3f"}, recognisesNff, loadNff}; }
+
+LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
+  if (isWorldToolKit(file.bytes)) {
+    throw SceneError(
+        {{file.name, 1, 1,
+          "this is WorldToolKit's NFF, another format of the same name; Candela reads Haines' Neutral File "
+          "Format and P3F"}});
+  }
+  Parser parser(file.bytes, file.name, file.folder, options);
+  parseStatements(parser);
+  parser.scene.exactMean = findExactMean(file.bytes, parser.log);
+  parser.log.throwIfErrors();
+  checkScene(parser.scene, parser.log);
+  parser.scene.name = std::filesystem::path(file.name).filename().string();
+  parser.scene.hash = hashOf(file.bytes, parser.scene);
+  return {std::move(parser.scene), std::move(parser.counts), parser.log.warnings()};
+}
+
+}  // namespace candela::scene

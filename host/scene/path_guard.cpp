@@ -1,0 +1,49 @@
+// The folders that a scene may read files from.
+#include "host/scene/path_guard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
+#include "host/scene/quote.h"
+
+namespace candela::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Absolute, without links and dots; the part that does not exist stays as it is written. Empty if that fails.
+fs::path resolve(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return {};
+  const fs::path resolved = fs::weakly_canonical(absolute, error);
+  if (error) return {};
+  return resolved.filename().empty() ? resolved.parent_path() : resolved;  // without a trailing slash
+}
+
+bool liesIn(const fs::path& path, const fs::path& folder) {
+  if (path.empty() || folder.empty()) return false;
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+}  // namespace
+
+PathGuard::PathGuard(const fs::path& sceneFolder, const std::vector<fs::path>& allowedFolders) {
+  folders_.push_back(resolve(sceneFolder));
+  for (const fs::path& folder : allowedFolders) folders_.push_back(resolve(folder));
+}
+
+bool PathGuard::permits(const fs::path& path) const {
+  const fs::path resolved = resolve(path);
+  return std::ranges::any_of(folders_, [&](const fs::path& folder) { return liesIn(resolved, folder); });
+}
+
+void PathGuard::require(const fs::path& path) const {
+  if (permits(path)) return;
+  throw FileError(
+      fmt::format("{} leads outside the scene's folder; --allow-path FOLDER permits it", quote(path.string())));
+}
+
+}  // namespace candela::scene
