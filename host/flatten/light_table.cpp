@@ -57,7 +57,7 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
   if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
   const scene::Primitive& primitive = scene.primitives[index];
   const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
-  if (kind == LightKind::triangle) return triangleArea(scene.triangles[primitive.index]) * emitted;
+  if (kind == LightKind::triangle) return triangleArea(triangleOf(scene, primitive)) * emitted;
   const double radius = scene.spheres[primitive.index].radius;
   return 4 * std::numbers::pi * radius * radius * emitted;
 }
