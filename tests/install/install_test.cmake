@@ -1,0 +1,23 @@
+# Installs BUILD into a folder of its own under WORK, builds the consumer against that alone, and renders a scene on the
+# reference and on lavapipe (ICD). The two images must show the same scene, by `candela compare`.
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+foreach(file share/doc/candela/LICENSE share/doc/candela/README.md share/candela/scenes/cornell.p3f)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "${file} was not installed")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+set(ENV{VK_DRIVER_FILES} ${ICD})
+set(ENV{VK_ICD_FILENAMES} ${ICD})
+set(scene ${WORK}/prefix/share/candela/scenes/cornell.p3f)
+run(${WORK}/build/consumer ${scene} cpu ${WORK}/cpu.exr)
+run(${WORK}/build/consumer ${scene} llvmpipe ${WORK}/device.exr)
+run(${WORK}/prefix/bin/candela compare ${WORK}/cpu.exr ${WORK}/device.exr --tolerance 1e-4)
