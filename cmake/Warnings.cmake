@@ -4,7 +4,7 @@ function(candela_compile_options target)
                                            -Woverloaded-virtual -Wnull-dereference)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # GCC 12 to 14 report overlaps and overruns within std::string and std::vector that cannot be (its bug 105651).
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-array-bounds)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
   else()
     # With Clang, -Wconversion has this too; GCC has it in C only.
     target_compile_options(${target} PRIVATE -Wno-sign-conversion)
