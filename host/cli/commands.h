@@ -13,7 +13,7 @@ struct CommandInfo {
   Command command;
   std::string name;
   std::string usage;     ///< after the program's name
-  std::string summary;   ///< completes "it ..."
+  std::string summary;   ///< an imperative phrase, without a capital and a full stop
   std::string fileNoun;  ///< what a missing file is called
   std::size_t fewestFiles;
   std::size_t mostFiles;

@@ -1,4 +1,4 @@
-// The option table: a row per option.
+// The option table: one row per option.
 #include "host/cli/option_table.h"
 
 #include <limits>
@@ -52,43 +52,43 @@ const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{{"none", ima
                                                                     {"neutral", image::ToneMap::neutral}};
 
 std::string defaultDepths() {
-  return fmt::format("{}; whitted {}", defaultMaxDepth(render::Integrator::path),
+  return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
                      defaultMaxDepth(render::Integrator::whitted));
 }
 
-// NOLINTBEGIN: one row each, however long.
+// NOLINTBEGIN: each option is one row of any length.
 // clang-format off
 std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
-  const std::string defaultSamples = std::to_string(render::RenderSettings{}.sampleCount);
+  const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.sampleCount);
   return {
-    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; absent, the file's `spp` goes before the default"},
+    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel"},
            orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
-    valued({"--seed", kTracing, kGroup, "another seed, other random numbers"},
+    valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
-    valued({"--size", kTracing, kGroup, "of the image, in pixels"},
-           orAbsent(extent("WxH", kLargestSide), "the file's"), [](auto& a) -> auto& { return a.size; }),
-    valued({"--max-depth", kTracing, kGroup, "longest path, in rays; the camera ray is the first"},
+    valued({"--size", kTracing, kGroup, "image size in pixels"},
+           orAbsent(extent("WxH", kLargestSide), "the scene's"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--max-depth", kTracing, kGroup, "maximum number of rays in a path, counting the camera ray"},
            orAbsent(wholeNumber(1, kMostSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
-    valued({"--rr-start", kTracing, kGroup, "path vertices that never face Russian roulette"},
+    valued({"--rr-start", kTracing, kGroup, "number of path vertices before Russian roulette starts"},
            wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
-    valued({"--integrator", kTracing, kGroup, "light (`path`, or by `whitted`'s rules), or a view of what the camera rays meet"},
+    valued({"--integrator", kTracing, kGroup, "`path`: path tracing; `whitted`: Whitted ray tracing; the others: views of what camera rays hit"},
            choice(kIntegrators), [](auto& a) -> auto& { return a.settings.integrator; }),
-    valued({"--ao-distance", kTracing, kGroup, "reach of the rays of `ao`; `auto`: a quarter of the way from eye to target"},
+    valued({"--ao-distance", kTracing, kGroup, "maximum distance of occluders for `ao`; `auto`: a quarter of the distance from eye to target"},
            orAbsent(realNumber<float>("D", kShortestReach, kLongestReach), "auto"), [](auto& a) -> auto& { return a.settings.aoDistance; }),
-    valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every vertex"},
+    valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every path vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
-    valued({"--sampler", kTracing, kGroup, "random numbers"},
+    valued({"--sampler", kTracing, kGroup, "how random numbers are generated"},
            choice(kSamplers), [](auto& a) -> auto& { return a.settings.sampler; }),
     valued({"--filter", kTracing, kGroup, "pixel filter"},
            choice<render::FilterKind>({{"box", render::FilterKind::box}, {"tent", render::FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.filter; }),
-    valued({"--lens", kTracing, kGroup, "shape of the lens, where the file has an aperture"},
+    valued({"--lens", kTracing, kGroup, "shape of the lens, if the scene's camera has an aperture"},
            choice<render::LensKind>({{"disc", render::LensKind::disc}, {"square", render::LensKind::square}}), [](auto& a) -> auto& { return a.settings.lens; }),
-    valued({"--pixel-origin", kTracing, kGroup, "where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less each way"},
+    valued({"--pixel-origin", kTracing, kGroup, "points through which camera rays pass without jitter: the centres of the pixels, or the corners of a grid of (W-1)x(H-1) cells"},
            choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.pixelOrigin; }),
-    valued({"--light-size", kTracing, kGroup, "of `whitted`: point lights become squares of this side, with soft shadows"},
+    valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.lightSize; }),
-    flag({"--one-sided", kTracing, kGroup, "rays pass through the back of opaque polygons and planes, as in NFF"},
+    flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.oneSided; }),
   };
 }
@@ -96,9 +96,9 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag({"--lenient", kReadingScenes, kGroup, "skip what is unknown, complete what is short, with warnings"},
+    flag({"--lenient", kReadingScenes, kGroup, "skip unknown statements and complete short ones, with warnings"},
          [](auto& a) -> auto& { return a.lenient; }),
-    paths({"--allow-path", kReadingScenes, kGroup, "folder outside the scene's own that a scene may read; repeatable"}, "DIR",
+    paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.allowedPaths; }),
   };
 }
@@ -106,30 +106,30 @@ std::vector<Option> sceneFileOptions() {
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
+    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
-    valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
-           orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
-    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how a BVH is built: by the surface area heuristic, or as in the path-tracing report"},
+    valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "acceleration structure"},
+           orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how the nodes of a BVH are split: by the surface area heuristic, or at the midpoint as in the path-tracing report"},
            choice<render::BvhSplit>({{"sah", render::BvhSplit::sah}, {"midpoint", render::BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.bvhSplit; }),
-    valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "of a device's BVH, by the surface area heuristic: build sooner, or trace sooner"},
+    valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "build quality of a device's SAH BVH: `fast` builds faster, `high` traces faster"},
            choice<render::BuildQuality>({{"fast", render::BuildQuality::fast}, {"default", render::BuildQuality::standard}, {"high", render::BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.bvhQuality; }),
-    valued({"--layout", kTracing, kGroup, "nodes of a BVH on a device: two children each, or eight, compressed; `auto`: as tuned, else eight, but with midpoint splits two"},
+    valued({"--layout", kTracing, kGroup, "nodes of a device's BVH: binary (bvh2), or compressed and 8-wide (cwbvh); `auto`: as tuned, else cwbvh, or bvh2 with midpoint splits"},
            choice<render::BvhLayout>({{"auto", render::BvhLayout::automatic}, {"bvh2", render::BvhLayout::bvh2}, {"cwbvh", render::BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.bvhLayout; }),
-    valued({"--loads", kTracing, kGroup, "how a device reads the scene; `auto`: as tuned, else as texels, if they fit"},
+    valued({"--loads", kTracing, kGroup, "buffer type through which a device reads the scene; `auto`: as tuned, else texel if the scene fits"},
            choice<render::SceneLoads>({{"auto", render::SceneLoads::automatic}, {"texel", render::SceneLoads::texel}, {"storage", render::SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
-    valued({"--grid-density", kTracing, kGroup, "m of a grid: about m^3 cells for each primitive"},
+    valued({"--grid-density", kTracing, kGroup, "density M of a grid, which has about M^3 cells per primitive"},
            realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
-    valued({"--kernel", kTracing, kGroup, "how a device traces paths: each to its end by one lane, or all stage by stage; `auto`: as tuned, else megakernel"},
+    valued({"--kernel", kTracing, kGroup, "one kernel that traces whole paths, or one kernel per stage; `auto`: as tuned, else megakernel"},
            choice<render::KernelKind>({{"auto", render::KernelKind::automatic}, {"megakernel", render::KernelKind::megakernel}, {"wavefront", render::KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.kernel; }),
-    valued({"--workgroup", kTracing, kGroup, "invocations of a workgroup; `auto`: as tuned, else 8x8"},
+    valued({"--workgroup", kTracing, kGroup, "workgroup size in invocations; `auto`: as tuned, else 8x8"},
            orAbsent(extent("XxY", kLargestWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),
-    valued({"--tile", kTracing, kGroup, "pixels of one dispatch; `auto`: chosen by timing"},
+    valued({"--tile", kTracing, kGroup, "size in pixels of the region that one dispatch processes; `auto`: chosen by timing"},
            orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.settings.tile; }),
-    valued({"--segments-per-dispatch", kTracing, kGroup, "path segments that one dispatch advances; `auto`: chosen by timing"},
+    valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMostSegments), "auto"), [](auto& a) -> auto& { return a.settings.segmentsPerDispatch; }),
-    flag({"--untuned", kTracing, kGroup, "`auto` has its built-in meaning, whatever `candela tune` found"}, [](auto& a) -> auto& { return a.untuned; }),
-    valued({"-t,--threads", kTracing, kGroup, "of the reference tracer; 0: one per core"},
+    flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
+    valued({"-t,--threads", kTracing, kGroup, "threads of the reference tracer; 0: one per core"},
            wholeNumber(0, kMostThreads), [](auto& a) -> auto& { return a.settings.threads; }),
   };
 }
@@ -137,11 +137,11 @@ std::vector<Option> executionOptions() {
 std::vector<Option> outputOptions() {
   constexpr OptionGroup kGroup = OptionGroup::output;
   return {
-    paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
+    paths({"-o,--output", kRender, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped; absent, `depth` and `cost` have false colours"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
+    valued({"--exposure", kRender | kCompare, kGroup, "exposure of 8-bit files and of FLIP; each stop doubles the brightness"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
   };
 }
@@ -149,27 +149,27 @@ std::vector<Option> outputOptions() {
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
   return {
-    valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes"},
+    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
-    valued({"--alpha", kCompare, kGroup, "probability of a false alarm when the light of two EXR films is tested; without --alpha and --tolerance they are tested where they can be"},
+    valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
            share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
-    path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
-    path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+    path({"--diff", kCompare, kGroup, "write a picture of the differences: orange where A is brighter, blue where A is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
+    path({"--flip", kCompare, kGroup, "write a picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
   };
 }
 
 std::vector<Option> verificationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::verification;
   return {
-    valued({"--alpha", kVerify, kGroup, "probability of a false alarm of the whole run"},
+    valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
            share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
-    valued({"--bias", kVerify, kGroup, "difference of the image mean that must not stay unseen"},
-           share("SHARE", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
-    valued({"--time-limit", kVerify, kGroup, "after it no further look at the images begins"},
+    valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect"},
+           share("FRACTION", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
-    flag({"--explain", kVerify, kGroup, "after the verdict explain the pixel that differs most, as `candela explain` does"},
+    flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},
          [](auto& a) -> auto& { return a.explain; }),
   };
 }
@@ -177,9 +177,9 @@ std::vector<Option> verificationOptions() {
 std::vector<Option> explanationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::explanation;
   return {
-    valued({"--pixel", kExplain, kGroup, "whose sample is traced again; 0,0 is at the top left"},
-           orAbsent(pixelPlace(kLargestSide - 1), "the one that differs most"), [](auto& a) -> auto& { return a.pixel; }),
-    valued({"--sample", kExplain, kGroup, "which of the pixel's samples, from 0"},
+    valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
+           orAbsent(pixelPlace(kLargestSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+    valued({"--sample", kExplain, kGroup, "index of the pixel's sample, from 0"},
            wholeNumber(0, kMostSamples - 1), [](auto& a) -> auto& { return a.sample; }),
   };
 }
@@ -187,15 +187,15 @@ std::vector<Option> explanationOptions() {
 std::vector<Option> benchmarkOptions() {
   constexpr OptionGroup kGroup = OptionGroup::benchmark;
   return {
-    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, in turn; the median counts"},
+    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, interleaved; the median is reported"},
            wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
-    paths({"--sweep", kBench, kGroup, "of scenes: each value of an option, without its dashes; repeatable, for all combinations"}, "NAME=V,V,...",
+    paths({"--sweep", kBench, kGroup, "for scenes: measure each value of an option (named without its dashes); repeatable, for all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
-    valued({"--threshold", kBench, kGroup, "of `compare`: share of its speed that a row may lose"},
-           share("SHARE", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
+    valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
+           share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued({"--markdown", kBench | kTune, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
-    valued({"--svg", kBench, kGroup, "of scenes: draw samples per second; `-`: to stdout"},
+    valued({"--svg", kBench, kGroup, "for scenes: write a chart of samples per second as SVG; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
   };
 }
@@ -203,22 +203,22 @@ std::vector<Option> benchmarkOptions() {
 std::vector<Option> tuningOptions() {
   constexpr OptionGroup kGroup = OptionGroup::tuning;
   return {
-    valued({"--size", kTune, kGroup, "of the images; `auto`: chosen by timing, at most the scene's"},
+    valued({"--size", kTune, kGroup, "image size in pixels; `auto`: chosen by timing, at most the scene's"},
            orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.size; }),
     valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMostSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
-    flag({"--dry-run", kTune, kGroup, "measure and report, but keep nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
+    flag({"--dry-run", kTune, kGroup, "measure and report, but store nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
   };
 }
 
 std::vector<Option> generationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::generation;
   return {
-    valued({"-o,--output", kGenerate | kBoxes, kGroup, "the scene file; `-`: stdout"},
+    valued({"-o,--output", kGenerate | kBoxes, kGroup, "scene file; `-`: stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
-    valued({"--size", kGenerate, kGroup, "how large the scene is; each kind has its range"},
+    valued({"--size", kGenerate, kGroup, "size of the scene; each kind has its own range"},
            orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
-    valued({"--depth", kBoxes, kGroup, "draw one level of the tree, and leaves above it; 0 is the root"},
+    valued({"--depth", kBoxes, kGroup, "draw one level of the BVH, and the leaves above it; the root is level 0"},
            orAbsent(wholeNumber(0, kAnySize), "all"), [](auto& a) -> auto& { return a.boxDepth; }),
   };
 }
@@ -226,17 +226,17 @@ std::vector<Option> generationOptions() {
 std::vector<Option> generalOptions() {
   constexpr OptionGroup kGroup = OptionGroup::general;
   return {
-    flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
+    flag({"--stats", kRender, kGroup, "print times, numbers of rays and the settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
     valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
-    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample was not finite, negative or too bright; files are written all the same"},
+    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample is not finite, negative or too bright; files are still written"},
          [](auto& a) -> auto& { return a.strict; }),
-    path({"--report", kCompare | kVerify, kGroup, "write a page (HTML) with the pictures, maps of their differences, figures and the verdict"}, "FILE",
+    path({"--report", kCompare | kVerify, kGroup, "write an HTML page with the images, maps of their differences, figures and the verdict"}, "FILE",
          [](auto& a) -> auto& { return a.report; }),
-    flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
-    flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
+    flag({"-q,--quiet", kAll, kGroup, "print only errors"}, [](auto& a) -> auto& { return a.quiet; }),
+    flag({"-v,--verbose", kAll, kGroup, "print details"}, [](auto& a) -> auto& { return a.verbose; }),
     flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),
-    flag({"-h,--help", kAll, kGroup, "print this"}, [](auto& a) -> auto& { return a.help; }),
+    flag({"-h,--help", kAll, kGroup, "print this help"}, [](auto& a) -> auto& { return a.help; }),
   };
 }
 // clang-format on
