@@ -48,7 +48,7 @@ std::optional<T> fieldOf(const json& row, const char* key) {
 std::vector<Row> readRows(const json& report, const std::string& name) {
   try {
     if (report.at("schema") != "candela-bench/1")
-      throw FileError(name + ": not a report of candela bench: its schema is another one");
+      throw FileError(name + ": not a report of candela bench: it has another schema");
     std::vector<Row> rows;
     for (const json& row : report.at("rows")) {
       rows.push_back({nameOf(row), row.at("sceneHash").get<std::string>(), fieldOf<double>(row, "mraysPerSecond"),

@@ -95,7 +95,7 @@ void reportBadSamples(const render::BadSampleTally& device, const render::BadSam
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {
   if (!arguments.strict || badSamples == 0) return code;
   log.problem(
-      fmt::format("--strict: {} bad samples, so this run has failed; what it wrote shows where they are", badSamples));
+      fmt::format("--strict: the run fails because of {} bad samples; its files are still written", badSamples));
   return code == ExitCode::done ? ExitCode::differ : code;
 }
 

@@ -22,7 +22,7 @@ struct Benchmark {
 
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 constexpr std::array kBenchmarks{
-    Benchmark{"table1", 0, 0, "has its own scenes; bench accel takes others", runBenchStructures},
+    Benchmark{"table1", 0, 0, "has its own scenes; use bench accel for others", runBenchStructures},
     Benchmark{"accel", 1, kAnyNumber, "no scene given", runBenchStructures},
     Benchmark{"rays", 1, kAnyNumber, "no scene given", runBenchRays},
     Benchmark{"compare", 2, 2, "expected two reports, the old one and the new one", runBenchCompare}};
@@ -45,13 +45,14 @@ void requireFiles(const Benchmark& benchmark, std::size_t count) {
 void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& arguments) {
   for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
     if (!arguments.given.contains(option)) continue;
-    throw UsageError(fmt::format("bench {} {}: is for bench SCENE alone", benchmark.name, option));
+    throw UsageError(fmt::format("bench {} {}: this option applies only to bench SCENE", benchmark.name, option));
   }
 }
 
 void requireScores(const Arguments& arguments) {
   if (arguments.settings.integrator == render::Integrator::cost) {
-    throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
+    throw UsageError(
+        "--integrator cost: the image depends on the acceleration structure, so benchmarks cannot compare it");
   }
   for (const std::string& target : {arguments.json, arguments.markdown, arguments.svg}) requireWritableReport(target);
 }

@@ -69,7 +69,7 @@ ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
   }
   report.processBytes = peakProcessBytes();
   writeText(arguments.svg, bench::toSvg(report));
-  return publish(report, arguments, log, "variants did not give the same image: where they differ, no time counts");
+  return publish(report, arguments, log, "the images of some variants differ; their times are left out");
 }
 
 }  // namespace candela::cli

@@ -105,8 +105,7 @@ ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log,
-                 "the structures did not give the same image: where they differ, no time counts");
+  return publish(report, arguments, log, "the images of some structures differ; their times are left out");
 }
 
 }  // namespace candela::cli

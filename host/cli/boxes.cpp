@@ -17,7 +17,7 @@ namespace {
 void requireReadableSize(std::size_t boxCount) {
   constexpr std::uint64_t kMostBoxes = generate::kMostPrimitives / kBoxEdges;
   if (boxCount <= kMostBoxes) return;
-  throw FileError(fmt::format("{} boxes have more than {} edges; --depth N draws one level of the tree", boxCount,
+  throw FileError(fmt::format("{} boxes have more than {} edges; use --depth N to draw one level of the BVH", boxCount,
                               generate::kMostPrimitives));
 }
 
@@ -37,7 +37,7 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
     generate::NffWriter out(sink, std::numeric_limits<float>::max_digits10);
     writeBoxScene(out, *loaded.scene.camera, boxes, deepest);
   });
-  log.note(fmt::format("{}: {} boxes, of {} in {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
+  log.note(fmt::format("{}: {} of {} boxes; the BVH has {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
                        bvh.nodes.empty() ? 0 : deepest + 1));
   return ExitCode::done;
 }

@@ -127,13 +127,13 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
 void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  fail(Command::render, "no output given: -o FILE writes the image, --stats or --json FILE measure alone");
+  fail(Command::render, "no output given: write the image with -o FILE, or only measure with --stats or --json FILE");
 }
 
 void requireTreeDepth(const Arguments& arguments) {
   const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > render::kMaxTreeDepth;
   if (arguments.settings.integrator != render::Integrator::whitted || !tooDeep) return;
-  fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
+  fail(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
                                       *arguments.maxDepth, render::kMaxTreeDepth));
 }
 

@@ -54,7 +54,7 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   if (!arguments.report.empty()) {
     writeReport(arguments.report, imageReport(arguments, a, reference, comparison, flip, verdict));
   }
-  if (badSamples > 0) log.problem(fmt::format("the files tell of {} bad samples", badSamples));
+  if (badSamples > 0) log.problem(fmt::format("the files contain {} bad samples", badSamples));
   return strictly(verdict.passes() ? ExitCode::done : ExitCode::differ, badSamples, arguments, log);
 }
 

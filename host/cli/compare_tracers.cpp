@@ -13,11 +13,16 @@
 namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
+        "devices)");
+  }
   if (arguments.settings.integrator == render::Integrator::cost) {
     throw UsageError(
-        "--integrator cost: each tracer has its own search structure and so its own counts, of which "
-        "neither can be wrong; `candela render` shows those of one");
+        "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
+        "compared; "
+        "use `candela render` to see the counts of one");
   }
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);

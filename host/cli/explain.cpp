@@ -21,11 +21,12 @@ using explain::Explanation;
 void requireSense(const Arguments& arguments) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the reference would be held against itself; name another tracer, see candela devices");
+        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
+        "devices)");
   }
   if (!arguments.pixel && arguments.given.contains("--sample")) {
     throw UsageError(
-        "--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
+        "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");
   }
   explain::requirePaths(arguments.settings.integrator);
 }
@@ -34,11 +35,11 @@ render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
   const auto [width, height] = job.settings.size;
   if (x >= width || y >= height) {
-    throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width,
-                                 height, width - 1, height - 1));
+    throw UsageError(fmt::format("--pixel {},{}: outside the image of {}x{} pixels (0,0 to {},{})", x, y, width, height,
+                                 width - 1, height - 1));
   }
   if (job.arguments.sample >= job.settings.sampleCount) {
-    throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
+    throw UsageError(fmt::format("--sample {}: a pixel has {} samples (0 to {}); use --spp {} or more",
                                  job.arguments.sample, job.settings.sampleCount, job.settings.sampleCount - 1,
                                  job.arguments.sample + 1));
   }
@@ -59,7 +60,7 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Replayi
     return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress));
   }();
   if (!pixels) {
-    log.note("interrupted; nothing is explained");
+    log.note("interrupted before a sample was explained");
     return ExitCode::interrupted;
   }
   if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device,

@@ -21,7 +21,7 @@ const Kind& kindNamed(const std::string& name) {
     names.emplace_back(kind.name);
   }
   const std::string meant = didYouMean(name, names);
-  fail(fmt::format("unknown kind {}{}", name, meant.empty() ? "; there are " + joinAlternatives(names) : meant));
+  fail(fmt::format("unknown kind {}{}", name, meant.empty() ? "; expected " + joinAlternatives(names) : meant));
 }
 
 std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {

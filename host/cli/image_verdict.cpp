@@ -50,7 +50,7 @@ std::string ImageVerdict::sentence() const {
   }
   if (films) text += (text.empty() ? "" : " ") + films->verdict();
   if (!whyNoTest.empty()) text += fmt::format("There is no verdict on the light: {}.", whyNoTest);
-  return text.empty() ? "No verdict was asked for: --tolerance gives one." : text;
+  return text.empty() ? "No verdict was requested; --tolerance requests one." : text;
 }
 
 std::string toText(const ImageVerdict& verdict) {

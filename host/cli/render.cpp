@@ -57,7 +57,7 @@ void writeImages(const RenderJob& job, const render::RenderResult& result, const
 void summarise(const RenderReport& report, const Log& log) {
   const render::RenderSettings& settings = report.job.settings;
   const std::string done = report.result.interrupted
-                               ? fmt::format("interrupted after {} samples; what was done is written",
+                               ? fmt::format("interrupted; the {} samples rendered so far are written",
                                              report.result.statistics.samples)
                                : fmt::format("{} samples per pixel", settings.sampleCount);
   log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.size.width, settings.size.height, done,

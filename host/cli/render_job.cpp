@@ -20,7 +20,7 @@ namespace {
 
 void requirePixelLimit(const render::Extent& size) {
   if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
-  throw FileError(fmt::format("an image of {}x{} pixels is beyond the limit of {} pixels", size.width, size.height,
+  throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
                               image::kMaximumImagePixels));
 }
 
@@ -79,20 +79,22 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
   if (arguments.command == Command::bench) return;  // which chooses the structures itself
   for (const auto& [option, isRead, reader] : kSpecialOptions) {
     if (isRead(arguments.settings) || !arguments.given.contains(option)) continue;
-    log.note(fmt::format("{} changes nothing here: it is for {}", option, reader));
+    log.note(fmt::format("{} has no effect here; it applies to {}", option, reader));
   }
 }
 
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
   if (settings.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
-  log.warning("no point light: --integrator whitted knows no other, so that surfaces show their own emission at most");
+  log.warning(
+      "the scene has no point light, and --integrator whitted ignores all others: surfaces show only their own "
+      "emission");
 }
 
 }  // namespace
 
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
   if (!arguments.sampleCount && scene.requestedSamples) {
-    log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
+    log.detail(fmt::format("{} samples per pixel, as requested by the scene", *scene.requestedSamples));
   }
   if (!arguments.sampleCount)
     arguments.sampleCount = scene.requestedSamples.value_or(render::RenderSettings{}.sampleCount);
@@ -144,13 +146,13 @@ void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   if (statistics.structure == "grid") {
     throw FileError(
-        fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
-                    "nothing is written: use --accel bvh",
+        fmt::format("the device stopped {} traversals of the grid before their end, so the image would be wrong and is "
+                    "not written; use --accel bvh",
                     statistics.truncated));
   }
   throw InternalError(
-      fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
-                  "A smaller --segments-per-dispatch or another --accel may help",
+      fmt::format("{} loops ended before their work was done, so the image would be wrong and is not written; "
+                  "a smaller --segments-per-dispatch or another --accel may help",
                   statistics.truncated));
 }
 

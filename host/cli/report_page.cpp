@@ -47,9 +47,9 @@ Report tracersReport(const RenderJob& job, const image::Film& device, const imag
 
 std::string agreementSentence(const verify::AgreementReport& agreement) {
   return fmt::format(
-      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and "
-      "the means "
-      "of {} samples are {:.2e} apart (at most {:.0e}).",
+      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit pixels are equal (at least "
+      "{} "
+      "%), and the means of {} samples differ by {:.2e} (at most {:.0e}).",
       100 * agreement.pixels.share(), 100 * verify::kRequiredShare, 100 * agreement.pixels.litShare(),
       100 * verify::kRequiredLitShare, agreement.mean.samples, agreement.mean.relativeDifference(),
       verify::kMeanTolerance);
@@ -60,7 +60,7 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
                           fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
   page.figures.push_back(
       {"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
-  page.figures.push_back({"First difference of the others", paths.causesText()});
+  page.figures.push_back({"First differences of the other pixels", paths.causesText()});
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;
   page.verdict = agreementSentence(agreement);
   addPaths(agreement.pixels, page);
-  page.figures.push_back({"Samples per pixel, a side", fmt::to_string(agreement.mean.samples)});
+  page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.mean.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings.seed)});
   page.commands = {
       commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
@@ -86,15 +86,16 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   page.verdict = verification.verdict();
   page.tests = report::LightTests{light.regions, light.level};
   addPaths(verification.paths, page);
-  page.figures.push_back({"Samples per pixel, a side", fmt::format("{} in {} batches, {} looks", light.samplesPerPixel,
-                                                                   verify::kBatchCount, light.looks)});
-  page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.seed)});
+  page.figures.push_back(
+      {"Samples per pixel, each side",
+       fmt::format("{} in {} batches, {} looks", light.samplesPerPixel, verify::kBatchCount, light.looks)});
+  page.figures.push_back({"Seed", fmt::format("{}; each batch derives its own seed from it", job.settings.seed)});
   page.figures.push_back(
       {"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
   if (verification.exact) {
     const verify::ExactTest& exact = *verification.exact;
     page.figures.push_back(
-        {"Stated answer",
+        {"Exact result",
          fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})", exact.expected, exact.device,
                      exact.devicePValue, exact.reference, exact.referencePValue)});
   }

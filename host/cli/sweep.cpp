@@ -30,7 +30,7 @@ const Option& optionNamed(const std::string& name) {
     if (option.name() == "--" + name) return option;
     names.push_back(option.name().substr(2));
   }
-  throw UsageError(fmt::format("--sweep {}: no option that can be swept{}", name, didYouMean(name, names)));
+  throw UsageError(fmt::format("--sweep {}: not an option that can be swept{}", name, didYouMean(name, names)));
 }
 
 std::vector<std::string> split(const std::string& values) {
@@ -56,8 +56,7 @@ Sweep parse(const std::string& text) {
 
 void setOption(const Sweep& sweep, const std::string& value, Arguments& arguments) {
   if (!sweep.option->apply(arguments, value)) {
-    throw UsageError(
-        fmt::format("--sweep {}: '{}' is no value, expected {}", sweep.name, value, sweep.option->expected));
+    throw UsageError(fmt::format("--sweep {}: expected {}, got \"{}\"", sweep.name, sweep.option->expected, value));
   }
   arguments.given.insert(sweep.option->name());
 }
@@ -82,7 +81,7 @@ std::vector<SweptArguments> sweepOver(const Arguments& arguments) {
   for (const std::string& text : arguments.sweeps) {
     const Sweep sweep = parse(text);
     if (std::find(swept.begin(), swept.end(), sweep.option) != swept.end()) {
-      throw UsageError(fmt::format("--sweep {}: swept twice", sweep.name));
+      throw UsageError(fmt::format("--sweep {}: this option is swept twice", sweep.name));
     }
     swept.push_back(sweep.option);
     if (all.size() * sweep.values.size() > kMostVariants) {

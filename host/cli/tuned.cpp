@@ -11,7 +11,7 @@ std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& 
   const std::filesystem::path file = *folder / tune::fileNameOf(key);
   const tune::TuningLookup found = tune::readTuning(file, key, info);
   if (!found.problem.empty()) {
-    log.warning(fmt::format("{} is ignored: {}; `candela tune` writes it anew", file.string(), found.problem));
+    log.warning(fmt::format("{} is ignored: {}; `candela tune` replaces it", file.string(), found.problem));
   }
   if (!found.tuning) return std::nullopt;
   return KeptTuning{*found.tuning, file};

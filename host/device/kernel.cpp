@@ -62,7 +62,7 @@ std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::Render
 
 void requireKernel(const render::RenderSettings& settings) {
   if (settings.kernel != render::KernelKind::wavefront || settings.integrator == render::Integrator::path) return;
-  throw UsageError("--kernel wavefront: is for --integrator path alone, every other integrator has one kernel");
+  throw UsageError("--kernel wavefront applies only to --integrator path; the other integrators have one kernel");
 }
 
 Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {

@@ -32,7 +32,7 @@ LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const
   const std::uint64_t segments = half / (std::uint64_t{raysPerSegment} * flat.slotCount + kOtherTurns);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
   throw FileError(
-      fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
+      fmt::format("--accel none over {} primitives: {} stops loops after {} iterations; at most {} primitives, or "
                   "use --accel bvh",
                   flat.slotCount, info.name, limit, half > kOtherTurns ? (half - kOtherTurns) / raysPerSegment : 0));
 }

@@ -37,7 +37,7 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
   const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
   if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
   if (quantity.kind == Quantity::Kind::randomNumber)
-    return fmt::format("{}: {}; no bit of it may differ", where, sides);
+    return fmt::format("{}: {}; it must be equal to the bit", where, sides);
   return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), kTolerance, sides);
 }
 
@@ -68,8 +68,8 @@ std::string Explanation::verdict() const {
 void requirePaths(render::Integrator integrator) {
   if (integrator == render::Integrator::path) return;
   throw UsageError(
-      "only the samples of --integrator path can be explained; for others `candela compare SCENE "
-      "--integrator ...` counts the pixels that differ, and the decisions that part them");
+      "only samples of --integrator path can be explained; for other integrators, `candela compare SCENE "
+      "--integrator ...` counts the pixels that differ and the decisions at which they diverge");
 }
 
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,

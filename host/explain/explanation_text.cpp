@@ -37,7 +37,7 @@ class TextLayout {
  private:
   void addHead() {
     const render::PixelSample& sample = explanation_.sample;
-    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} against the reference\n", explanation_.scene,
+    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} compared with the reference\n", explanation_.scene,
                          sample.x, sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
     text_ += explanation_.verdict() + "\n";
     if (explanation_.isCut()) {

@@ -16,7 +16,7 @@ class ByteCursor {
 
   /// The next `count` bytes. Throws FileError if there are fewer.
   ByteView take(std::size_t count) {
-    if (count > rest_.size()) throw FileError("the file is cut short");
+    if (count > rest_.size()) throw FileError("the file is truncated");
     const ByteView taken = rest_.first(count);
     rest_ = rest_.subspan(count);
     return taken;
@@ -31,7 +31,7 @@ class ByteCursor {
     constexpr std::size_t kMaximumText = 4096;
     const std::string_view text(reinterpret_cast<const char*>(rest_.data()), std::min(rest_.size(), kMaximumText));
     const auto end = std::find_if(text.begin(), text.end(), isEnd);
-    if (end == text.end()) throw FileError("the header does not end");
+    if (end == text.end()) throw FileError("the header has no end");
     const auto length = static_cast<std::size_t>(end - text.begin());
     take(length + 1);
     return text.substr(0, length);

@@ -24,7 +24,7 @@ class MemoryInput : public Imf::IStream {
   bool read(char* target, int count) override {
     const auto wanted = static_cast<std::size_t>(count);
     if (count < 0 || position_ > bytes_.size() || wanted > bytes_.size() - position_) {
-      throw Iex::InputExc("the file is cut short");
+      throw Iex::InputExc("the file is truncated");
     }
     std::memcpy(target, bytes_.data() + position_, wanted);
     position_ += wanted;
@@ -89,7 +89,7 @@ void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size
   constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is cut short");
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
 bool hasChannel(const Imf::Header& header, const char* name) {

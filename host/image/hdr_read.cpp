@@ -47,7 +47,7 @@ double takeExposure(ByteCursor& cursor) {
     if (skip(line, "FORMAT=") && line != "32-bit_rle_rgbe") refuse("only 32-bit_rle_rgbe is read");
     if (skip(line, "EXPOSURE=")) exposure *= takeNumber<double>(line).value_or(0);
   }
-  if (!(exposure > 0) || !std::isfinite(exposure)) refuse("EXPOSURE is no positive number");
+  if (!(exposure > 0) || !std::isfinite(exposure)) refuse("EXPOSURE is not a positive number");
   return exposure;
 }
 
@@ -60,7 +60,7 @@ Header takeHeader(ByteCursor& cursor) {
   const auto height = takeNumber<std::uint32_t>(line);
   if (!height || !skip(line, " +X ")) refuse("only columns from the left are read (\"-Y height +X width\")");
   const auto width = takeNumber<std::uint32_t>(line);
-  if (!width || !line.empty()) refuse("its size is no number");
+  if (!width || !line.empty()) refuse("its size is not a number");
   checkImageSize(*width, *height);
   header.width = *width;
   header.height = *height;
@@ -95,7 +95,7 @@ void takeOldRow(ByteCursor& cursor, std::vector<Rgbe>& row, const Rgbe& first) {
   std::size_t x = 0;
   while (true) {
     const bool isRun = pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1;
-    if (isRun && (x == 0 || shift > 16)) refuse("a run repeats nothing");
+    if (isRun && (x == 0 || shift > 16)) refuse("a run has no pixel to repeat");
     const std::size_t count = isRun ? std::size_t{pixel[3]} << shift : 1;
     if (count > row.size() - x) refuse("a run is longer than its row");
     const Rgbe value = isRun ? row[x - 1] : pixel;
@@ -111,7 +111,7 @@ void takeRow(ByteCursor& cursor, std::vector<Rgbe>& row) {
   const Rgbe first = takePixel(cursor);
   const bool isNew = first[0] == 2 && first[1] == 2 && first[2] < 128 && row.size() >= 8 && row.size() < 32768;
   if (!isNew) return takeOldRow(cursor, row, first);
-  if (first[2] * 256u + first[3] != row.size()) refuse("a row has another width");
+  if (first[2] * 256u + first[3] != row.size()) refuse("a row has a different width");
   for (std::size_t channel = 0; channel < 4; ++channel) takeChannel(cursor, row, channel);
 }
 

@@ -56,7 +56,7 @@ Bytes readFile(const fs::path& file) {
   Bytes bytes(size);
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream) failReading(file, "no permission, or the file changed meanwhile");
+  if (!stream) failReading(file, "no permission, or the file changed while it was read");
   return bytes;
 }
 
@@ -114,8 +114,8 @@ Bytes encodeImage(Format format, const Image& image, const DisplayTransform& tra
 Format requireFormat(const fs::path& file) {
   const std::optional<Format> format = formatByExtension(file);
   if (format) return *format;
-  throw UsageError(
-      fmt::format("\"{}\": the name of an image ends in .png, .jpg, .jpeg, .hdr, .pfm or .exr", file.string()));
+  throw UsageError(fmt::format("\"{}\": the name of an image file must end in .png, .jpg, .jpeg, .hdr, .pfm or .exr",
+                               file.string()));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ Format requireFormat(const fs::path& file) {
 void checkImageSize(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) throw FileError("the image has no pixels");
   if (width > kMaximumImageSide || height > kMaximumImageSide || width * height > kMaximumImagePixels) {
-    throw FileError(fmt::format("{} x {} pixels are too many: {} a side and {} in all can be handled", width, height,
+    throw FileError(fmt::format("{} x {} pixels exceed the limits of {} per side and {} in total", width, height,
                                 kMaximumImageSide, kMaximumImagePixels));
   }
 }

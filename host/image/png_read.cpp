@@ -40,7 +40,7 @@ class PngReader {
 /// memory.
 void checkPlausible(std::uint64_t pixelCount, std::size_t fileSize) {
   constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 1032;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is cut short");
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is truncated");
 }
 
 }  // namespace

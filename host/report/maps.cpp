@@ -25,12 +25,12 @@ Map differenceMap(const Report& report, std::uint32_t k) {
 }
 
 Map flipMap(const Report& report, std::uint32_t k) {
-  return {
-      "map-flip", "FLIP",
-      fmt::format("How visible the difference is when A and B are shown in turn: black 0, pale yellow 1. Mean {:.4g}, "
-                  "maximum {:.4g}.",
-                  report.flip.mean, report.flip.maximum),
-      reducedPixels(errorPicture(report.flip), k)};
+  return {"map-flip", "FLIP",
+          fmt::format(
+              "Visibility of the difference when A and B are shown alternately: black 0, pale yellow 1. Mean {:.4g}, "
+              "maximum {:.4g}.",
+              report.flip.mean, report.flip.maximum),
+          reducedPixels(errorPicture(report.flip), k)};
 }
 
 Map testMap(const Report& report, std::uint32_t tileSize, std::uint32_t k) {

@@ -8,7 +8,8 @@ namespace candela::scene {
 namespace {
 
 constexpr std::string_view kKey = "exact-mean:";
-constexpr const char* kForm = "the form is: # exact-mean: r g b [x y width height], the latter in shares of the image";
+constexpr const char*
+    kForm = "the form is: # exact-mean: r g b [x y width height], with the rectangle in fractions of the image";
 
 // Where the numbers begin, or npos if the line is another one.
 std::size_t numbersOf(std::string_view line) {

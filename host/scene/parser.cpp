@@ -55,7 +55,8 @@ std::size_t Parser::itemCount(std::string_view what, std::int64_t min, std::int6
   const auto count = static_cast<std::size_t>(in.wholeNumber(what, min, max));
   const std::size_t room = (tokens.bytesLeft() + 1) / 2 / numbersPerItem;
   if (count <= std::max(room, kHarmless)) return count;
-  StatementReader::fail(in.lastNumber(), fmt::format("{} {} does not fit into the rest of the file", what, count));
+  StatementReader::fail(in.lastNumber(),
+                        fmt::format("{} {} is more than the rest of the file can contain", what, count));
 }
 
 bool Parser::lists(const std::string& kind) const {

@@ -38,8 +38,7 @@ void requirePermitted(const fs::path& path, const std::vector<fs::path>& permitt
   const fs::path resolved = resolve(path);
   const bool inside = std::ranges::any_of(permitted, [&](const fs::path& folder) { return lies(resolved, folder); });
   if (inside) return;
-  throw FileError(
-      fmt::format("{} leads outside the scene's folder; --allow-path FOLDER permits it", quote(path.string())));
+  throw FileError(fmt::format("{} is outside the scene's folder; --allow-path DIR permits it", quote(path.string())));
 }
 
 fs::path findFace(const fs::path& folder, const std::string& name) {
@@ -55,8 +54,8 @@ SkyFace readFace(const fs::path& file) {
   image::Pixels8 pixels = image::readPixels8(file);
   const bool fits = pixels.width <= kLargestSkySide && pixels.height <= kLargestSkySide;
   if (!fits) {
-    throw FileError(fmt::format("{} is {} x {} pixels; a sky's face may have {} a side", quote(file.string()),
-                                pixels.width, pixels.height, kLargestSkySide));
+    throw FileError(fmt::format("{} has {} x {} pixels; a face of a sky box may have at most {} per side",
+                                quote(file.string()), pixels.width, pixels.height, kLargestSkySide));
   }
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
 }

@@ -39,7 +39,8 @@ void parseHessianPlane(Parser& parser) {
   if (length == 0) StatementReader::fail(position, "the plane's normal has length 0");
   const glm::dvec3 n = normal / length;
   const glm::dvec3 origin = -d / length * n;
-  if (!(glm::length(origin) < kFarthest)) StatementReader::fail(position, "the plane lies beyond single precision");
+  if (!(glm::length(origin) < kFarthest))
+    StatementReader::fail(position, "the plane is beyond the range of single precision");
   const double size = std::max(1.0, glm::length(origin));  // so that rounding tilts the plane as little as possible
   glm::dvec3 u, v;
   makeFrame(n, u, v);
@@ -49,8 +50,8 @@ void parseHessianPlane(Parser& parser) {
 
 void parseBox(Parser& parser) {
   Box box;
-  box.min = parser.in.vector("the least corner");
-  box.max = parser.in.vector("the greatest corner");
+  box.min = parser.in.vector("the minimum corner");
+  box.max = parser.in.vector("the maximum corner");
   const Box sorted{glm::min(box.min, box.max), glm::max(box.min, box.max)};
   if (sorted.min != box.min)
     parser.log.warn("swapped box", parser.keyword, "the box's corners are swapped to min <= max");

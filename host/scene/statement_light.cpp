@@ -25,7 +25,7 @@ void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, c
                   const glm::vec3& colour) {
   const glm::vec3 farCorner = corner + u + v;
   if (!std::isfinite(farCorner.x) || !std::isfinite(farCorner.y) || !std::isfinite(farCorner.z)) {
-    StatementReader::fail(parser.keyword, "the area light reaches beyond single precision");
+    StatementReader::fail(parser.keyword, "the area light reaches beyond the range of single precision");
   }
   if (glm::cross(glm::dvec3(u), glm::dvec3(v)) == glm::dvec3(0)) {
     StatementReader::fail(parser.keyword, "the area light has no area: its edges are parallel");
@@ -68,7 +68,8 @@ void parsePointLight(Parser& parser) {
   if (n.size() == 4) colour = n[0] * glm::vec3(n[1], n[2], n[3]);
   parser.requireNonNegative("the light's colour", colour, colourPosition);
   if (!std::isfinite(colour.x + colour.y + colour.z)) {
-    StatementReader::fail(colourPosition, "the light's intensity times its colour is beyond single precision");
+    StatementReader::fail(colourPosition,
+                          "the light's intensity times its colour is beyond the range of single precision");
   }
   parser.scene.pointLights.push_back({position, colour});
 }

@@ -15,7 +15,7 @@ std::size_t readIndex(Parser& parser, std::size_t vertexCount) {
   const auto count = static_cast<std::int64_t>(vertexCount);
   const std::int64_t index = parser.in.wholeNumber("a vertex index", -count, count);
   if (index == 0) {
-    StatementReader::fail(parser.in.lastNumber(), "vertex index 0: the first vertex is 1, the last one also -1");
+    StatementReader::fail(parser.in.lastNumber(), "vertex index 0: indices count from 1, or from -1 backwards");
   }
   return static_cast<std::size_t>(index > 0 ? index - 1 : index + count);
 }

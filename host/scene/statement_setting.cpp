@@ -55,7 +55,8 @@ void parseSamples(Parser& parser) {
   parser.scene.requestedSamples = samples;
   parser.log.warn(
       "spp", parser.keyword,
-      fmt::format("spp {} is read as {} samples per pixel in total; some programs took it per side", samples, samples));
+      fmt::format("spp {} is read as {} samples per pixel in total; some programs read it as samples per side", samples,
+                  samples));
 }
 
 }  // namespace candela::scene

@@ -104,14 +104,14 @@ TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(probl
 TuningLookup parse(const std::string& text, const TuningKey& key, const vulkan::DeviceInfo& info) {
   const json file = json::parse(text, nullptr, false);
   if (!file.is_object()) return refuse("it is damaged");
-  if (textAt(file, "schema") != kSchema) return refuse("it is of another version of Candela");
+  if (textAt(file, "schema") != kSchema) return refuse("it was written by another version of Candela");
   if (file.value("key", json()) != json::parse(dump(toJson(key)))) {
     return refuse("it is for another device, driver or set of kernels");
   }
   const std::optional<Candidate> candidate = candidateIn(file.value("choice", json()));
   const std::string date = textAt(file, "date");
   if (!candidate || !isDate(date)) return refuse("it is damaged");
-  if (!isFeasible(*candidate, info)) return refuse("the device cannot do what it says");
+  if (!isFeasible(*candidate, info)) return refuse("the device does not support its settings");
   return {Tuning{*candidate, date}, ""};
 }
 
@@ -145,17 +145,17 @@ void requireTuningFile(const fs::path& file) {
     throw FileError(fmt::format("cannot write \"{}\": {}", file.string(), cause));
   };
   std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fail("there is something else of this name");
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fail("it is not a regular file");
   fs::path existing = fs::absolute(file, error).parent_path();
   while (!fs::exists(existing, error) && existing != existing.parent_path()) existing = existing.parent_path();
-  if (!fs::is_directory(existing, error)) fail(fmt::format("\"{}\" is no folder", existing.string()));
+  if (!fs::is_directory(existing, error)) fail(fmt::format("\"{}\" is not a folder", existing.string()));
   if (::access(existing.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
 
 void writeTuning(const fs::path& file, const TuningKey& key, const Tuning& tuning) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) throw FileError(fmt::format("cannot make \"{}\": {}", file.parent_path().string(), error.message()));
+  if (error) throw FileError(fmt::format("cannot create \"{}\": {}", file.parent_path().string(), error.message()));
   ordered_json content{{"schema", kSchema}, {"version", versionText()}, {"date", tuning.date}, {"key", toJson(key)}};
   for (std::size_t i = 0; i < tuning.candidate.size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];

@@ -34,6 +34,8 @@ bool anyDiffers(std::span<const RegionResult> results);
 /// most significantly, else the image again.
 const RegionResult& mostSignificant(std::span<const RegionResult> results);
 
+/// "p = 1.2e-05", or "p < 1e-300" if `pValue` is 0.
+std::string pValueText(double pValue);
 /// Both means, their difference with its standard error, and p.
 std::string differenceText(const RegionResult& result);
 /// All figures; the mean of the picture in question is called `firstName`.

@@ -15,7 +15,7 @@ namespace candela::vulkan {
 namespace {
 
 constexpr const char*
-    kHowToInstall = "a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
+    kHowToInstall = "install a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -74,14 +74,15 @@ const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::s
   const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);
   if (device == nullptr && selector.empty()) {
     throw NoDeviceError(
-        fmt::format("no usable Vulkan device; {}; there is:{}", kHowToInstall, describeDevices(devices)));
+        fmt::format("no usable Vulkan device; {}; available devices:{}", kHowToInstall, describeDevices(devices)));
   }
   if (device == nullptr) {
-    throw NoDeviceError(fmt::format("no Vulkan device \"{}\"; there is:{}", selector, describeDevices(devices)));
+    throw NoDeviceError(
+        fmt::format("no Vulkan device \"{}\"; available devices:{}", selector, describeDevices(devices)));
   }
   if (!device->usable) {
-    throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; there is:{}", device->index, device->name,
-                                    device->whyNot, describeDevices(devices)));
+    throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; available devices:{}", device->index,
+                                    device->name, device->whyNot, describeDevices(devices)));
   }
   return *device;
 }

@@ -79,12 +79,12 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
   info.memoryBytes = deviceLocalBytes(device);
   fillLimits(info, properties.limits);
   if (properties.apiVersion < VK_API_VERSION_1_2) {
-    info.whyNot = fmt::format("Vulkan {} only, 1.2 is needed", info.apiVersion);
+    info.whyNot = fmt::format("it supports only Vulkan {}; 1.2 is required", info.apiVersion);
     return info;
   }
   fillDriver(info, device);
   if (!findComputeQueue(device)) {
-    info.whyNot = "no compute queue";
+    info.whyNot = "it has no compute queue";
     return info;
   }
   info.usable = true;

@@ -19,7 +19,7 @@ constexpr std::array kValidationFeatures{vk::ValidationFeatureEnableEXT::eSynchr
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                               const VkDebugUtilsMessengerCallbackDataEXT* data, void*) noexcept {
-  addValidationMessage(data->pMessage != nullptr ? data->pMessage : "message without text");
+  addValidationMessage(data->pMessage != nullptr ? data->pMessage : "a message without text");
   return VK_FALSE;
 }
 
@@ -44,7 +44,7 @@ void requireValidationLayer(const vk::raii::Context& context) {
   for (const vk::LayerProperties& layer : context.enumerateInstanceLayerProperties()) {
     if (std::strcmp(layer.layerName, kValidationLayer) == 0) return;
   }
-  throw NoDeviceError(std::string("CANDELA_VALIDATION asks for the Vulkan layer ") + kValidationLayer +
+  throw NoDeviceError(std::string("CANDELA_VALIDATION requires the Vulkan layer ") + kValidationLayer +
                       ", which is not installed; on Debian: apt-get install vulkan-validationlayers");
 }
 

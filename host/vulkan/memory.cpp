@@ -60,7 +60,7 @@ vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t byt
 }  // namespace
 
 RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference) {
-  const std::string doing = fmt::format("make a buffer of {} bytes on {}", bytes, info.name);
+  const std::string doing = fmt::format("create a buffer of {} bytes on {}", bytes, info.name);
   try {
     RawBuffer buffer;
     buffer.bytes = bytes;
@@ -78,7 +78,7 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
   } catch (const vk::SystemError& error) {
     throwTranslated(error, doing);
   }
-  throw OutOfMemoryError(fmt::format("cannot {}, which holds {} bytes in buffers already and has {} in all", doing,
+  throw OutOfMemoryError(fmt::format("cannot {}, whose buffers already occupy {} of its {} bytes", doing,
                                      memoryUse.currentBytes, info.memoryBytes));
 }
 

@@ -102,7 +102,7 @@ TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") 
   const std::string scene = folder.write("a.nff", row());
   const ProgramResult result = runCandela({"boxes", scene, "--depth", "1"});
   CHECK(result.exitCode == 0);
-  CHECK(contains(result.err, "a.nff: 2 boxes, of "));
+  CHECK(contains(result.err, "a.nff: 2 of "));
   CHECK(scene::parseScene(result.out, "boxes", ".").scene.cones.size() == 24);
   CHECK(runCandela({"boxes", scene, "--depth", "1", "-q"}).err.empty());
   CHECK(folder.fileCount() == 1);

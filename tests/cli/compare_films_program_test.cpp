@@ -70,7 +70,7 @@ TEST_CASE("the option --alpha asks for variance and for two samples in every pix
   CHECK(runCandela({"compare", a, bare}).exitCode == 0);
   CHECK_THAT(runCandela({"compare", a, bare, "--alpha", "0.01"}).err, Contains("B has no variance"));
   CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err,
-             Contains("B has pixels of fewer than two samples"));
+             Contains("B has pixels with fewer than two samples"));
 }
 
 TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met") {

@@ -185,7 +185,7 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
   const ProgramResult result = runOnDevice({"verify", scene, "--bias", "10%"});
   INFO(result.out << result.err);
   CHECK(result.exitCode == 3);
-  CHECK(contains(result.out, "NOT with the answer that the scene states"));
+  CHECK(contains(result.out, "NOT with the exact result that the scene states"));
 }
 
 TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same", "[swiftshader-slow]") {

@@ -41,7 +41,7 @@ TEST_CASE("an unknown kind is named with the nearest one, or with all") {
   CHECK(near.err == "candela: unknown kind mout; did you mean mount?\ncandela: see candela generate --help\n");
   const ProgramResult far = runCandela({"generate", "cathedral"});
   CHECK(far.exitCode == 1);
-  CHECK(contains(far.err, "unknown kind cathedral; there are balls, mount, "));
+  CHECK(contains(far.err, "unknown kind cathedral; expected balls, mount, "));
   CHECK(contains(far.err, " or cornell\n"));
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
     const ProgramResult result = runCandela(words);
     INFO(result.err);
     REQUIRE(result.exitCode == 0);
-    return result.err.find("--bvh-quality changes nothing here: it is for --accel bvh with --bvh-split sah") !=
+    return result.err.find("--bvh-quality has no effect here; it applies to --accel bvh with --bvh-split sah") !=
            std::string::npos;
   };
   CHECK(saysSo({"--bvh-split", "midpoint"}));
@@ -108,7 +108,7 @@ TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not fo
       {scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  CHECK(result.err.find("--nee changes nothing here: it is for --integrator path") != std::string::npos);
+  CHECK(result.err.find("--nee has no effect here; it applies to --integrator path") != std::string::npos);
   const json report = json::parse(result.out);
   CHECK(report["settings"]["maxDepth"] == 4);
   CHECK(report["rays"]["cameraHits"] > 0);
@@ -145,7 +145,7 @@ TEST_CASE("a file's request for samples counts unless the command line has its o
   };
   const ProgramResult asked = run({});
   CHECK(json::parse(asked.out)["samples"] == 3 * 16 * 12);
-  CHECK(contains(asked.err, "3 samples per pixel in total, as the file asks"));
+  CHECK(contains(asked.err, "3 samples per pixel, as requested by the scene"));
   CHECK(json::parse(run({"--spp", "1"}).out)["samples"] == 1 * 16 * 12);
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("the wavefront is refused where no paths are traced") {
     const ProgramResult result = runCandela(
         {scene, "-o", folder.path("a.png"), "--device", "cpu", "--integrator", integrator, "--kernel", "wavefront"});
     CHECK(result.exitCode == 1);
-    CHECK(contains(result.err, "--kernel wavefront: is for --integrator path alone"));
+    CHECK(contains(result.err, "--kernel wavefront applies only to --integrator path"));
   }
   CHECK(folder.fileCount() == 1);
 }

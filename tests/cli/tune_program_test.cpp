@@ -162,8 +162,8 @@ TEST_CASE("where nothing can be kept tune says so at once, and renders do as bef
   const Home home;
   const std::string file = home.scene();
   const std::vector<std::pair<std::vector<std::string>, std::string>> places{
-      {{"CANDELA_CACHE_DIR=" + file + "/cache"}, "is no folder"},
-      {{"CANDELA_CACHE_DIR=", "XDG_CACHE_HOME=", "HOME="}, "nowhere to keep"}};
+      {{"CANDELA_CACHE_DIR=" + file + "/cache"}, "is not a folder"},
+      {{"CANDELA_CACHE_DIR=", "XDG_CACHE_HOME=", "HOME="}, "no folder for the result"}};
   for (const auto& [environment, message] : places) {
     const ProgramResult tuned = home.tune({"--spp", "1000000"}, inside(environment));
     CHECK(tuned.exitCode == 2);

@@ -79,7 +79,7 @@ TEST_CASE("costs of two tracers are not compared, and the program says why") {
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult result = runCandela({"compare", scene, "--integrator", "cost"});
   CHECK(result.exitCode == 1);
-  CHECK(contains(result.err, "--integrator cost: each tracer has its own search structure"));
+  CHECK(contains(result.err, "--integrator cost: the two tracers have different acceleration structures"));
 }
 
 }  // namespace candela

@@ -134,7 +134,7 @@ TEST_CASE("a path that goes on where the other ends is shown alone") {
 
 TEST_CASE("the text names scene, place, tracers and random numbers") {
   const std::string text = toText(explainChanged([](render::PathTrace&) {}));
-  CHECK_THAT(text, Contains("made.p3f, pixel 3,4, sample 5, seed 0: a device against the reference\n"));
+  CHECK_THAT(text, Contains("made.p3f, pixel 3,4, sample 5, seed 0: a device compared with the reference\n"));
   CHECK_THAT(text, Contains("  random  light choice 0.0625000  light u 0.1250000"));
   CHECK_THAT(text, Contains("primitive 1 sphere"));
   CHECK_THAT(text, Contains("0 diffuse"));

@@ -39,8 +39,9 @@ TEST_CASE("loads that are asked for are used, others as preferred, and where the
 TEST_CASE("loads that are asked for and do not fit are refused with the way that does, whatever is preferred") {
   using enum render::SceneLoads;
   for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
-    CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred), Catch::Contains("use storage loads"));
-    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use texel loads"));
+    CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred),
+                      Catch::Contains("use --loads storage"));
+    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use --loads texel"));
     CHECK_THROWS_WITH(loadsWhere(99, 99, automatic, preferred), Catch::Contains("make it smaller"));
     CHECK_THROWS_AS(loadsWhere(99, 99, storage, preferred), FileError);
   }

@@ -218,6 +218,6 @@ TEST_CASE("an integrator that traces no paths has no wavefront") {
     settings.integrator = integrator;
     settings.maxDepth = 4;
     CHECK_THROWS_WITH(testRenderer().render(loadTestScene("balls.p3f"), settings, {}),
-                      Catch::Contains("--kernel wavefront: is for --integrator path alone"));
+                      Catch::Contains("--kernel wavefront applies only to --integrator path"));
   }
 }

@@ -87,7 +87,8 @@ TEST_CASE("the values of every pixel are in the page, of large images those of b
   CHECK_THAT(toHtml(small), Contains("id=\"values-a\">" + floatText(small.a) + "<"));
   CHECK(toHtml(small).find("id=\"reduction\"") == std::string::npos);
   const std::string page = toHtml(greyReport(0.5f, 0.25f, 2048, 1024));
-  CHECK_THAT(page, Contains("the mean of 2 × 2 of theirs") && Contains("data-width=\"1024\" data-height=\"512\""));
+  CHECK_THAT(page,
+             Contains("the mean of 2 × 2 of their pixels") && Contains("data-width=\"1024\" data-height=\"512\""));
 }
 
 }  // namespace

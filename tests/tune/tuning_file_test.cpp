@@ -188,7 +188,7 @@ TEST_CASE("a workgroup that the device does not have is ignored") {
   small.maxWorkgroupInvocations = 128;
   const TuningLookup found = readTuning(folder / "a.json", kKey, small);
   CHECK_FALSE(found.tuning);
-  CHECK(found.problem == "the device cannot do what it says");
+  CHECK(found.problem == "the device does not support its settings");
 }
 
 TEST_CASE("a place that cannot be written to is refused, before and when it is written to") {

@@ -32,7 +32,7 @@ TEST_CASE("agreement says how large a difference would have been seen") {
   CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
   CHECK(toJson(report)["agree"] == true);
   CHECK(toJson(report)["schema"] == "candela-verify/1");
-  CHECK_THAT(toText(report), Contains("the scene does not state its answer"));
+  CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
 }
 
 TEST_CASE("a difference is named with its place, its size and its sign") {
@@ -46,7 +46,7 @@ TEST_CASE("a difference is named with its place, its size and its sign") {
 TEST_CASE("two sides that agree on a wrong answer fail") {
   const VerifyReport report = reportOf(1, scene::ExactMean{});
   CHECK_FALSE(report.agree());
-  CHECK_THAT(report.verdict(), Contains("NOT with the answer that the scene states"));
+  CHECK_THAT(report.verdict(), Contains("NOT with the exact result that the scene states"));
   CHECK(toJson(report)["rightLight"]["met"] == false);
 }
 

@@ -25,7 +25,7 @@ DeviceInfo makeInfo(std::uint32_t index, const char* name, const char* type, con
 
 const std::vector<DeviceInfo> kDevices{
     makeInfo(0, "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"),
-    makeInfo(1, "Old GeForce 640", "discrete GPU", "Vulkan 1.1.2 only, 1.2 is needed"),
+    makeInfo(1, "Old GeForce 640", "discrete GPU", "it supports only Vulkan 1.1.2; 1.2 is required"),
     makeInfo(2, "Iris Graphics", "integrated GPU"),
     makeInfo(3, "GeForce RTX 3060", "discrete GPU"),
 };
@@ -67,7 +67,8 @@ TEST_CASE("a number beyond the list is a part of a name") { CHECK(chooseDevice(k
 TEST_CASE("of devices with that name a usable one is chosen") { CHECK(chooseDevice(kDevices, "geforce").index == 3); }
 
 TEST_CASE("choosing an unusable device says what is missing") {
-  CHECK_THAT(messageOf(kDevices, "1"), Contains("1 (Old GeForce 640) is not usable: Vulkan 1.1.2 only, 1.2 is needed"));
+  CHECK_THAT(messageOf(kDevices, "1"),
+             Contains("1 (Old GeForce 640) is not usable: it supports only Vulkan 1.1.2; 1.2 is required"));
   CHECK_THAT(messageOf(kDevices, "640"), Contains("not usable"));
 }
 
