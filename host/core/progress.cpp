@@ -1,4 +1,4 @@
-// The progress line: when it is due and what it says.
+// The progress line: when it is printed, and its text.
 #include "host/core/progress.h"
 
 #include <fmt/format.h>
