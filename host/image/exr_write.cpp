@@ -1,4 +1,4 @@
-// OpenEXR files: linear values with variance, counts and metadata.
+// Writes OpenEXR files: linear values with variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>

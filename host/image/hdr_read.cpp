@@ -1,4 +1,5 @@
-// Radiance RGBE files (Greg Ward, "Real Pixels", Graphics Gems II): flat, and both kinds of run-length coding.
+// Reads Radiance RGBE files (Greg Ward, "Real Pixels", Graphics Gems II): uncompressed, and both kinds of run-length
+// encoding.
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -23,7 +24,7 @@ std::string_view takeLine(ByteCursor& cursor) {
   return cursor.takeUntil([](char c) { return c == '\n'; });
 }
 
-/// Skips `prefix` in `text`, if it is there.
+/// Removes `prefix` from `text`. Returns whether it was there.
 bool skip(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());
@@ -40,7 +41,7 @@ std::optional<Number> takeNumber(std::string_view& text) {
   return number;
 }
 
-/// Variables up to an empty line. Several exposures multiply.
+/// Reads variables up to an empty line. Several exposures are multiplied.
 double takeExposure(ByteCursor& cursor) {
   double exposure = 1;
   for (std::string_view line = takeLine(cursor); !line.empty(); line = takeLine(cursor)) {
@@ -74,7 +75,7 @@ Rgbe takePixel(ByteCursor& cursor) {
   return pixel;
 }
 
-/// One channel of a row: a count above 128 repeats the next byte count - 128 times, any other copies count bytes.
+/// Reads one channel of a row. A count above 128 repeats the next byte count - 128 times; any other copies count bytes.
 void takeChannel(ByteCursor& cursor, std::vector<Rgbe>& row, std::size_t channel) {
   std::size_t x = 0;
   while (x < row.size()) {
@@ -88,7 +89,8 @@ void takeChannel(ByteCursor& cursor, std::vector<Rgbe>& row, std::size_t channel
   }
 }
 
-/// Pixels as they are, except that (1, 1, 1, n) repeats the last one n times, and k such in a row n * 256^(k-1) times.
+/// Reads pixels as stored, except that (1, 1, 1, n) repeats the last pixel n times; the k-th such pixel in a sequence
+/// repeats it n * 256^(k-1) times.
 void takeOldRow(ByteCursor& cursor, std::vector<Rgbe>& row, const Rgbe& first) {
   Rgbe pixel = first;
   int shift = 0;
@@ -115,7 +117,7 @@ void takeRow(ByteCursor& cursor, std::vector<Rgbe>& row) {
   for (std::size_t channel = 0; channel < 4; ++channel) takeChannel(cursor, row, channel);
 }
 
-/// m * 2^(e - 136), as most programs read it (Ward's own adds 1/2 to m): so 1 stays 1.
+/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1. (Ward's own code adds 1/2 to m.)
 glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
   if (pixel[3] == 0) return glm::vec3(0);
   const double unit = std::ldexp(1.0, int{pixel[3]} - 136) / exposure;
@@ -129,7 +131,7 @@ Image decodeHdr(ByteView file) {
   const Header header = takeHeader(cursor);
   Image image{header.width, header.height, {}, {}, {}, {}, {}};
   std::vector<Rgbe> row(header.width);
-  for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with what the file really holds
+  for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with the actual content of the file
     takeRow(cursor, row);
     for (const Rgbe& pixel : row) image.rgb.push_back(toLinear(pixel, header.exposure));
   }

@@ -1,4 +1,4 @@
-// Images from films, and the choice of format for files.
+// Converts films to images, and chooses the format of image files.
 #include "host/image/image.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ Bytes readFile(const fs::path& file) {
   return bytes;
 }
 
-/// Decodes a file and puts its name in front of what is wrong with it.
+/// Decodes a file. Adds its name to the message of an error.
 template <typename Decode>
 auto decodeFile(const fs::path& file, Decode decode) {
   const Bytes bytes = readFile(file);

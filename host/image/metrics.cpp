@@ -1,4 +1,4 @@
-// Differences of two images, pixel by pixel and channel by channel.
+// Compares two images pixel by pixel and channel by channel.
 #include "host/image/metrics.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ double relativeDifference(double value, double reference) {
   return (value - reference) / reference;
 }
 
-/// Sums over pixels, in double precision and in the order of rows.
+/// Sums over pixels, in double precision and row by row.
 struct Sums {
   std::uint64_t pixelCount = 0;
   dvec3 a{0};
