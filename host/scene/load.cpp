@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 
-/// WorldToolKit's format of the same name begins with its name, perhaps behind // comments.
+/// Returns whether the text is WorldToolKit's format of the same name, which begins with this name after optional //
+/// comments.
 bool isWorldToolKit(std::string_view text) {
   Tokenizer tokens(text);
   while (tokens.peek().text.starts_with("//")) {

@@ -12,11 +12,11 @@
 namespace candela::scene {
 
 struct LoadOptions {
-  bool lenient = false;  ///< unknown lines are skipped, short materials completed, each with a warning
-  std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that `env` may name
+  bool lenient = false;  ///< skip unknown lines and complete short materials, each with a warning
+  std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which `env` may read
 };
 
-/// How many statements of each kind the file had: "sphere", "polygon", "patch", "material", ...
+/// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...
 using StatementCounts = std::map<std::string, std::uint64_t>;
 
 struct LoadedScene {
@@ -25,13 +25,13 @@ struct LoadedScene {
   std::vector<Diagnostic> warnings;
 };
 
-/// Throws SceneError with every error that was found. A file without a view loads: Scene::camera is then empty, and
-/// the caller decides (requireCamera).
+/// Reads a scene file. Throws SceneError with every error that was found. A file without a view is accepted:
+/// Scene::camera is then empty, and the caller decides (requireCamera).
 LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
-/// The same from memory; `name` stands in messages, `folder` is where `env` paths start.
+/// Reads a scene from memory. `name` is used in messages; `env` paths are relative to `folder`.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});
-/// Throws SceneError, which says how to give a view, if there is none.
+/// Throws SceneError, with the syntax of a view, if the scene has no view.
 void requireCamera(const Scene& scene);
 
 }  // namespace candela::scene

@@ -1,4 +1,4 @@
-// Adds primitives to a scene, in order.
+// Adds primitives to a scene.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,15 +7,15 @@
 
 namespace candela::scene {
 
-/// Each appends one primitive with the given material (an index into Scene::materials).
+/// Each function appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material);
 void addBox(Scene& scene, const Box& box, std::uint32_t material);
 void addCone(Scene& scene, const Cone& cone, std::uint32_t material);
 void addPlane(Scene& scene, const Plane& plane, std::uint32_t material);
 
-/// Appends the faces of a box, seen from outside, as triangles: 12, or 2 if the box is flat on one axis (of faces that
-/// coincide only one may shine), or none if it has no area.
+/// Appends the faces of a box, with their fronts outside, as triangles: 12; or 2 if the box is flat along one axis,
+/// since only one of two coincident faces may emit; or none if it has no area.
 void addBoxAsTriangles(Scene& scene, const Box& box, std::uint32_t material);
 
 /// Appends the parallelogram corner, corner + u, corner + u + v, corner + v as two triangles with normal u x v.

@@ -1,4 +1,4 @@
-// Reads the six images of a sky box, from permitted places only.
+// Reads the six images of a sky box, only from permitted folders.
 #include "host/scene/sky.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::array kFaceNames{"right", "left", "top", "bottom", "front", "back"};
 constexpr std::array kExtensions{".jpg", ".jpeg", ".png"};
 
-/// Absolute, without links and dots; what does not exist is taken as it is written. Empty if that fails.
+/// Returns the absolute path without links and dots. Components that do not exist are not changed. Returns an empty
+/// path on failure.
 fs::path resolve(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);

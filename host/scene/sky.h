@@ -1,4 +1,4 @@
-// Reads the six images of a sky box, from permitted places only.
+// Reads the six images of a sky box, only from permitted folders.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -8,11 +8,12 @@
 
 namespace candela::scene {
 
-/// Longest side of a face, in texels.
+/// Maximum side of a face, in texels.
 inline constexpr std::uint32_t kLargestSkySide = 8192;
 
-/// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
-/// resolved, must lie in one of `permitted`. Empty if there is no such folder. Throws FileError.
+/// Reads the images right, left, top, bottom, front and back in `folder`, each .jpg, .jpeg or .png. With links
+/// resolved, the folder and each image must be in one of the `permitted` folders. Returns an empty value if the folder
+/// does not exist. Throws FileError.
 std::optional<Sky> loadSky(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& permitted);
 
 }  // namespace candela::scene

@@ -8,9 +8,11 @@
 namespace candela::scene {
 namespace {
 
-constexpr double kFarthest = 1e38;  ///< of a plane's foot: leaves room for points around it
+constexpr double
+    kFarthest = 1e38;  ///< maximum distance of a plane from the origin; leaves room for points around the nearest point
 
-/// Two vectors perpendicular to the unit vector n, u x v = n (Duff et al., JCGT 2017). On an axis they are exact.
+/// Returns two vectors perpendicular to the unit vector n, with u x v = n (Duff et al., JCGT 2017). They are exact if n
+/// is an axis.
 void makeFrame(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z);
@@ -30,7 +32,7 @@ void parsePlane(Parser& parser) {
   addPlane(parser.scene, plane, parser.currentMaterial());
 }
 
-// The points with n . p + d = 0.
+// Reads the plane of all points with n . p + d = 0.
 void parseHessianPlane(Parser& parser) {
   const Position position = parser.in.here();
   const glm::dvec3 normal = parser.in.vector("the normal");
@@ -41,7 +43,7 @@ void parseHessianPlane(Parser& parser) {
   const glm::dvec3 origin = -d / length * n;
   if (!(glm::length(origin) < kFarthest))
     StatementReader::fail(position, "the plane is beyond the range of single precision");
-  const double size = std::max(1.0, glm::length(origin));  // so that rounding tilts the plane as little as possible
+  const double size = std::max(1.0, glm::length(origin));  // reduces the tilt of the plane by rounding
   glm::dvec3 u, v;
   makeFrame(n, u, v);
   const Plane plane{{glm::vec3(origin), glm::vec3(origin + size * u), glm::vec3(origin + size * v)}};

@@ -20,7 +20,7 @@ glm::vec3 readColour(Parser& parser) {
   return colour;
 }
 
-/// A black parallelogram whose radiance is the colour.
+/// Adds a black parallelogram whose radiance is the colour.
 void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
                   const glm::vec3& colour) {
   const glm::vec3 farCorner = corner + u + v;
@@ -47,13 +47,13 @@ void parseQuad(Parser& parser) {
   const glm::vec3 colour = readColour(parser);
   const glm::vec3 u = parser.in.vector("the light's first edge");
   const glm::vec3 v = parser.in.vector("the light's second edge");
-  parser.in.numbersOnLine(1);  // a grid of samples, which other programs take
+  parser.in.numbersOnLine(1);  // the number of samples, which other programs read
   addAreaLight(parser, corner, u, v, colour);
 }
 
 }  // namespace
 
-// x y z, then nothing, a colour, or an intensity and a colour.
+// Reads x y z, then nothing, a colour, or an intensity and a colour.
 void parsePointLight(Parser& parser) {
   const glm::vec3 position = parser.in.vector("the light's position");
   const Position colourPosition = parser.in.here();

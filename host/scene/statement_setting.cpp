@@ -1,4 +1,4 @@
-// `b`, `env`, `accel` and `spp`: what holds for the whole scene.
+// `b`, `env`, `accel` and `spp`: settings of the whole scene.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// `v`: the view, its entries in any order.
+// `v`: the view, with its entries in any order.
 #include <fmt/format.h>
 
 #include <array>
@@ -62,7 +62,7 @@ constexpr std::array kEntries{
     ViewEntry{"view", "view d", readViewDistance},
 };
 
-/// `eye` and `apperture` are other names of `from` and `aperture`.
+/// `eye` and `apperture` are synonyms of `from` and `aperture`.
 std::string_view canonicalName(std::string_view name) {
   if (name == "eye") return "from";
   return name == "apperture" ? "aperture" : name;
@@ -146,7 +146,7 @@ void parseView(Parser& parser) {
     }
   }
   parser.scene.camera = camera;
-  if (parser.log.errorCount() > errorsBefore) return;  // what is missing may be what could not be read
+  if (parser.log.errorCount() > errorsBefore) return;  // a missing entry may be one that could not be read
   requireEntries(parser, seen);
   if (seen.contains("from") && seen.contains("at")) checkDirections(parser, camera);
 }
