@@ -1,4 +1,4 @@
-// The table of kinds.
+// The table of kinds of scenes.
 #include "host/generate/kinds.h"
 
 #include <array>

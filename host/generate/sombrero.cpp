@@ -7,9 +7,9 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kLeast = -4;  ///< of x and z
+constexpr double kLeast = -4;  ///< minimum of x and z
 constexpr double kExtent = 8;
-constexpr double kGround = -3;  ///< y where the ripples have died away
+constexpr double kGround = -3;  ///< y where the ripples have decayed
 
 std::uint32_t pointsOnASide(std::uint32_t size) { return 16u << size; }
 
@@ -24,7 +24,7 @@ class Ripples {
  private:
   double spacing() const { return kExtent / (points_ - 1); }
 
-  /// The database samples the ripples at spacings of extent / points, slightly denser than its vertices lie, and rounds
+  /// The database samples the ripples at spacings of extent / points, slightly denser than its vertices, and rounds
   /// heights to single precision.
   double height(std::uint32_t column, std::uint32_t row) const {
     constexpr double kTwoPi = 2 * 3.14159265358;
