@@ -1,4 +1,4 @@
-// The report's rule for the number of cells, and its exceptions.
+// The report's rule for the number of cells, with the exceptions of grid_shape.h.
 #include "host/accel/grid_shape.h"
 
 #include <cmath>
@@ -11,10 +11,10 @@ double reachOf(const Aabb& bounds) {
   return double{std::max({reach.x, reach.y, reach.z})};
 }
 
-// In lengths this small, scales would overflow.
+// For smaller extents, the scale would overflow.
 constexpr double kLeastCell = 0x1p-100;
 
-// s of the rule: the number of primitives per unit of length on the axes that take part.
+// Returns s of the rule: the number of primitives per unit of length on the axes that take part.
 double linearDensity(const glm::dvec3& extent, double thinnest, std::size_t primitiveCount) {
   double product = 1;
   int axes = 0;

@@ -8,7 +8,7 @@ namespace candela::accel {
 namespace {
 
 constexpr int kLastPlane = 255;
-constexpr int kLeastExponent = -100;  // far above denormals, far below any margin that matters
+constexpr int kLeastExponent = -100;  // far above denormals, far below any relevant margin
 
 // The smallest power of two, within range, of which 255 reach so far.
 int exponentFor(double reach) {
