@@ -1,4 +1,4 @@
-// Writes descriptor sets, each from a pool of its own.
+// Writes descriptor sets, each from its own pool.
 #include "host/vulkan/binding_set.h"
 
 #include <fmt/format.h>

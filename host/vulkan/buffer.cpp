@@ -1,4 +1,4 @@
-// Buffers: limits, views, and the ways in and out of device memory.
+// Buffers: limits, views, and transfers to and from device memory.
 #include "host/vulkan/buffer.h"
 
 #include <fmt/format.h>
@@ -44,7 +44,8 @@ void requireBindable(const Device::Impl& device, std::uint64_t bytes, Usage usag
   if (bytes % kTexelBytes != 0) throw InternalError(fmt::format("a texel buffer of {} bytes", bytes));
 }
 
-/// Calls f(offset, size) for consecutive chunks of at most `chunkBytes` (rounded down to whole words) of `bytes`.
+/// Calls f(offset, size) for consecutive chunks of `bytes` with at most `chunkBytes` (rounded down to whole words)
+/// each.
 template <class F>
 void forEachChunk(std::uint64_t bytes, std::uint64_t chunkBytes, F&& f) {
   for (std::uint64_t begin = 0; begin < bytes; begin += chunkBytes) f(begin, std::min(chunkBytes, bytes - begin));

@@ -1,4 +1,4 @@
-// Makes compute pipelines out of SPIR-V.
+// Creates compute pipelines from SPIR-V.
 #include "host/vulkan/compute_pipeline.h"
 
 #include "host/vulkan/compute_pipeline_impl.h"

@@ -1,4 +1,4 @@
-// Asks Vulkan what devices there are and what they can do.
+// Queries the properties of Vulkan devices.
 #include "host/vulkan/device_info.h"
 
 #include <fmt/format.h>
@@ -46,8 +46,8 @@ void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
   for (std::size_t axis = 0; axis < 3; ++axis) info.maxWorkgroupSize[axis] = limits.maxComputeWorkGroupSize[axis];
 }
 
-/// What only Vulkan 1.2 tells. These two structures alone: SwiftShader prints a warning about any that it does not
-/// know.
+/// Queries the properties of Vulkan 1.2. There are only these two structures, because SwiftShader prints a warning
+/// about any that it does not know.
 void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
                                            vk::PhysicalDeviceSubgroupProperties>();

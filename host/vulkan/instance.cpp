@@ -85,7 +85,7 @@ std::optional<vk::raii::Context> openLoader() {
 std::vector<vk::raii::PhysicalDevice> Instance::physicalDevices() const {
   try {
     return handle.enumeratePhysicalDevices();
-  } catch (const vk::InitializationFailedError&) {  // the loader's answer if no driver has a device
+  } catch (const vk::InitializationFailedError&) {  // result of the loader if no driver has a device
     return {};
   } catch (const vk::SystemError& error) {
     throwTranslated(error, "list Vulkan devices");
