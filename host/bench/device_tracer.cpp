@@ -1,3 +1,4 @@
+// Traces rays on a device and returns their hits.
 #include "host/bench/device_tracer.h"
 
 #include <utility>
@@ -32,7 +33,7 @@ std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device,
     for (const render::SceneLoads loads :
          choices(asked.sceneLoads, render::SceneLoads::texel, render::SceneLoads::storage)) {
       settings.sceneLoads = loads;
-      // Of a scene that fits in no way, the constructor says what is too large.
+      // If the scene fits in no way, the constructor reports what is too large.
       if (asked.sceneLoads == render::SceneLoads::automatic && any && !device::canBind(device.info(), flat, loads))
         continue;
       tracers.push_back(std::make_unique<DeviceTracer>(device, flat, settings));

@@ -1,3 +1,4 @@
+// Formats the benchmark of rays alone.
 #include "host/bench/ray_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Formats the measurements and the result of tuning.
 #include "host/tune/tune_report.h"
 
 #include <fmt/format.h>

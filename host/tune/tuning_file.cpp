@@ -1,3 +1,4 @@
+// Reads and writes results of tuning.
 #include "host/tune/tuning_file.h"
 
 #include <fcntl.h>
@@ -48,7 +49,7 @@ std::string dump(const ordered_json& object, int indent = -1) {
   return object.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-// Neither devices nor pipes, which could keep a reader waiting for ever.
+// Refuses devices and pipes, which could block a reader forever.
 std::optional<std::string> readSmallFile(const fs::path& file, std::string& problem) {
   const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!descriptor.isOpen()) {
@@ -79,7 +80,7 @@ std::string textAt(const json& object, const std::string& key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-// It is shown to people, so nothing but a date passes.
+// The date is printed, so that nothing but a date is accepted.
 bool isDate(const std::string& text) {
   constexpr std::string_view kPattern = "0000-00-00T00:00:00Z";
   return text.size() == kPattern.size() && std::equal(text.begin(), text.end(), kPattern.begin(), [](char c, char p) {
@@ -87,7 +88,7 @@ bool isDate(const std::string& text) {
          });
 }
 
-// Exactly one known value of each dimension.
+// Requires exactly one known value of each dimension.
 std::optional<Candidate> candidateIn(const json& choice) {
   if (!choice.is_object() || choice.size() != dimensionTable().size()) return std::nullopt;
   Candidate candidate;
