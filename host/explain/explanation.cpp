@@ -1,3 +1,4 @@
+// Finds the first difference and the first decision that differs, and words the result.
 #include "host/explain/explanation.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 namespace candela::explain {
 namespace {
 
-// Goes through the quantities until the two paths part for good.
+// Processes the quantities up to the decision at which the two paths diverge.
 void findDifferences(Explanation& result) {
   for (std::size_t stage = 0; stage < result.stages.size(); ++stage) {
     const std::vector<Quantity>& quantities = result.stages[stage].quantities;

@@ -1,3 +1,4 @@
+// Draws horizontal bar charts as SVG.
 #include "host/report/bar_chart.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Counts values and differences in bins.
 #include "host/report/histogram.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kMostStops = 24;
 constexpr std::size_t kBinsPerStop = 2;
-constexpr std::size_t kDifferenceBins = 41;  // odd: equal pixels are in the middle one
+constexpr std::size_t kDifferenceBins = 41;  // odd, so that equal pixels are in the middle bin
 constexpr double kShareWithin = 0.99;
 
 struct StopRange {
@@ -18,7 +19,7 @@ struct StopRange {
   double high = 0;
 };
 
-// Whole stops.
+// Rounds to whole stops.
 StopRange stopRange(const image::Image& a, const image::Image& b) {
   double least = HUGE_VAL;
   double most = -HUGE_VAL;

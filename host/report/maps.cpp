@@ -1,3 +1,4 @@
+// Draws the pictures of a report.
 #include "host/report/maps.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace candela::report {
 namespace {
 
 constexpr double kDifferenceRange = 0.1;
-constexpr image::DisplayTransform kAsItIs{};  // for pictures that are meant for display already
+constexpr image::DisplayTransform kAsItIs{};  // for pictures that are already display-referred
 
 image::Pixels8 reducedPixels(const image::Image& picture, std::uint32_t k) {
   return toPixels8(k == 1 ? picture : reduced(picture, k), kAsItIs);

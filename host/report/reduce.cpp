@@ -1,3 +1,4 @@
+// Averages blocks of pixels.
 #include "host/report/reduce.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Assembles the page.
 #include "host/report/report.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 namespace candela::report {
 namespace {
 
-constexpr std::uint32_t kSmallWidth = 400;  // up to which pixels are shown as squares when the picture is enlarged
+constexpr std::uint32_t kSmallWidth = 400;  // maximum width of pictures whose pixels are shown as squares when enlarged
 
 struct OutcomeText {
   const char* styleName;

@@ -1,3 +1,4 @@
+// Formats the tables of a report as HTML.
 #include "host/report/tables.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Compares images pixel by pixel, with path records.
 #include "host/verify/agreement.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// One side's batches: independent renders of one scene, of which only the means over regions are kept.
+// The batches of one side: independent renders of one scene, of which only the means over regions are stored.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,27 +14,28 @@ inline constexpr std::uint32_t kBatchCount = 32;
 
 enum class Side : std::uint32_t { device = 0, reference = 1 };
 
-/// A seed of its own for every side, batch and look of a run; by SplitMix64's finaliser (Steele et al., OOPSLA 2014).
+/// Returns a different seed for every side, batch and look of a run, by SplitMix64's finaliser (Steele et al., OOPSLA
+/// 2014).
 std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, std::uint32_t look);
 
 class Batches {
  public:
-  /// What is referred to must outlive the object.
+  /// The arguments that are references must outlive the object.
   Batches(Side side, render::Renderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings,
           std::span<const Region> regions);
 
-  /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and
-  /// of no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
+  /// Adds `samples` samples per pixel to every batch. Returns false if `control` stopped it; the batches are then
+  /// unequal and useless. Throws what Renderer::render throws, and InternalError if work was truncated.
   bool render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control);
 
-  /// Samples per pixel of each batch so far.
+  /// Returns the number of samples per pixel of each batch so far.
   std::uint64_t samples() const { return samples_; }
-  /// The sum of all batches, from now on; a film of 64 bytes a pixel.
+  /// Stores the sum of all batches from now on, in a film of 64 bytes per pixel.
   void keepFilm(const render::Extent& size) { film_ = image::Film(size.width, size.height); }
   image::Film takeFilm() { return std::move(film_); }
-  /// The batches' means of one region.
+  /// Returns the batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
-  /// Of the last render.
+  /// Returns the statistics of the last render.
   const render::RenderStatistics& statistics() const { return statistics_; }
   std::uint64_t badSamples() const { return badSamples_; }
 
@@ -47,8 +48,8 @@ class Batches {
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   std::uint64_t badSamples_ = 0;
-  image::Film film_;                                   ///< empty unless it is kept
-  std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
+  image::Film film_;                                   ///< empty unless it is stored
+  std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times number of samples
   render::RenderStatistics statistics_;
 };
 

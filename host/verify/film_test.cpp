@@ -1,3 +1,4 @@
+// Estimates the errors of regions from the variances of pixels, and tests them.
 #include "host/verify/film_test.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Tests the means of one region, and formats the result.
 #include "host/verify/region_result.h"
 
 #include <fmt/format.h>

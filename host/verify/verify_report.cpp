@@ -1,4 +1,4 @@
-// The verdict for people, for programs and for continuous integration servers.
+// Formats the verdict as text, JSON and JUnit XML.
 #include <fmt/format.h>
 
 #include <algorithm>
