@@ -1,3 +1,4 @@
+// Uploads a scene, in the load type that fits the device.
 #include "host/device/device_scene.h"
 
 #include <fmt/format.h>

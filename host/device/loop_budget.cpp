@@ -1,3 +1,4 @@
+// Checks that the loops of a kernel fit into the limit of a device.
 #include "host/device/loop_budget.h"
 
 #include <fmt/format.h>

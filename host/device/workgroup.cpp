@@ -1,3 +1,4 @@
+// Checks the workgroup size against the limits of a device.
 #include "host/device/workgroup.h"
 
 #include <fmt/format.h>

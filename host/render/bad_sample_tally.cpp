@@ -1,3 +1,4 @@
+// Counts bad samples and remembers the first pixels that have some.
 #include "host/render/bad_sample_tally.h"
 
 namespace candela::render {
