@@ -1,4 +1,4 @@
-// `candela bench`: which benchmark is meant, and what all of them check first.
+// `candela bench`: selects the benchmark, and does the checks common to all benchmarks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace {
 
 struct Benchmark {
   const char* name;
-  std::size_t fewestFiles;  ///< behind the name
+  std::size_t fewestFiles;  ///< after the name of the benchmark
   std::size_t mostFiles;
-  const char* complaint;  ///< of another number
+  const char* complaint;  ///< message for any other number of files
   ExitCode (*run)(const Arguments&, const Log&);
 };
 
@@ -27,7 +27,7 @@ constexpr std::array kBenchmarks{
     Benchmark{"rays", 1, kAnyNumber, "no scene given", runBenchRays},
     Benchmark{"compare", 2, 2, "expected two reports, the old one and the new one", runBenchCompare}};
 
-// A word that is neither a benchmark nor a file is a benchmark that was mistyped.
+// A word that is neither a benchmark nor a file is regarded as a mistyped benchmark.
 [[noreturn]] void refuse(const std::string& word) {
   std::vector<std::string> names;
   for (const Benchmark& benchmark : kBenchmarks) names.emplace_back(benchmark.name);
@@ -41,7 +41,7 @@ void requireFiles(const Benchmark& benchmark, std::size_t count) {
   throw UsageError(fmt::format("bench {}: {}", benchmark.name, benchmark.complaint));
 }
 
-// What the other benchmarks choose themselves.
+// Refuses options that the other benchmarks choose themselves.
 void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& arguments) {
   for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
     if (!arguments.given.contains(option)) continue;

@@ -1,4 +1,4 @@
-// `candela bench rays`: rays alone, through every layout of a scene that the device takes.
+// `candela bench rays`: times rays alone, with every layout of a scene that the device supports.
 #include <fmt/format.h>
 
 #include "host/bench/device_tracer.h"
@@ -17,7 +17,7 @@ using bench::RayMeasurement;
 using bench::RayReport;
 using bench::RayTracer;
 
-// False if it was interrupted.
+// Returns false if it was interrupted.
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
   const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
   const device::RaySets sets = tracers.front()->makeRays();

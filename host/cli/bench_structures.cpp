@@ -1,4 +1,4 @@
-// `candela bench table1` and `bench accel SCENE...`: search structures on the same scenes.
+// `candela bench table1` and `bench accel SCENE...`: times acceleration structures on the same scenes.
 #include <fmt/format.h>
 
 #include <array>
@@ -33,7 +33,7 @@ const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0,
                          PublishedScene{"balls", embedded::balls, false, 526.6, 512.43}};
 constexpr std::uint32_t kTable1Samples = 15 * 15;
 
-// The rows of one scene; none if the run was interrupted.
+// Returns the rows of one scene, or none if the run was interrupted.
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
@@ -48,7 +48,7 @@ std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::
   return rows;
 }
 
-// The report's seconds are for this work alone.
+// Returns whether the published seconds are for this work.
 bool isPublishedWork(const render::RenderSettings& settings) {
   return settings.integrator == render::Integrator::path && settings.sampleCount == kTable1Samples &&
          settings.size.width == 512 && settings.size.height == 512;

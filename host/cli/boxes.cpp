@@ -1,4 +1,4 @@
-// `candela boxes`: the tree over a scene, as a scene.
+// `candela boxes`: writes the boxes of a scene's BVH as a scene.
 #include <fmt/format.h>
 
 #include <limits>

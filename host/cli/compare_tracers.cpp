@@ -1,4 +1,4 @@
-// `candela compare SCENE`: does the device compute what the reference computes?
+// `candela compare SCENE`: compares the images of the device and of the reference.
 #include <iostream>
 
 #include "host/cli/bad_samples.h"

@@ -1,4 +1,4 @@
-// `candela explain`: one sample, traced on both sides, vertex by vertex.
+// `candela explain`: compares one sample on both tracers, vertex by vertex.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -17,7 +17,7 @@ namespace {
 
 using explain::Explanation;
 
-// What can be told before the scene is read.
+// Checks that do not need the scene.
 void requireSense(const Arguments& arguments) {
   if (arguments.device == "cpu") {
     throw UsageError(
@@ -52,7 +52,7 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
   writeJson(arguments.json, toJson(explanation));
 }
 
-// Draws both pictures at one sample per pixel to find the place.
+// Renders both images at one sample per pixel to find the pixel.
 ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::ReplayingRenderer& device,
                            render::ReplayingRenderer& reference) {
   const std::optional<verify::PixelAgreement> pixels = [&] {

@@ -1,4 +1,4 @@
-// `candela generate`: a procedural scene to a file or to stdout.
+// `candela generate`: writes a procedural scene to a file or to stdout.
 #include <fmt/format.h>
 
 #include "host/cli/commands.h"

@@ -1,4 +1,4 @@
-// Reading and printing of numbers and sizes.
+// Reads and prints numbers and sizes.
 #include "host/cli/notation.h"
 
 namespace candela::cli {

@@ -1,4 +1,4 @@
-// Reads scenes, joins requests with options, runs tracers.
+// Reads scenes, combines their settings with options, and creates tracers.
 #include "host/cli/render_job.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ void requirePixelLimit(const render::Extent& size) {
                               image::kMaximumImagePixels));
 }
 
-// The film alone must fit: to ask for more would not fail, but drive the machine into swapping or worse.
+// Requires that the film fits into memory: a larger one could be allocated, but would make the machine swap.
 void requireMemoryForFilm(const render::Extent& size) {
   const double needed = static_cast<double>(size.width) * size.height * sizeof(image::FilmPixel);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -42,7 +42,7 @@ render::AccelKind requestedAccel(const scene::Scene& scene) {
   return render::AccelKind::bvh;
 }
 
-// Options that not every render reads.
+// Options that have an effect only on some renders.
 struct SpecialOption {
   const char* option;
   bool (*isRead)(const render::RenderSettings& settings);
@@ -74,9 +74,9 @@ constexpr std::array kSpecialOptions{
                   },
                   "--accel bvh with --bvh-split sah"}};
 
-// Said rather than refused, so that one command line serves all renders.
+// Such options cause a note rather than an error, so that one command line can be used for all renders.
 void noteIdleOptions(const Arguments& arguments, const Log& log) {
-  if (arguments.command == Command::bench) return;  // which chooses the structures itself
+  if (arguments.command == Command::bench) return;  // benchmarks choose the structures themselves
   for (const auto& [option, isRead, reader] : kSpecialOptions) {
     if (isRead(arguments.settings) || !arguments.given.contains(option)) continue;
     log.note(fmt::format("{} has no effect here; it applies to {}", option, reader));

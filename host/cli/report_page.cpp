@@ -1,4 +1,4 @@
-// Gathers what a page shows of device and reference.
+// Collects the content of the pages on device and reference.
 #include "host/cli/report_page.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::string commandOf(const Arguments& arguments, const char* command, std::init
   return line;
 }
 
-// What both reports on a scene have in common: pictures, tracers, hashes.
+// Returns the common part of both reports on a scene: pictures, tracers, hashes.
 Report tracersReport(const RenderJob& job, const image::Film& device, const image::Film& reference,
                      const render::RenderStatistics& statistics) {
   Report page;

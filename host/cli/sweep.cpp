@@ -1,3 +1,4 @@
+// Parses sweeps, and combines their values.
 #include "host/cli/sweep.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-// One renderer serves all variants, so that its device is none of them.
+// All variants share one renderer, so that the device cannot be swept.
 bool canBeSwept(const Option& option) {
   const bool ofRenders = option.group == OptionGroup::image || option.group == OptionGroup::execution;
   return ofRenders && option.isFor(Command::bench) && !option.isFlag() && option.name() != "--device";

@@ -1,4 +1,4 @@
-// `candela tune`: what is fastest on a device, kept for later commands.
+// `candela tune`: finds the fastest settings of a device, and stores them for later commands.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -22,7 +22,7 @@ namespace {
 using tune::TuneReport;
 using tune::Work;
 
-// Where the choice will be kept; it can be.
+// Returns the file for the result. Throws FileError if it cannot be written.
 std::filesystem::path requireFile(const tune::TuningKey& key) {
   const std::optional<std::filesystem::path> folder = tune::cacheFolder();
   if (!folder) {

@@ -1,3 +1,4 @@
+// Finds the stored result for a device.
 #include "host/cli/tuned.h"
 
 #include <fmt/format.h>
