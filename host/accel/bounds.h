@@ -37,10 +37,10 @@ struct Aabb {
   bool operator==(const Aabb&) const = default;
 };
 
-/// The largest float that is not above `x`.
+/// Returns the largest float that is not above `x`.
 float roundDown(double x);
 
-/// What builders take: finite, not empty, within +-2^100. Throws InternalError that calls the box number `index` of
+/// Checks a box for builders: finite, not empty, within +-2^100. Throws InternalError, which names box `index` of
 /// `structure`.
 void requireProper(const Aabb& box, std::size_t index, const char* structure);
 

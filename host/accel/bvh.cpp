@@ -16,7 +16,7 @@ namespace candela::accel {
 namespace {
 
 constexpr std::size_t kMaxBvhPrimitives = std::size_t{1} << 31;
-// Ranges below this many items are one task. A constant of the tree, not of the machine.
+// Ranges with fewer items are one task. The value does not depend on the machine.
 constexpr std::size_t kTaskItems = std::size_t{1} << 14;
 
 void requireOptions(const BvhOptions& options, std::size_t itemCount) {

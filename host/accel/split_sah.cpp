@@ -70,7 +70,7 @@ struct Bins {
   }
 };
 
-// A plane before bin `bin` of `axis`. The cost is the sum over both sides of half area times count.
+// A plane before bin `bin` of `axis`. The cost is the sum of half area times count over both sides.
 struct BinPlane {
   int axis = -1;
   std::uint32_t bin = 0;
@@ -78,7 +78,7 @@ struct BinPlane {
   std::uint32_t imbalance = 0;
   double cost = std::numeric_limits<double>::infinity();
 
-  // Where boxes have no area all costs are 0: then the more balanced tree wins.
+  // If boxes have no area, all costs are 0. The more balanced split is then better.
   bool isBetterThan(const BinPlane& other) const {
     return cost < other.cost || (cost == other.cost && imbalance < other.imbalance);
   }

@@ -10,7 +10,7 @@
 namespace candela::report {
 namespace {
 
-// In pixels.
+// Lengths in pixels.
 constexpr double kBarsWidth = 860;
 constexpr double kLabels = 330;
 constexpr double kBars = 400;

@@ -9,7 +9,7 @@
 namespace candela::report {
 namespace {
 
-// Of the drawing, in its own units.
+// Size of the drawing in its own units.
 constexpr double kChartWidth = 480;
 constexpr double kHeight = 150;
 constexpr double kBase = kHeight - 20;  // above the labels of the axis

@@ -23,8 +23,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBit
   return VK_FALSE;
 }
 
-/// Warnings and errors of the layer; the loader's own chatter is of type "general". As a struct
-/// of C, since the type of the callback differs between versions of vulkan.hpp.
+/// Requests warnings and errors of the layer. Messages of the loader have the type "general" and are ignored. The
+/// result is a C structure, because the type of the callback differs between versions of vulkan.hpp.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
   VkDebugUtilsMessengerCreateInfoEXT info{};
   info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
