@@ -86,7 +86,7 @@ TEST_CASE("a needle of a box around few primitives does not get cells without nu
   CHECK(grid.shape.sides.x > 100);
 }
 
-TEST_CASE("no primitives give no cells") {
+TEST_CASE("a grid without primitives has no cells") {
   const Grid grid = buildGrid({});
   CHECK(grid.starts.empty());
   CHECK(grid.items.empty());

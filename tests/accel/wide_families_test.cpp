@@ -52,14 +52,14 @@ double leastCost(const Bvh& bvh, std::uint32_t node) {
 
 }  // namespace
 
-TEST_CASE("no other choice of children meets fewer wide nodes") {
+TEST_CASE("no other choice of children visits fewer 8-wide nodes") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Bvh bvh = buildBvh(randomBoxes(13, seed), {.maxLeafSize = 1});
     CHECK(chosenCost(bvh, WideFamilies(bvh), 0) == Approx(leastCost(bvh, 0)).epsilon(1e-5));
   }
 }
 
-TEST_CASE("a family has two to eight members that hold all leaves below its node") {
+TEST_CASE("a family has two to eight members that contain all leaves below its node") {
   const Bvh bvh = buildBvh(randomBoxes(5000), {.maxLeafSize = 3});
   const WideFamilies families(bvh);
   std::vector<std::uint32_t> stack{0};

@@ -42,7 +42,7 @@ TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
   CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("report's"));
 }
 
-TEST_CASE("bench accel compares structures on any scenes, and says so in text") {
+TEST_CASE("bench accel compares structures on any scenes") {
   const TemporaryFolder folder;
   const ProgramResult result = runBench({"accel", folder.write("a.p3f", smallScene())});
   INFO(result.err);

@@ -58,7 +58,7 @@ TEST_CASE("bench SCENE without a sweep measures the options as they are given") 
   CHECK_THAT(result.out, Contains("as given") && Contains("Msamples/s") && Contains("a.p3f 16x12 x 1 spp"));
 }
 
-TEST_CASE("a sweep that cannot be says why") {
+TEST_CASE("an invalid sweep is refused with the reason") {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--sweep", "workgroup"}, "expected an option and its values"},
@@ -102,7 +102,7 @@ TEST_CASE("bench compare refuses what is no report, by its name") {
   CHECK_THAT(runCandela({"bench", "compare", text, text, text}).err, Contains("expected two reports"));
 }
 
-TEST_CASE("what only bench SCENE has is refused by the other benchmarks") {
+TEST_CASE("options of bench SCENE are refused by the other benchmarks") {
   for (const std::string option : {"--sweep", "--svg"}) {
     const ProgramResult result = runCandela({"bench", "table1", option, "x"});
     CHECK(result.exitCode == 1);

@@ -63,7 +63,7 @@ TEST_CASE("a file whose name begins with a dash comes after two dashes") {
   CHECK(parse({"-o", "a.png", "--", "-a.p3f"}).files == std::vector<std::string>{"-a.p3f"});
 }
 
-TEST_CASE("a wrong command line says what was expected and where help is") {
+TEST_CASE("a wrong command line names the expected value and the help") {
   CHECK(messageFor({}) == "no scene given\nsee candela --help");
   CHECK(messageFor({"a.p3f", "--sp", "4"}) == "unknown option --sp; did you mean --spp?\nsee candela render --help");
   CHECK(messageFor({"a.p3f", "--size", "70000x1"}) ==

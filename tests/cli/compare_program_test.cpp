@@ -83,7 +83,7 @@ TEST_CASE("the reference cannot be verified by itself") {
   CHECK_THAT(result.err, Catch::Contains("the reference tracer cannot verify itself"));
 }
 
-TEST_CASE("shares are read as numbers and in percent") {
+TEST_CASE("fractions are parsed as numbers and as percentages") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const char* bias : {"5 %", "%", "-1%", "200%", "0"}) {

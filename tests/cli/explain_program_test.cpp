@@ -21,7 +21,7 @@ ProgramResult refuse(const std::vector<std::string>& options) {
 
 }  // namespace
 
-TEST_CASE("explain refuses a pixel outside the image and says where the image ends") {
+TEST_CASE("explain refuses a pixel outside the image and names its limits") {
   for (const char* pixel : {"16,0", "0,12", "65534,65534"}) {
     const ProgramResult result = refuse({"--pixel", pixel});
     CHECK(result.exitCode == 1);

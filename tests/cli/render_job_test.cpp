@@ -48,7 +48,7 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   CHECK(byOption.settings.size.height == 6);
 }
 
-TEST_CASE("the longest path is the integrator's unless the command line says") {
+TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::normal);
   Arguments path;

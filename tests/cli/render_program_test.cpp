@@ -13,7 +13,7 @@ using nlohmann::json;
 
 }  // namespace
 
-TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through the display transform") {
+TEST_CASE("a render writes all requested images, and PNG is EXR through the display transform") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");
@@ -34,7 +34,7 @@ TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through
   CHECK(*std::max_element(pixels.rgb.begin(), pixels.rgb.end()) > 0);
 }
 
-TEST_CASE("an EXR file says how it was made") {
+TEST_CASE("an EXR file describes how it was rendered") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
   const std::string exr = folder.path("a.exr");
@@ -84,7 +84,7 @@ TEST_CASE("the report has every promised figure") {
   CHECK(report["badSamples"] == 0);
 }
 
-TEST_CASE("a quality that no BVH reads is said to change nothing") {
+TEST_CASE("a note says that --bvh-quality has no effect without a SAH BVH") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto saysSo = [&](std::vector<std::string> options) {
@@ -101,7 +101,7 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
   CHECK_FALSE(saysSo({}));
 }
 
-TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
+TEST_CASE("the Whitted integrator reports rays by kind and options without effect") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
   const ProgramResult result = runCandela(
@@ -161,7 +161,7 @@ TEST_CASE("quiet is silent, --stats prints a table") {
   CHECK(contains(table.out, "\nmraysPerSecond "));
 }
 
-TEST_CASE("what cannot be written is refused before any work, and nothing is left behind") {
+TEST_CASE("an output that cannot be written is refused before any work, and no file is left") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   struct Case {
@@ -192,7 +192,7 @@ TEST_CASE("what cannot be written is refused before any work, and nothing is lef
   }
 }
 
-TEST_CASE("a broken scene leaves no image and names every broken line") {
+TEST_CASE("an invalid scene gives no image and a message for every invalid line") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0\n"));
   const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});

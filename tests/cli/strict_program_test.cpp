@@ -20,7 +20,7 @@ std::string tooBrightScene() {
 
 }  // namespace
 
-TEST_CASE("a render with bad samples says how many, where and how to see them, and succeeds") {
+TEST_CASE("a render with bad samples reports their number, positions and replays, and succeeds") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
@@ -47,7 +47,7 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
   CHECK_THAT(result.err, Contains(first["replay"].get<std::string>()));
 }
 
-TEST_CASE("the option --strict ends a render that had bad samples with 3, and leaves its files as evidence") {
+TEST_CASE("the option --strict exits with 3 after bad samples and still writes the files") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");

@@ -93,7 +93,7 @@ TEST_CASE("a light where the reference is black is an infinite relative differen
   CHECK(compareImages(row({{0, 0, 0}}), row({{0, 0, 0}})).relativeMeanDifference == 0);
 }
 
-TEST_CASE("the JSON of a comparison holds its numbers, and null for infinity") {
+TEST_CASE("the JSON of a comparison contains its numbers, and null for infinity") {
   const ImageComparison c = compareImages(row({{1, 1, 2}}), row({{1, 1, 2}}));
   const nlohmann::json json = nlohmann::json::parse(toJson(c).dump());
   CHECK(json.at("width") == 1);

@@ -11,7 +11,7 @@ PointLight pointLightOf(const std::string& line) { return sceneOf(line + "\n").p
 
 }  // namespace
 
-TEST_CASE("a view's entries may come in any order, on any lines") {
+TEST_CASE("the entries of a view may be in any order and on any lines") {
   const Scene scene = sceneOf("v resolution 640\n 480 hither 1\nup 0 0 1 at\n1 2 3 from 4 5 6\nangle 30");
   REQUIRE(scene.camera);
   CHECK(scene.camera->from == glm::vec3(4, 5, 6));
@@ -97,7 +97,7 @@ TEST_CASE("11 numbers that fit both readings are P3F") {
   CHECK_FALSE(isEmissive(m));
 }
 
-TEST_CASE("an opaque material with index 0 is kept as it stands") {
+TEST_CASE("an opaque material keeps the refractive index 0") {
   const Material m = materialOf("f 1 .85 .7 .3 .6 3.0827 0 0");
   CHECK(m.t == 0);
   CHECK(m.ior == 0);
@@ -154,7 +154,7 @@ TEST_CASE("a moving sphere stays at its first centre, with a warning") {
   }
 }
 
-TEST_CASE("background, structure and samples are kept, and spp is a total that says so") {
+TEST_CASE("background, accel and spp are stored, and a warning says that spp is a total") {
   const LoadedScene loaded = load("b .1 .2 .3\naccel 1\nspp 64\n");
   CHECK(loaded.scene.background == glm::vec3(.1f, .2f, .3f));
   CHECK(loaded.scene.requestedAccel == 1u);
@@ -180,7 +180,7 @@ TEST_CASE("an object before any material is diffuse white, with a warning") {
   CHECK(loaded.scene.primitives[1].material == 1);
 }
 
-TEST_CASE("lenient reading skips what it does not know and warns of each kind once") {
+TEST_CASE("lenient reading skips unknown statements and warns once of each kind") {
   const LoadedScene loaded = loadLenient(
       "From: a b c\nSubject: 1 2\n\nasdabb 1 2 3\n4 5 6\nasdabb 2\nWall\ns 0 0 0 1 9\nl 0 0 0 5\n"
       "f 1 1 1 .5\ns 1 0 0 1\nf 1 1 1 1 0 1 0 1 .25 9\ns 2 0 0 1\ns 0 0 0 0\n");

@@ -232,7 +232,7 @@ TEST_CASE("a file of nothing but errors is given up after ten thousand") {
   CHECK(errorsOf(text).back().message == "and at least 9900 more errors; reading stopped there");
 }
 
-TEST_CASE("what() of a scene error holds every line") {
+TEST_CASE("what() of a scene error contains every line") {
   const SceneError error({{"a", 1, 2, "first"}, {"a", 0, 0, "second"}});
   CHECK(std::string(error.what()) == "a:1:2: first\na: second");
   CHECK(error.code() == ExitCode::file);

@@ -44,7 +44,7 @@ TEST_CASE("a report counts statements, primitives, lights and materials") {
   CHECK(report.requestedSamples == 16u);
 }
 
-TEST_CASE("bounds hold everything but infinite planes, cones exactly") {
+TEST_CASE("bounds contain everything but infinite planes, and are exact for cones") {
   const SceneReport report = makeReport(load(kScene));
   REQUIRE(report.bounds);
   CHECK(report.bounds->min == glm::vec3(-4, -2, -2));  // ball, cone's base, box
@@ -52,7 +52,7 @@ TEST_CASE("bounds hold everything but infinite planes, cones exactly") {
   CHECK_FALSE(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")).bounds);
 }
 
-TEST_CASE("JSON holds the same figures under lowerCamel keys") {
+TEST_CASE("the JSON report has the same figures under lowerCamel keys") {
   const LoadedScene loaded = load(kScene);
   const nlohmann::json json = toJson(makeReport(loaded));
   CHECK(json["name"] == "test");

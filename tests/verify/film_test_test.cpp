@@ -87,7 +87,7 @@ TEST_CASE("images without noise are equal up to rounding, or differ for certain"
   CHECK_THAT(result.verdict(), Contains("darker in A (p < 1e-300 over all tests)"));
 }
 
-TEST_CASE("films of equal light raise no alarm at the default level, and about as many as asked for at another") {
+TEST_CASE("films of equal light raise no alarm at the default level, and the expected number at another") {
   CHECK(falseAlarmsOf(200, {}, {}, 1e-4) == 0);
   const int alarms = falseAlarmsOf(200, {}, {}, 0.05);
   CHECK(alarms >= 2);

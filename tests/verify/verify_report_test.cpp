@@ -26,7 +26,7 @@ VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact
   return report;
 }
 
-TEST_CASE("agreement says how large a difference would have been seen") {
+TEST_CASE("an agreement states the difference that would have been detected") {
   const VerifyReport report = reportOf(1);
   CHECK(report.agree());
   CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
@@ -35,7 +35,7 @@ TEST_CASE("agreement says how large a difference would have been seen") {
   CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
 }
 
-TEST_CASE("a difference is named with its place, its size and its sign") {
+TEST_CASE("a difference is reported with its position, size and sign") {
   const VerifyReport report = reportOf(0.98);
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(),
