@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kMaxGridPrimitives = std::size_t{1} << 27;
 constexpr std::size_t kChunk = std::size_t{1} << 15;  // primitives per task
-constexpr std::uint32_t kMostSlabs = 256;             // number of write streams for which caches are sufficient
+constexpr std::uint32_t kMaxSlabs = 256;              // number of write streams for which caches are sufficient
 constexpr double kCoarser = 0.8;                      // factor by which the density is lowered if the grid is too fine
 
-// A primitive on its way into cells. The indices of the block fit into 16 bits, see kMostCellsPerAxis.
+// A primitive on its way into cells. The indices of the block fit into 16 bits, see kMaxCellsPerAxis.
 struct Entry {
   std::uint32_t primitive;
   std::array<std::uint16_t, 3> low;
@@ -89,10 +89,10 @@ class GridBuilder {
   void chooseShape(const Aabb& box) {
     for (grid_.density = options_.density;; grid_.density *= kCoarser) {
       grid_.shape = gridShape(box, bounds_.size(), grid_.density);
-      if (grid_.shape.cellCount() > mostGridCells(bounds_.size())) continue;
+      if (grid_.shape.cellCount() > maxGridCells(bounds_.size())) continue;
       if (grid_.shape.sides[grid_.shape.outermostAxis()] > options_.maxSide) continue;
       cutSlabs();
-      if (census() <= mostGridReferences(bounds_.size())) return;
+      if (census() <= maxGridReferences(bounds_.size())) return;
     }
   }
 
@@ -100,7 +100,7 @@ class GridBuilder {
   void cutSlabs() {
     outermost_ = grid_.shape.outermostAxis();
     const std::uint32_t layers = grid_.shape.sides[outermost_];
-    slabLayers_ = (layers + kMostSlabs - 1) / kMostSlabs;
+    slabLayers_ = (layers + kMaxSlabs - 1) / kMaxSlabs;
     slabCount_ = (layers + slabLayers_ - 1) / slabLayers_;
   }
 
@@ -213,14 +213,14 @@ class GridBuilder {
 
 }  // namespace
 
-std::uint64_t mostGridCells(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 128, kLeast = 1024;
-  return std::min(kPerPrimitive * primitiveCount + kLeast, std::uint64_t{1} << 30);
+std::uint64_t maxGridCells(std::size_t primitiveCount) {
+  constexpr std::uint64_t kPerPrimitive = 128, kMinimum = 1024;
+  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 30);
 }
 
-std::uint64_t mostGridReferences(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 64, kLeast = 4096;
-  return std::min(kPerPrimitive * primitiveCount + kLeast, std::uint64_t{1} << 31);
+std::uint64_t maxGridReferences(std::size_t primitiveCount) {
+  constexpr std::uint64_t kPerPrimitive = 64, kMinimum = 4096;
+  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 31);
 }
 
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {

@@ -34,14 +34,14 @@
 namespace candela::accel {
 
 struct GridOptions {
-  double density = 2;                         ///< density m of the rule, > 0
-  std::uint32_t maxSide = kMostCellsPerAxis;  ///< maximum number of cells along an axis, >= 1
-  std::uint32_t threads = 0;                  ///< 0: one per core; the grid does not depend on it
+  double density = 2;                        ///< density m of the rule, > 0
+  std::uint32_t maxSide = kMaxCellsPerAxis;  ///< maximum number of cells along an axis, >= 1
+  std::uint32_t threads = 0;                 ///< 0: one per core; the grid does not depend on it
 };
 
 /// Limits of memory: numbers of cells, and of references from cells to primitives.
-std::uint64_t mostGridCells(std::size_t primitiveCount);
-std::uint64_t mostGridReferences(std::size_t primitiveCount);
+std::uint64_t maxGridCells(std::size_t primitiveCount);
+std::uint64_t maxGridReferences(std::size_t primitiveCount);
 
 /// Cell c contains the primitives items[starts[c]] .. items[starts[c + 1] - 1], in ascending order. Without primitives
 /// all vectors are empty.

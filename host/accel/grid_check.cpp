@@ -29,7 +29,7 @@ class GridValidator {
   std::optional<std::string> checkShape() const {
     const GridShape& shape = grid_.shape;
     for (int axis = 0; axis < 3; ++axis) {
-      if (shape.sides[axis] < 1 || shape.sides[axis] > kMostCellsPerAxis) {
+      if (shape.sides[axis] < 1 || shape.sides[axis] > kMaxCellsPerAxis) {
         return fmt::format("{} cells along axis {}", shape.sides[axis], axis);
       }
       const bool cut = shape.sides[axis] > 1;

@@ -12,7 +12,7 @@ double reachOf(const Aabb& bounds) {
 }
 
 // For smaller extents, the scale would overflow.
-constexpr double kLeastCell = 0x1p-100;
+constexpr double kMinCellSize = 0x1p-100;
 
 // Returns s of the rule: the number of primitives per unit of length on the axes that take part.
 double linearDensity(const glm::dvec3& extent, double thinnest, std::size_t primitiveCount) {
@@ -54,13 +54,13 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
   GridShape shape;
   shape.bounds = bounds;
   const glm::dvec3 extent = bounds.extent();
-  const double thinnest = std::max(kThinnestCell * reachOf(bounds), kLeastCell);
+  const double thinnest = std::max(kThinnestCell * reachOf(bounds), kMinCellSize);
   const double s = linearDensity(extent, thinnest, primitiveCount);
   for (int axis = 0; axis < 3; ++axis) {
     shape.sides[axis] = 1;
     if (extent[axis] <= thinnest) continue;
     const double wanted = std::trunc(density * extent[axis] * s) + 1;
-    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMostCellsPerAxis);
+    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMaxCellsPerAxis);
     shape.sides[axis] = static_cast<std::uint32_t>(std::min(wanted, most));
     if (shape.sides[axis] > 1) shape.scale[axis] = static_cast<float>(shape.sides[axis] / extent[axis]);
   }

@@ -22,7 +22,7 @@ namespace candela::accel {
 /// (kBoundsPad).
 inline constexpr double kThinnestCell = 0x1p-16;
 /// Maximum number of cells along an axis: the index of a cell along an axis fits into 16 bits.
-inline constexpr std::uint32_t kMostCellsPerAxis = 65535;
+inline constexpr std::uint32_t kMaxCellsPerAxis = 65535;
 
 /// The block of cells low .. high on each axis, both inclusive.
 struct CellBlock {
@@ -38,7 +38,7 @@ struct CellBlock {
 
 struct GridShape {
   Aabb bounds;            ///< the box around the boxes of all primitives
-  glm::uvec3 sides{0};    ///< number of cells along each axis, 1 to kMostCellsPerAxis; 0 if there are no primitives
+  glm::uvec3 sides{0};    ///< number of cells along each axis, 1 to kMaxCellsPerAxis; 0 if there are no primitives
   glm::uvec3 strides{0};  ///< cell (x, y, z) has the index dot(strides, (x, y, z))
   glm::vec3 scale{0};     ///< cells per unit of length; 0 along axes with one cell
 

@@ -13,10 +13,10 @@ namespace {
 
 // Nearly all of the gain comes from the nodes with the largest surface areas, where the search is cheap.
 constexpr std::size_t kTrunkNodes = 2048;
-constexpr int kMostPasses = 8;
-constexpr double kLeastGainOfPass = 1e-3;  // fraction of the sum of half areas; a pass with a smaller gain is the last
+constexpr int kMaxPasses = 8;
+constexpr double kMinGainOfPass = 1e-3;  // fraction of the sum of half areas; a pass with a smaller gain is the last
 // If the gain within the trunk is smaller, the BVH is not copied.
-constexpr double kLeastGainOfTrunk = 1e-2;
+constexpr double kMinGainOfTrunk = 1e-2;
 constexpr std::size_t kTaskNodes = 1024;
 
 double halfArea(const glm::vec3& min, const glm::vec3& max) {
@@ -127,11 +127,11 @@ Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOpt
   TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadsFor(options.threads));
   const double start = tree.innerHalfArea();
   double sum = start;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     const double before = sum;
     apply(bestMoves(tree, pool), options.maxDepth, tree);
     sum = tree.innerHalfArea();
-    if (sum >= (1 - kLeastGainOfPass) * before) break;
+    if (sum >= (1 - kMinGainOfPass) * before) break;
   }
   // Moves of one pass that affect each other might even increase the cost.
   return sum < (1 - leastGain) * start ? tree.layOut(bvh) : std::move(bvh);
@@ -141,7 +141,7 @@ Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOpt
 
 Bvh reinsert(Bvh bvh, const BvhOptions& options) {
   if (options.reinsertion == Reinsertion::none) return bvh;
-  bvh = reinsertAmong(std::move(bvh), kTrunkNodes, kLeastGainOfTrunk, options);
+  bvh = reinsertAmong(std::move(bvh), kTrunkNodes, kMinGainOfTrunk, options);
   if (options.reinsertion == Reinsertion::trunk) return bvh;
   return reinsertAmong(std::move(bvh), std::numeric_limits<std::size_t>::max(), 0, options);
 }

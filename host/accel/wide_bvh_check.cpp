@@ -12,7 +12,7 @@ namespace {
 
 // Minimum margin of a quantised box; it allows for rounding in double precision. The proof in quantised_boxes.h needs
 // 11 / 16.
-constexpr double kLeastMargin = 0.75 * kPlaneMargin;
+constexpr double kMinMargin = 0.75 * kPlaneMargin;
 
 struct WideVisit {
   std::uint32_t node;
@@ -122,7 +122,7 @@ class WideBvhValidator {
 
   static bool holds(const QuantisedBoxes& boxes, std::uint32_t place, const Aabb& content, const Aabb& all) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double margin = kLeastMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
+      const double margin = kMinMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
       if (boxes.plane(axis, boxes.low[axis][place]) > content.min[axis] - margin) return false;
       if (boxes.plane(axis, boxes.high[axis][place]) < content.max[axis] + margin) return false;
     }

@@ -8,7 +8,7 @@ namespace candela::accel {
 namespace {
 
 // Lower bound on the hit probability of a node. It makes fewer nodes better where nodes have no area.
-constexpr double kLeastChance = 0x1p-40;
+constexpr double kMinHitProbability = 0x1p-40;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t ch
 }
 
 WideFamilies::Costs WideFamilies::costsOf(const BvhNode& inner, double rootArea) const {
-  const double chance = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kLeastChance) : 1;
+  const double chance = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kMinHitProbability) : 1;
   Costs costs;
   costs[0] = static_cast<float>(chance) + bestShare(inner.first, kWideChildren).cost;
   for (std::uint32_t k = 2; k <= costs.size(); ++k) {

@@ -15,7 +15,7 @@ struct RayRow {
   std::string sceneLoads;        ///< "texel" or "storage"; empty for another tracer
   std::uint64_t sceneBytes = 0;  ///< size of nodes, primitives and all other data of the scene; 0 for another tracer
   RayMeasurement measurement;
-  double leastShare = 1;  ///< minimum fraction of equal hits for which the figures are valid
+  double minShare = 1;  ///< minimum fraction of equal hits for which the figures are valid
 };
 
 struct RayReport {

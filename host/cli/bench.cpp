@@ -14,8 +14,8 @@ namespace {
 
 struct Benchmark {
   const char* name;
-  std::size_t fewestFiles;  ///< after the name of the benchmark
-  std::size_t mostFiles;
+  std::size_t minFileCount;  ///< after the name of the benchmark
+  std::size_t maxFileCount;
   const char* complaint;  ///< message for any other number of files
   ExitCode (*run)(const Arguments&, const Log&);
 };
@@ -37,7 +37,7 @@ constexpr std::array kBenchmarks{
 }
 
 void requireFiles(const Benchmark& benchmark, std::size_t count) {
-  if (count >= benchmark.fewestFiles && count <= benchmark.mostFiles) return;
+  if (count >= benchmark.minFileCount && count <= benchmark.maxFileCount) return;
   throw UsageError(fmt::format("bench {}: {}", benchmark.name, benchmark.complaint));
 }
 

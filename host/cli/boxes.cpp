@@ -15,10 +15,10 @@ namespace candela::cli {
 namespace {
 
 void requireReadableSize(std::size_t boxCount) {
-  constexpr std::uint64_t kMostBoxes = generate::kMostPrimitives / kBoxEdges;
-  if (boxCount <= kMostBoxes) return;
+  constexpr std::uint64_t kMaxBoxes = generate::kMaxPrimitives / kBoxEdges;
+  if (boxCount <= kMaxBoxes) return;
   throw FileError(fmt::format("{} boxes have more than {} edges; use --depth N to draw one level of the BVH", boxCount,
-                              generate::kMostPrimitives));
+                              generate::kMaxPrimitives));
 }
 
 }  // namespace

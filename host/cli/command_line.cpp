@@ -98,8 +98,8 @@ void split(std::span<const std::string> words, Arguments& arguments) {
 void requireFileCount(const Arguments& arguments) {
   const CommandInfo& info = commandInfo(arguments.command);
   const std::size_t count = arguments.files.size();
-  if (count < info.fewestFiles) fail(info.command, fmt::format("no {} given", info.fileNoun));
-  if (count > info.mostFiles)
+  if (count < info.minFileCount) fail(info.command, fmt::format("no {} given", info.fileNoun));
+  if (count > info.maxFileCount)
     fail(info.command, fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
 }
 

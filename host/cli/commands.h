@@ -15,8 +15,8 @@ struct CommandInfo {
   std::string usage;     ///< after the program's name
   std::string summary;   ///< an imperative phrase, without a capital and a full stop
   std::string fileNoun;  ///< noun for a missing file in messages
-  std::size_t fewestFiles;
-  std::size_t mostFiles;
+  std::size_t minFileCount;
+  std::size_t maxFileCount;
   ExitCode (*run)(const Arguments&, const Log&);
 };
 

@@ -26,11 +26,11 @@ const Kind& kindNamed(const std::string& name) {
 
 std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {
   const std::uint32_t size = arguments.generatedSize.value_or(kind.defaultSize);
-  const std::uint32_t largest = kind.largestSize();
-  if (size >= kind.smallestSize && size <= largest) return size;
+  const std::uint32_t largest = kind.maxSize();
+  if (size >= kind.minSize && size <= largest) return size;
   fail(fmt::format(
       "--size: expected a whole number from {} to {} for {}, got {}; larger scenes have more than {} primitives",
-      kind.smallestSize, largest, kind.name, size, generate::kMostPrimitives));
+      kind.minSize, largest, kind.name, size, generate::kMaxPrimitives));
 }
 
 }  // namespace

@@ -23,17 +23,17 @@ constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
-constexpr std::uint32_t kMostSamples = 1u << 30;
-constexpr std::uint32_t kMostSegments = 1u << 20;
-constexpr std::uint32_t kLargestSide = 65535;
-constexpr std::uint32_t kLargestWorkgroupSide = 1024;
-constexpr std::uint32_t kMostThreads = 1024;
-constexpr std::uint32_t kMostRepeats = 1000;
-constexpr float kLeastGridDensity = 0.0625f;
-constexpr float kMostGridDensity = 64;
+constexpr std::uint32_t kMaxSamples = 1u << 30;
+constexpr std::uint32_t kMaxSegments = 1u << 20;
+constexpr std::uint32_t kMaxSide = 65535;
+constexpr std::uint32_t kMaxWorkgroupSide = 1024;
+constexpr std::uint32_t kMaxThreads = 1024;
+constexpr std::uint32_t kMaxRepeats = 1000;
+constexpr float kMinGridDensity = 0.0625f;
+constexpr float kMaxGridDensity = 64;
 constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
-constexpr float kShortestReach = 1e-30f;
-constexpr float kLongestReach = 1e30f;
+constexpr float kMinReach = 1e-30f;
+constexpr float kMaxReach = 1e30f;
 
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, render::SamplerKind>> kSamplers{
@@ -63,19 +63,19 @@ std::vector<Option> imageOptions() {
   const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.sampleCount);
   return {
     valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel"},
-           orAbsent(wholeNumber(1, kMostSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
+           orAbsent(wholeNumber(1, kMaxSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.seed; }),
     valued({"--size", kTracing, kGroup, "image size in pixels"},
-           orAbsent(extent("WxH", kLargestSide), "the scene's"), [](auto& a) -> auto& { return a.size; }),
+           orAbsent(extent("WxH", kMaxSide), "the scene's"), [](auto& a) -> auto& { return a.size; }),
     valued({"--max-depth", kTracing, kGroup, "maximum number of rays in a path, counting the camera ray"},
-           orAbsent(wholeNumber(1, kMostSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
+           orAbsent(wholeNumber(1, kMaxSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
     valued({"--rr-start", kTracing, kGroup, "number of path vertices before Russian roulette starts"},
-           wholeNumber(0, kMostSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
+           wholeNumber(0, kMaxSegments), [](auto& a) -> auto& { return a.settings.rouletteStart; }),
     valued({"--integrator", kTracing, kGroup, "`path`: path tracing; `whitted`: Whitted ray tracing; the others: views of what camera rays hit"},
            choice(kIntegrators), [](auto& a) -> auto& { return a.settings.integrator; }),
     valued({"--ao-distance", kTracing, kGroup, "maximum distance of occluders for `ao`; `auto`: a quarter of the distance from eye to target"},
-           orAbsent(realNumber<float>("D", kShortestReach, kLongestReach), "auto"), [](auto& a) -> auto& { return a.settings.aoDistance; }),
+           orAbsent(realNumber<float>("D", kMinReach, kMaxReach), "auto"), [](auto& a) -> auto& { return a.settings.aoDistance; }),
     valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every path vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.settings.nextEventEstimation; }),
     valued({"--sampler", kTracing, kGroup, "how random numbers are generated"},
@@ -119,18 +119,18 @@ std::vector<Option> executionOptions() {
     valued({"--loads", kTracing, kGroup, "buffer type through which a device reads the scene; `auto`: as tuned, else texel if the scene fits"},
            choice<render::SceneLoads>({{"auto", render::SceneLoads::automatic}, {"texel", render::SceneLoads::texel}, {"storage", render::SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.sceneLoads; }),
     valued({"--grid-density", kTracing, kGroup, "density M of a grid, which has about M^3 cells per primitive"},
-           realNumber<float>("M", kLeastGridDensity, kMostGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
+           realNumber<float>("M", kMinGridDensity, kMaxGridDensity), [](auto& a) -> auto& { return a.settings.gridDensity; }),
     valued({"--kernel", kTracing, kGroup, "one kernel that traces whole paths, or one kernel per stage; `auto`: as tuned, else megakernel"},
            choice<render::KernelKind>({{"auto", render::KernelKind::automatic}, {"megakernel", render::KernelKind::megakernel}, {"wavefront", render::KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.kernel; }),
     valued({"--workgroup", kTracing, kGroup, "workgroup size in invocations; `auto`: as tuned, else 8x8"},
-           orAbsent(extent("XxY", kLargestWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),
+           orAbsent(extent("XxY", kMaxWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.workgroup; }),
     valued({"--tile", kTracing, kGroup, "size in pixels of the region that one dispatch processes; `auto`: chosen by timing"},
-           orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.settings.tile; }),
+           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.settings.tile; }),
     valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
-           orAbsent(wholeNumber(1, kMostSegments), "auto"), [](auto& a) -> auto& { return a.settings.segmentsPerDispatch; }),
+           orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.settings.segmentsPerDispatch; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
     valued({"-t,--threads", kTracing, kGroup, "threads of the reference tracer; 0: one per core"},
-           wholeNumber(0, kMostThreads), [](auto& a) -> auto& { return a.settings.threads; }),
+           wholeNumber(0, kMaxThreads), [](auto& a) -> auto& { return a.settings.threads; }),
   };
 }
 
@@ -178,9 +178,9 @@ std::vector<Option> explanationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::explanation;
   return {
     valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
-           orAbsent(pixelPlace(kLargestSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+           orAbsent(pixelPlace(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
     valued({"--sample", kExplain, kGroup, "index of the pixel's sample, from 0"},
-           wholeNumber(0, kMostSamples - 1), [](auto& a) -> auto& { return a.sample; }),
+           wholeNumber(0, kMaxSamples - 1), [](auto& a) -> auto& { return a.sample; }),
   };
 }
 
@@ -188,7 +188,7 @@ std::vector<Option> benchmarkOptions() {
   constexpr OptionGroup kGroup = OptionGroup::benchmark;
   return {
     valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, interleaved; the median is reported"},
-           wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
+           wholeNumber(1, kMaxRepeats), [](auto& a) -> auto& { return a.repeats; }),
     paths({"--sweep", kBench, kGroup, "for scenes: measure each value of an option (named without its dashes); repeatable, for all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
     valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
@@ -204,9 +204,9 @@ std::vector<Option> tuningOptions() {
   constexpr OptionGroup kGroup = OptionGroup::tuning;
   return {
     valued({"--size", kTune, kGroup, "image size in pixels; `auto`: chosen by timing, at most the scene's"},
-           orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.size; }),
+           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.size; }),
     valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
-           orAbsent(wholeNumber(1, kMostSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
+           orAbsent(wholeNumber(1, kMaxSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
     flag({"--dry-run", kTune, kGroup, "measure and report, but store nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
   };
 }

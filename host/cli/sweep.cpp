@@ -85,8 +85,8 @@ std::vector<SweptArguments> sweepOver(const Arguments& arguments) {
       throw UsageError(fmt::format("--sweep {}: this option is swept twice", sweep.name));
     }
     swept.push_back(sweep.option);
-    if (all.size() * sweep.values.size() > kMostVariants) {
-      throw UsageError(fmt::format("--sweep: more than {} combinations", kMostVariants));
+    if (all.size() * sweep.values.size() > kMaxVariants) {
+      throw UsageError(fmt::format("--sweep: more than {} combinations", kMaxVariants));
     }
     all = withEach(all, sweep);
   }

@@ -16,9 +16,9 @@ struct SweptArguments {
 
 /// Returns all combinations of the values of `arguments.sweeps`, the last sweep varying fastest. NAME is an option of
 /// images or of their execution, without its dashes. Throws UsageError for any other name, for a repeated name, for an
-/// invalid value, and for more than kMostVariants combinations.
+/// invalid value, and for more than kMaxVariants combinations.
 std::vector<SweptArguments> sweepOver(const Arguments& arguments);
 
-inline constexpr std::size_t kMostVariants = 256;
+inline constexpr std::size_t kMaxVariants = 256;
 
 }  // namespace candela::cli

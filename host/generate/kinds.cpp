@@ -7,9 +7,9 @@
 
 namespace candela::generate {
 
-std::uint32_t Kind::largestSize() const {
-  std::uint32_t size = smallestSize;
-  while (primitiveCount(size + 1) <= kMostPrimitives) ++size;
+std::uint32_t Kind::maxSize() const {
+  std::uint32_t size = minSize;
+  while (primitiveCount(size + 1) <= kMaxPrimitives) ++size;
   return size;
 }
 

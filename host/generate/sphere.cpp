@@ -10,7 +10,7 @@ namespace candela::generate {
 namespace {
 
 constexpr glm::dvec3 kCentre{0, 0, 1.8};
-constexpr double kLeastRadius = 1;
+constexpr double kMinRadius = 1;
 constexpr double kRelief = 0.6;
 constexpr double kFrequency = 2;  ///< frequency of the bumps, in wavelengths per radian
 constexpr std::uint32_t kReliefOctaves = 5;
@@ -24,7 +24,7 @@ constexpr glm::dvec3 kRadiance{10};
 
 /// Returns the point of the bumpy sphere in a direction from its centre.
 glm::dvec3 bumpyPoint(const glm::dvec3& direction) {
-  return kCentre + direction * (kLeastRadius + kRelief * fractalNoise(direction * kFrequency, kReliefOctaves));
+  return kCentre + direction * (kMinRadius + kRelief * fractalNoise(direction * kFrequency, kReliefOctaves));
 }
 
 /// Returns the four corners of the room on the side of a face, counter-clockwise seen from inside.

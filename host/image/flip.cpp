@@ -29,7 +29,7 @@ constexpr std::array<Sensitivity, 3> kSensitivities = {{
     {1, 0.0053, 0, 1e-5},       // red-green
     {34.1, 0.04, 13.5, 0.025},  // blue-yellow
 }};
-constexpr double kWidestScale = 0.04;  ///< maximum of b
+constexpr double kMaxScale = 0.04;  ///< maximum of b
 
 constexpr double kFeatureWidth = 0.082;  ///< w, degrees: two standard deviations of the edge detector
 constexpr double kFeatureExponent = 0.5;
@@ -56,7 +56,7 @@ void add(Plane& sum, const Plane& term) {
 /// sensitivity (equation 2), z in degrees, normalised. Both Gaussians are negligible outside the radius. Each is
 /// separable; their sum is not.
 Plane filteredBySensitivity(const Plane& plane, const Sensitivity& s, double pixelsPerDegree) {
-  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kWidestScale / (2 * kPi * kPi)) * pixelsPerDegree));
+  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kMaxScale / (2 * kPi * kPi)) * pixelsPerDegree));
   const auto deviation = [&](double b) { return std::sqrt(b / 2) / kPi * pixelsPerDegree; };
   const Kernel first = gaussian(radius, deviation(s.b1));
   const Kernel second = gaussian(radius, deviation(s.b2));

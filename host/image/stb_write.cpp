@@ -24,8 +24,8 @@ Bytes checked(int succeeded, Bytes bytes) {
 
 /// Clamps to the range of RGBE, whose shared exponents reach 2^127. NaN becomes 0.
 float rgbeValue(float value) {
-  constexpr float kLargest = 1.6e38f;
-  return value > 0 ? std::min(value, kLargest) : 0;
+  constexpr float kMaxValue = 1.6e38f;
+  return value > 0 ? std::min(value, kMaxValue) : 0;
 }
 
 }  // namespace

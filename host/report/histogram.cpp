@@ -9,7 +9,7 @@
 namespace candela::report {
 namespace {
 
-constexpr int kMostStops = 24;
+constexpr int kMaxStops = 24;
 constexpr std::size_t kBinsPerStop = 2;
 constexpr std::size_t kDifferenceBins = 41;  // odd, so that equal pixels are in the middle bin
 constexpr double kShareWithin = 0.99;
@@ -33,7 +33,7 @@ StopRange stopRange(const image::Image& a, const image::Image& b) {
   }
   if (least > most) return {};
   const double high = std::floor(most) + 1;
-  return {std::max(std::floor(least), high - kMostStops), high};
+  return {std::max(std::floor(least), high - kMaxStops), high};
 }
 
 Histogram histogramOfStops(const image::Image& image, const StopRange& range) {

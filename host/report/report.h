@@ -46,7 +46,7 @@ struct Report {
   std::vector<std::string> commands;  ///< shell commands
 };
 
-/// Returns the page. Equal reports give equal pages. Pictures of more than kMostPixels are reduced, with a note.
+/// Returns the page. Equal reports give equal pages. Pictures of more than kMaxPixels are reduced, with a note.
 std::string toHtml(const Report& report);
 
 }  // namespace candela::report

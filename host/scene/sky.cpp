@@ -53,10 +53,10 @@ fs::path findFace(const fs::path& folder, const std::string& name) {
 
 SkyFace readFace(const fs::path& file) {
   image::Pixels8 pixels = image::readPixels8(file);
-  const bool fits = pixels.width <= kLargestSkySide && pixels.height <= kLargestSkySide;
+  const bool fits = pixels.width <= kMaxSkySide && pixels.height <= kMaxSkySide;
   if (!fits) {
     throw FileError(fmt::format("{} has {} x {} pixels; a face of a sky box may have at most {} per side",
-                                quote(file.string()), pixels.width, pixels.height, kLargestSkySide));
+                                quote(file.string()), pixels.width, pixels.height, kMaxSkySide));
   }
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
 }

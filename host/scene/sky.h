@@ -9,7 +9,7 @@
 namespace candela::scene {
 
 /// Maximum side of a face, in texels.
-inline constexpr std::uint32_t kLargestSkySide = 8192;
+inline constexpr std::uint32_t kMaxSkySide = 8192;
 
 /// Reads the images right, left, top, bottom, front and back in `folder`, each .jpg, .jpeg or .png. With links
 /// resolved, the folder and each image must be in one of the `permitted` folders. Returns an empty value if the folder

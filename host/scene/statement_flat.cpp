@@ -8,8 +8,8 @@
 namespace candela::scene {
 namespace {
 
-constexpr double
-    kFarthest = 1e38;  ///< maximum distance of a plane from the origin; leaves room for points around the nearest point
+constexpr double kMaxDistance = 1e38;  ///< maximum distance of a plane from the origin; leaves room for points around
+                                       ///< the nearest point
 
 /// Returns two vectors perpendicular to the unit vector n, with u x v = n (Duff et al., JCGT 2017). They are exact if n
 /// is an axis.
@@ -41,7 +41,7 @@ void parseHessianPlane(Parser& parser) {
   if (length == 0) StatementReader::fail(position, "the plane's normal has length 0");
   const glm::dvec3 n = normal / length;
   const glm::dvec3 origin = -d / length * n;
-  if (!(glm::length(origin) < kFarthest))
+  if (!(glm::length(origin) < kMaxDistance))
     StatementReader::fail(position, "the plane is beyond the range of single precision");
   const double size = std::max(1.0, glm::length(origin));  // reduces the tilt of the plane by rounding
   glm::dvec3 u, v;

@@ -8,7 +8,7 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::int64_t kMostItems = 0xffffffff;
+constexpr std::int64_t kMaxItems = 0xffffffff;
 
 /// Reads an index. Indices are 1-based; negative indices count from the end, so that -1 is the last vertex. 0 is an
 /// error.
@@ -24,8 +24,8 @@ std::size_t readIndex(Parser& parser, std::size_t vertexCount) {
 }  // namespace
 
 void parseMesh(Parser& parser) {
-  std::vector<glm::vec3> vertices(parser.itemCount("the number of vertices", 1, kMostItems, 3));
-  const std::size_t faceCount = parser.itemCount("the number of triangles", 0, kMostItems, 3);
+  std::vector<glm::vec3> vertices(parser.itemCount("the number of vertices", 1, kMaxItems, 3));
+  const std::size_t faceCount = parser.itemCount("the number of triangles", 0, kMaxItems, 3);
   for (glm::vec3& vertex : vertices) vertex = parser.in.vector("a vertex");
   const std::uint32_t material = parser.currentMaterial();
   for (std::size_t i = 0; i < faceCount; ++i) {

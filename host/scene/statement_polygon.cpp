@@ -9,10 +9,10 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::int64_t kMostVertices = 16384;  ///< maximum number of vertices; triangulation takes quadratic time
+constexpr std::int64_t kMaxVertices = 16384;  ///< maximum number of vertices; triangulation takes quadratic time
 
 std::size_t readCount(Parser& parser, std::size_t numbersPerVertex) {
-  return parser.itemCount("the number of vertices", 3, kMostVertices, numbersPerVertex);
+  return parser.itemCount("the number of vertices", 3, kMaxVertices, numbersPerVertex);
 }
 
 glm::vec3 readNormal(Parser& parser) {

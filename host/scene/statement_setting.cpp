@@ -50,8 +50,8 @@ void parseAccel(Parser& parser) {
 }
 
 void parseSamples(Parser& parser) {
-  constexpr std::int64_t kMost = 1'000'000'000;
-  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 1, kMost));
+  constexpr std::int64_t kMaxSamples = 1'000'000'000;
+  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 1, kMaxSamples));
   parser.scene.requestedSamples = samples;
   parser.log.warn(
       "spp", parser.keyword,

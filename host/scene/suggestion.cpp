@@ -7,7 +7,7 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::size_t kLongestWord = 24;  ///< longer words are not regarded as misspelt keywords
+constexpr std::size_t kMaxWordLength = 24;  ///< longer words are not regarded as misspelt keywords
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
 
@@ -32,7 +32,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings) {
-  if (word.size() > kLongestWord) return std::nullopt;
+  if (word.size() > kMaxWordLength) return std::nullopt;
   std::optional<std::string_view> best;
   std::size_t limit = word.size() / 3 + 1;  // one more than the maximum distance
   for (const Spelling& spelling : spellings) {

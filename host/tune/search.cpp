@@ -118,7 +118,7 @@ double noise(const Row& base, const Row& row) {
 
 bool isClearlyFaster(const Row& base, const Row& row) {
   const double times = gain(base, row);
-  return times > kLeastGain && std::log(times) > noise(base, row);
+  return times > kMinGain && std::log(times) > noise(base, row);
 }
 
 bool SearchResult::agree() const {

@@ -32,11 +32,11 @@ double gain(const Row& base, const Row& row);
 /// Returns twice the standard error of the logarithm of gain(). The error of the median of n runs with a median
 /// absolute deviation m is taken as that of a normal distribution, 1.2533 * 1.4826 m / sqrt(n).
 double noise(const Row& base, const Row& row);
-/// Returns whether gain() exceeds both noise() and kLeastGain.
+/// Returns whether gain() exceeds both noise() and kMinGain.
 bool isClearlyFaster(const Row& base, const Row& row);
 
 /// A smaller gain does not justify another setting.
-inline constexpr double kLeastGain = 1.02;
+inline constexpr double kMinGain = 1.02;
 
 struct SearchResult {
   std::vector<Round> rounds;

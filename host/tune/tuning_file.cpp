@@ -30,7 +30,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema = "candela-tune/1";
-constexpr std::size_t kLargestFile = std::size_t{1} << 16;
+constexpr std::size_t kMaxFileSize = std::size_t{1} << 16;
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -61,7 +61,7 @@ std::optional<std::string> readSmallFile(const fs::path& file, std::string& prob
     problem = "not a regular file";
     return std::nullopt;
   }
-  std::string text(kLargestFile + 1, '\0');
+  std::string text(kMaxFileSize + 1, '\0');
   std::size_t size = 0;
   while (size < text.size()) {
     const ssize_t count = ::read(descriptor.get(), text.data() + size, text.size() - size);
@@ -70,7 +70,7 @@ std::optional<std::string> readSmallFile(const fs::path& file, std::string& prob
     if (count <= 0) break;
     size += static_cast<std::size_t>(count);
   }
-  if (size > kLargestFile) problem = "too large";
+  if (size > kMaxFileSize) problem = "too large";
   text.resize(size);
   return problem.empty() ? std::optional(text) : std::nullopt;
 }

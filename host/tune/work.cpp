@@ -14,9 +14,9 @@ namespace candela::tune {
 namespace {
 
 constexpr double kFirstPixels = 128 * 128;
-constexpr double kMostSamples = 1 << 16;
+constexpr double kMaxSamples = 1 << 16;
 // Maximum growth per step: an estimate from a hundredth of the work is too inaccurate for a single step.
-constexpr double kLargestStep = 32;
+constexpr double kMaxStep = 32;
 
 scene::Scene generatedScene(std::uint32_t size) {
   const auto kinds = generate::kindTable();
@@ -50,7 +50,7 @@ void grow(double factor, const render::Extent& largest, const WorkSize& asked, r
   }
   if (!asked.sampleCount) {
     settings.sampleCount = static_cast<std::uint32_t>(
-        std::clamp(std::round(settings.sampleCount * factor), 1.0, kMostSamples));
+        std::clamp(std::round(settings.sampleCount * factor), 1.0, kMaxSamples));
   }
 }
 
@@ -80,11 +80,11 @@ void fitToDevice(render::Renderer& renderer, const WorkSize& asked, const render
   work.settings.size = asked.size.value_or(shrunk(largest, kFirstPixels));
   work.settings.sampleCount = asked.sampleCount.value_or(1);
   if (asked.size && asked.sampleCount) return;
-  constexpr int kMostSteps = 4;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMaxSteps = 4;
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double seconds = secondsOf(renderer, work, control);
     if (seconds > 0.5 * kRunSeconds) return;
-    grow(std::min(kLargestStep, kRunSeconds / std::max(seconds, 1e-6)), largest, asked, work.settings);
+    grow(std::min(kMaxStep, kRunSeconds / std::max(seconds, 1e-6)), largest, asked, work.settings);
   }
 }
 

@@ -13,8 +13,8 @@ namespace {
 using statistics::estimateOf;
 using statistics::summarise;
 
-constexpr std::uint32_t kFirstSamples = 1;                      // per pixel and batch
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 24;  // per pixel and batch
+constexpr std::uint32_t kFirstSamples = 1;                     // per pixel and batch
+constexpr std::uint64_t kMaxSamples = std::uint64_t{1} << 24;  // per pixel and batch
 
 std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {
   if (watched) regions.push_back(*watched);
@@ -44,7 +44,7 @@ class LightTest {
       if (result_.information == 1 || result_.differs()) break;
       result_.outOfTime = isOutOfTime();
       if (result_.outOfTime || look + 1 == kMaxLooks) break;
-      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMostSamples);
+      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMaxSamples);
     }
     return finished();
   }
