@@ -1,3 +1,4 @@
+// First fit by shifts of bit masks.
 #include "host/accel/block_packer.h"
 
 #include <algorithm>

@@ -1,26 +1,26 @@
-// Where blocks of eight slots go of which some stay empty: into each other, so that one's gaps hold what others have.
+// Packs blocks of eight slots, some of them empty, such that the gaps of a block hold slots of other blocks.
 #pragma once
 #include <bit>
 #include <cstdint>
 
 namespace candela::accel {
 
-/// First fit in a window of the last 64 slots. Slot 0 is taken from the beginning.
+/// First fit in a window of the last 64 slots. Slot 0 is occupied from the beginning.
 class BlockPacker {
  public:
-  /// The slot that the new block starts with, so near the front of the window that slot + i is free, and taken from
-  /// then on, for every bit i of `mask`, which must not be 0.
+  /// Returns the start of the new block: the first slot in the window such that slot + i is free for every bit i of
+  /// `mask`, which must not be 0. These slots are then occupied.
   std::uint32_t place(std::uint8_t mask);
 
-  /// The number of slots up to the last one that is taken.
+  /// Returns the number of slots up to the last occupied one.
   std::uint32_t end() const { return start_ + static_cast<std::uint32_t>(std::bit_width(taken_)); }
 
  private:
   void moveWindow(std::uint32_t slots);
 
   std::uint32_t
-      start_ = 0;  ///< of the window, which reaches to the last slot that is taken; what lies before it is left
-  std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i
+      start_ = 0;  ///< start of the window, which ends at the last occupied slot; slots before it are not used any more
+  std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i is occupied
 };
 
 }  // namespace candela::accel

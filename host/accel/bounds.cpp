@@ -1,3 +1,4 @@
+// Checks of bounding boxes.
 #include "host/accel/bounds.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float kMaxMagnitude = 0x1p100f;
 
-// Written so that a NaN fails it.
+// The comparisons are written such that they fail for NaN.
 bool isProper(const Aabb& b) {
   const bool ordered = b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
   const bool above = b.min.x >= -kMaxMagnitude && b.min.y >= -kMaxMagnitude && b.min.z >= -kMaxMagnitude;

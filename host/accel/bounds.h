@@ -1,4 +1,4 @@
-// Axis-aligned boxes in single precision.
+// Axis-aligned bounding boxes in single precision.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace candela::accel {
 
-/// The box of all points p with min <= p <= max on each axis. Starts out empty: min above max.
+/// The box of all points p with min <= p <= max on each axis. A new box is empty: min is above max.
 struct Aabb {
   glm::vec3 min{std::numeric_limits<float>::infinity()};
   glm::vec3 max{-std::numeric_limits<float>::infinity()};
@@ -28,7 +28,7 @@ struct Aabb {
   }
 
   glm::dvec3 extent() const { return isEmpty() ? glm::dvec3(0) : glm::dvec3(max) - glm::dvec3(min); }
-  /// In double, so that no finite box overflows; 0 if empty.
+  /// Computed in double precision, so that no finite box overflows; 0 if empty.
   double surfaceArea() const {
     const glm::dvec3 e = extent();
     return 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
@@ -37,10 +37,10 @@ struct Aabb {
   bool operator==(const Aabb&) const = default;
 };
 
-/// The largest float that is not above `x`.
+/// Returns the largest float that is not above `x`.
 float roundDown(double x);
 
-/// What builders take: finite, not empty, within +-2^100. Throws InternalError that calls the box number `index` of
+/// Checks a box for builders: finite, not empty, within +-2^100. Throws InternalError, which names box `index` of
 /// `structure`.
 void requireProper(const Aabb& box, std::size_t index, const char* structure);
 

@@ -1,4 +1,4 @@
-// What ranges of boxes sum up to, and which rule cuts them.
+// Computes the bounds of ranges of boxes, and selects the rule that splits them.
 #include "host/accel/build_range.h"
 
 #include "host/accel/split_rules.h"

@@ -1,4 +1,4 @@
-// Grows the tree: large ranges fork into tasks, small ones become subtrees, and all of it is joined in one order.
+// Builds the BVH: large ranges fork into tasks, small ones become subtrees, and all are joined in a fixed order.
 #include "host/accel/bvh.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace candela::accel {
 namespace {
 
 constexpr std::size_t kMaxBvhPrimitives = std::size_t{1} << 31;
-// Ranges below this many items are one task. A constant of the tree, not of the machine.
+// Ranges with fewer items are one task. The value does not depend on the machine.
 constexpr std::size_t kTaskItems = std::size_t{1} << 14;
 
 void requireOptions(const BvhOptions& options, std::size_t itemCount) {
@@ -45,7 +45,7 @@ std::vector<BuildItem> makeItems(std::span<const Aabb> bounds) {
   return items;
 }
 
-// A range of all items on its way into the tree, `levels` steps above the depth limit.
+// A range of items to be built, `levels` steps above the depth limit.
 struct Range {
   std::size_t first;
   std::size_t count;
@@ -53,7 +53,7 @@ struct Range {
   RangeSummary summary;
 };
 
-// The trunk of the tree while it grows: a branch either forks, or has its whole subtree in `nodes`, root first.
+// The trunk of the BVH during the build: a branch either forks, or has its whole subtree in `nodes`, root first.
 struct Branch {
   Aabb bounds;
   std::unique_ptr<std::array<Branch, 2>> fork;
@@ -83,7 +83,7 @@ class BvhBuilder {
     return threadsFor(options.threads);
   }
 
-  // Forks large ranges, each side a task of its own; small ones become subtrees at once.
+  // Forks large ranges, with a task for each side; small ones become subtrees at once.
   void grow(Branch& branch, const Range& range) {
     branch.bounds = range.summary.bounds.toAabb();
     const auto halves = range.count < kTaskItems ? std::nullopt : divide(range);
@@ -101,7 +101,7 @@ class BvhBuilder {
     }
   }
 
-  // Recursion ends at options_.maxDepth.
+  // The recursion ends at options_.maxDepth.
   void growSubtree(std::vector<BvhNode>& nodes, std::size_t slot, const Range& range) {
     const auto halves = divide(range);
     nodes[slot].bounds = range.summary.bounds.toAabb();
@@ -126,7 +126,7 @@ class BvhBuilder {
              Range{range.first + leftCount, range.count - leftCount, range.levels - 1, split->sides[1]}}};
   }
 
-  // Puts a branch's root into `slot` and the rest behind all others, as growSubtree() would have done.
+  // Puts the root of a branch into `slot` and its other nodes at the end, in the order of growSubtree().
   static void append(Branch& branch, std::size_t slot, std::vector<BvhNode>& out) {
     const std::size_t behind = out.size();
     if (branch.fork) {
@@ -147,7 +147,7 @@ class BvhBuilder {
   std::vector<BuildItem> items_;
   Branch root_;
   std::atomic<std::size_t> nodeCount_ = 0;
-  TaskPool pool_;  ///< last member: its threads end before what they work on
+  TaskPool pool_;  ///< last member: its threads end before the data on which they work
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Looks at finished trees: how good they are, and whether they are right.
+// Computes the quality of finished BVHs, and validates them.
 #include <fmt/format.h>
 
 #include "host/accel/bvh.h"
@@ -29,7 +29,7 @@ class BvhValidator {
   }
 
  private:
-  // Children come after their parent and are reached once, so that the walk ends on any input.
+  // Children follow their parent and are reached once, so that the loop ends on any input.
   std::optional<std::string> walk() {
     std::size_t reached = 0;
     nodeReached_.assign(bvh_.nodes.size(), false);
@@ -111,7 +111,7 @@ BvhQuality quality(const Bvh& bvh, const BvhOptions& options) {
     const BvhVisit visit = stack.back();
     stack.pop_back();
     const BvhNode& node = bvh.nodes[visit.node];
-    // A line that meets a root without area is as good as one that meets every node.
+    // If the root has no area, every node is assumed to be hit.
     const double chance = rootArea > 0 ? node.bounds.surfaceArea() / rootArea : 1;
     ++result.nodeCount;
     result.depth = std::max(result.depth, visit.depth);

@@ -1,4 +1,4 @@
-// Passes depths down a tree.
+// Computes the depth of each node from that of its parent.
 #include "host/accel/bvh_levels.h"
 
 namespace candela::accel {

@@ -1,4 +1,4 @@
-// The boxes of a tree, level by level, for looking at it.
+// The boxes of a BVH, level by level, for display.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,8 +13,8 @@ struct LevelBox {
   std::uint32_t depth;  ///< steps from the root
 };
 
-/// All boxes of a valid tree or, with a level, those `level` steps from the root and the leaves above them, which
-/// together hold every primitive once. In the tree's order: a box comes before those in it.
+/// Returns all boxes of a valid BVH; or, with a level, the boxes at `level` steps from the root and the leaves above
+/// them, which together contain every primitive once. The order is that of the nodes: a box precedes those inside it.
 std::vector<LevelBox> levelBoxes(const Bvh& bvh, std::optional<std::uint32_t> level);
 
 }  // namespace candela::accel

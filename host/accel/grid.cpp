@@ -1,5 +1,5 @@
-// Fills the cells: primitives are dealt out to slabs of cells, then each slab is sorted by counting. All passes run in
-// parallel, and keep the order of the primitives whatever the number of threads.
+// Fills the cells: primitives are distributed to slabs of cells, then each slab is sorted by counting. All passes run
+// in parallel and preserve the order of the primitives for any number of threads.
 #include "host/accel/grid.h"
 
 #include <fmt/format.h>
@@ -13,11 +13,11 @@ namespace candela::accel {
 namespace {
 
 constexpr std::size_t kMaxGridPrimitives = std::size_t{1} << 27;
-constexpr std::size_t kChunk = std::size_t{1} << 15;  // primitives of one task
-constexpr std::uint32_t kMostSlabs = 256;             // write streams that caches keep up with
-constexpr double kCoarser = 0.8;                      // steps of the density where the grid is too fine
+constexpr std::size_t kChunk = std::size_t{1} << 15;  // primitives per task
+constexpr std::uint32_t kMaxSlabs = 256;              // number of write streams for which caches are sufficient
+constexpr double kCoarser = 0.8;                      // factor by which the density is lowered if the grid is too fine
 
-// A primitive on its way into cells. The block's numbers fit 16 bits: kMostCellsPerAxis.
+// A primitive on its way into cells. The indices of the block fit into 16 bits, see kMaxCellsPerAxis.
 struct Entry {
   std::uint32_t primitive;
   std::array<std::uint16_t, 3> low;
@@ -63,7 +63,7 @@ class GridBuilder {
 
   std::size_t chunkCount() const { return (bounds_.size() + kChunk - 1) / kChunk; }
 
-  // Calls body(chunk, first primitive, behind the last).
+  // Calls body(chunk, first primitive, end) for every chunk.
   template <class Body>
   void forEachChunk(const Body& body) {
     for (std::size_t chunk = 0; chunk < chunkCount(); ++chunk) {
@@ -85,28 +85,28 @@ class GridBuilder {
                            [](Aabb all, const Aabb& box) { return all.extend(box), all; });
   }
 
-  // The finest grid, from the density asked for downwards, that keeps within all bounds. One cell does.
+  // Returns the finest grid, from the requested density downwards, that is within all limits. One cell always is.
   void chooseShape(const Aabb& box) {
     for (grid_.density = options_.density;; grid_.density *= kCoarser) {
       grid_.shape = gridShape(box, bounds_.size(), grid_.density);
-      if (grid_.shape.cellCount() > mostGridCells(bounds_.size())) continue;
+      if (grid_.shape.cellCount() > maxGridCells(bounds_.size())) continue;
       if (grid_.shape.sides[grid_.shape.outermostAxis()] > options_.maxSide) continue;
       cutSlabs();
-      if (census() <= mostGridReferences(bounds_.size())) return;
+      if (census() <= maxGridReferences(bounds_.size())) return;
     }
   }
 
-  // Slabs are layers of cells across the outermost axis: consecutive numbers.
+  // Slabs are layers of cells perpendicular to the outermost axis, which have consecutive indices.
   void cutSlabs() {
     outermost_ = grid_.shape.outermostAxis();
     const std::uint32_t layers = grid_.shape.sides[outermost_];
-    slabLayers_ = (layers + kMostSlabs - 1) / kMostSlabs;
+    slabLayers_ = (layers + kMaxSlabs - 1) / kMaxSlabs;
     slabCount_ = (layers + slabLayers_ - 1) / slabLayers_;
   }
 
   std::uint32_t slabOf(std::uint32_t layer) const { return layer / slabLayers_; }
 
-  // Counts what each chunk has for each slab, and returns the number of references.
+  // Counts the references of each chunk to each slab. Returns the number of all references.
   std::uint64_t census() {
     tallies_.assign(chunkCount() * slabCount_, {});
     forEachChunk([this](std::size_t chunk, std::size_t first, std::size_t end) {
@@ -130,7 +130,7 @@ class GridBuilder {
     }
   }
 
-  // Sorts entries by slab, within a slab by primitive.
+  // Sorts entries by slab, and by primitive within a slab.
   void deal() {
     placeSlabs();
     entries_.resize(slabs_.back().entries);
@@ -145,7 +145,7 @@ class GridBuilder {
     });
   }
 
-  // Turns counts into places: where each slab begins (and the last ends), and in it each chunk.
+  // Turns counts into positions: the start of each slab (and the end of the last), and of each chunk within it.
   void placeSlabs() {
     slabs_.assign(1, {});
     Tally sum;
@@ -180,7 +180,7 @@ class GridBuilder {
       end += grid_.starts[cell];
       grid_.starts[cell] = end;
     }
-    // From the back: each cell's end moves down to its start, and its items come to ascend.
+    // Runs backwards: the end of each cell moves down to its start, and its items become ascending.
     for (std::size_t i = entries.size(); i-- > 0;) {
       const Entry& entry = entries[i];
       forEachCell(entry, [&](std::uint32_t cell) { grid_.items[--grid_.starts[cell]] = entry.primitive; });
@@ -204,22 +204,23 @@ class GridBuilder {
   int outermost_ = 2;
   std::uint32_t slabLayers_ = 1;
   std::uint32_t slabCount_ = 1;
-  std::vector<Tally> tallies_;  ///< [chunk][slab]: counts, then the place of the next entry
-  std::vector<Tally> slabs_;    ///< where each slab's entries and references begin; one more than slabs
+  std::vector<Tally> tallies_;  ///< [chunk][slab]: counts, then the position of the next entry
+  std::vector<Tally>
+      slabs_;  ///< start of the entries and of the references of each slab, with one entry more than slabs
   std::vector<Entry> entries_;
-  TaskPool pool_;  ///< last member: its threads end before what they work on
+  TaskPool pool_;  ///< last member: its threads end before the data on which they work
 };
 
 }  // namespace
 
-std::uint64_t mostGridCells(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 128, kLeast = 1024;
-  return std::min(kPerPrimitive * primitiveCount + kLeast, std::uint64_t{1} << 30);
+std::uint64_t maxGridCells(std::size_t primitiveCount) {
+  constexpr std::uint64_t kPerPrimitive = 128, kMinimum = 1024;
+  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 30);
 }
 
-std::uint64_t mostGridReferences(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 64, kLeast = 4096;
-  return std::min(kPerPrimitive * primitiveCount + kLeast, std::uint64_t{1} << 31);
+std::uint64_t maxGridReferences(std::size_t primitiveCount) {
+  constexpr std::uint64_t kPerPrimitive = 64, kMinimum = 4096;
+  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 31);
 }
 
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {

@@ -1,4 +1,4 @@
-// Looks at finished grids: how full they are, and whether they are right.
+// Computes the quality of finished grids, and validates them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class GridValidator {
   std::optional<std::string> checkShape() const {
     const GridShape& shape = grid_.shape;
     for (int axis = 0; axis < 3; ++axis) {
-      if (shape.sides[axis] < 1 || shape.sides[axis] > kMostCellsPerAxis) {
+      if (shape.sides[axis] < 1 || shape.sides[axis] > kMaxCellsPerAxis) {
         return fmt::format("{} cells along axis {}", shape.sides[axis], axis);
       }
       const bool cut = shape.sides[axis] > 1;
@@ -44,7 +44,7 @@ class GridValidator {
     return std::nullopt;
   }
 
-  // Some order of the axes has each stride the product of the sides before it: no two cells share a number.
+  // For some order of the axes, each stride is the product of the sides before it: no two cells have the same index.
   std::optional<std::string> checkStrides() const {
     const GridShape& shape = grid_.shape;
     std::array<int, 3> axes{0, 1, 2};
@@ -85,7 +85,7 @@ class GridValidator {
     return std::nullopt;
   }
 
-  // Each primitive is in all its cells, and the references are as many: so it is in no other.
+  // Each primitive is in all of its cells, and the number of references is equal: it is in no other cell.
   std::optional<std::string> checkPrimitives() const {
     std::uint64_t references = 0;
     for (std::uint32_t primitive = 0; primitive < bounds_.size(); ++primitive) {

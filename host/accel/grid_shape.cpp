@@ -1,4 +1,4 @@
-// The report's rule for the number of cells, and its exceptions.
+// The report's rule for the number of cells, with the exceptions of grid_shape.h.
 #include "host/accel/grid_shape.h"
 
 #include <cmath>
@@ -11,10 +11,10 @@ double reachOf(const Aabb& bounds) {
   return double{std::max({reach.x, reach.y, reach.z})};
 }
 
-// In lengths this small, scales would overflow.
-constexpr double kLeastCell = 0x1p-100;
+// For smaller extents, the scale would overflow.
+constexpr double kMinCellSize = 0x1p-100;
 
-// s of the rule: the number of primitives per unit of length on the axes that take part.
+// Returns s of the rule: the number of primitives per unit of length on the axes that take part.
 double linearDensity(const glm::dvec3& extent, double thinnest, std::size_t primitiveCount) {
   double product = 1;
   int axes = 0;
@@ -54,13 +54,13 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
   GridShape shape;
   shape.bounds = bounds;
   const glm::dvec3 extent = bounds.extent();
-  const double thinnest = std::max(kThinnestCell * reachOf(bounds), kLeastCell);
+  const double thinnest = std::max(kThinnestCell * reachOf(bounds), kMinCellSize);
   const double s = linearDensity(extent, thinnest, primitiveCount);
   for (int axis = 0; axis < 3; ++axis) {
     shape.sides[axis] = 1;
     if (extent[axis] <= thinnest) continue;
     const double wanted = std::trunc(density * extent[axis] * s) + 1;
-    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMostCellsPerAxis);
+    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMaxCellsPerAxis);
     shape.sides[axis] = static_cast<std::uint32_t>(std::min(wanted, most));
     if (shape.sides[axis] > 1) shape.scale[axis] = static_cast<float>(shape.sides[axis] / extent[axis]);
   }

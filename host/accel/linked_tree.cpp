@@ -1,4 +1,4 @@
-// Opens trees, moves their subtrees, and lays them out again.
+// Opens BVHs, moves their subtrees, and stores them in order again.
 #include "host/accel/linked_tree.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::vector<std::uint32_t> heightsOf(const Bvh& bvh) {
   return heights;
 }
 
-// One past the last node below an inner node: where the deepest of the rightmost pairs ends.
+// Returns the end of the nodes below an interior node: the end of the deepest of the rightmost pairs.
 std::uint32_t endBelow(const Bvh& bvh, std::uint32_t node) {
   std::uint32_t pair = bvh.nodes[node].first;
   for (;;) {
@@ -29,7 +29,7 @@ std::uint32_t endBelow(const Bvh& bvh, std::uint32_t node) {
   }
 }
 
-// Puts the subtree below `node` of the source behind the nodes in `out`, and its root into `slot`.
+// Appends the subtree below `node` of the source to `out`, with its root in `slot`.
 void append(const Bvh& source, std::uint32_t node, std::uint32_t slot, std::vector<BvhNode>& out) {
   const BvhNode& root = source.nodes[node];
   out[slot] = root;
@@ -64,7 +64,7 @@ void LinkedTree::openAll(const Bvh& source) {
 
 void LinkedTree::openLargest(const Bvh& source, std::size_t nodeLimit) {
   const std::vector<std::uint32_t> heights = heightsOf(source);
-  using Closed = std::tuple<double, std::uint32_t, std::uint32_t>;  // half area, number in the source, place here
+  using Closed = std::tuple<double, std::uint32_t, std::uint32_t>;  // half area, index in the source, index here
   std::priority_queue<Closed> closed;
   const auto close = [&](std::uint32_t node, std::uint32_t place) {
     const BvhNode& origin = source.nodes[node];
@@ -104,7 +104,7 @@ bool LinkedTree::mayMove(const SubtreeMove& move, std::uint32_t maxDepth) const 
 
 void LinkedTree::move(const SubtreeMove& move) {
   const std::uint32_t parent = parentOf(move.from), sibling = siblingOf(move.from);
-  // The sibling takes its parent's place, which leaves its own for the node that gets a new sibling.
+  // The sibling replaces its parent, so that its own index becomes free for the node that gets a new sibling.
   put(parent, nodes_[sibling], heights_[sibling]);
   if (parent != 0) refit(parentOf(parent));
   put(sibling, nodes_[move.to], heights_[move.to]);
@@ -118,7 +118,7 @@ void LinkedTree::put(std::uint32_t place, const BvhNode& node, std::uint32_t hei
   if (!node.isLeaf()) parents_[(node.first - 1) / 2] = place;
 }
 
-// Boxes and heights from an inner node up, as far as they change.
+// Updates boxes and heights from an interior node upwards, as far as they change.
 void LinkedTree::refit(std::uint32_t node) {
   for (;;) {
     BvhNode& inner = nodes_[node];
@@ -141,7 +141,7 @@ Bvh LinkedTree::layOut(const Bvh& source) const {
   return result;
 }
 
-// Recursion ends at the depth that mayMove() keeps.
+// The recursion ends at the depth that mayMove() ensures.
 void LinkedTree::layOut(const Bvh& source, std::uint32_t node, std::uint32_t slot, std::vector<BvhNode>& out) const {
   const BvhNode& from = nodes_[node];
   if (from.isLeaf()) return append(source, from.first, slot, out);

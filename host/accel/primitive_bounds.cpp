@@ -28,8 +28,8 @@ ExactBounds boundsOf(const scene::Triangle& triangle) {
 
 ExactBounds boundsOf(const scene::Box& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
 
-// The convex hull of a truncated cone is that of its two circles. A circle of radius r about the unit axis w reaches
-// r sqrt(1 - w_i^2) along axis i; 1 - w_i^2 is taken as the sum of the other two squares, which does not cancel.
+// The convex hull of a truncated cone is that of its two circles. A circle of radius r around the unit axis w extends r
+// sqrt(1 - w_i^2) along axis i. 1 - w_i^2 is computed as the sum of the other two squares, which does not cancel.
 ExactBounds boundsOf(const scene::Cone& cone) {
   const glm::dvec3 base(cone.base), apex(cone.apex);
   const glm::dvec3 w = glm::normalize(apex - base);

@@ -1,32 +1,35 @@
-// Bounding boxes of a scene's primitives, wide enough that a box test in single precision never loses a hit.
+// Bounding boxes of a scene's primitives, padded such that a box test in single precision never loses a hit.
 //
-// A tracer in single precision accepts rays that pass a primitive by a little, and its box test errs by a little too. A
-// hit would be lost, and the image would depend on the structure, if the second error went against the first. Both are
-// rounding errors of differences between the primitive's coordinates p and the ray's origin o, so that both move a
-// surface by a multiple of u |p - o|, where u = 2^-24 and |p - o| <= |p| + |o|:
+// A tracer in single precision accepts rays that miss a primitive by a small distance, and its box test has a small
+// error as well. If the second error acted against the first, a hit would be lost, and the image would depend on the
+// acceleration structure. Both are rounding errors of differences between the coordinates p of the primitive and the
+// origin o of the ray, so that both move a surface by a multiple of u |p - o|, where u = 2^-24 and |p - o| <= |p| +
+// |o|:
 //
-// - the box test (box - o) * (1 / d) by at most 8 u |p - o|, a division of 2.5 ulp (all that Vulkan asks for) included;
+// - the box test (box - o) * (1 / d) by at most 8 u |p - o|, including a division of 2.5 ulp, the precision that Vulkan
+//   requires;
 // - a primitive test without cancellation (see below) by less than 20 u |p - o|.
 //
-// Hence two pads of 2^-19 = 32 u, one for each term of |p| + |o|:
+// Hence there are two pads of 2^-19 = 32 u, one for each term of |p| + |o|:
 //
-// - of the box: 2^-19 times its largest coordinate in magnitude. The boxes given here have it.
-// - of the ray, which alone knows its origin; at the nodes it costs nothing. With e = 2^-19 max(|o.x|, |o.y|, |o.z|)
-//   faces are tested as   t0 = (box.min - (o + e)) * inverse,   t1 = (box.max - (o - e)) * inverse.
+// - the pad of the box: 2^-19 times its largest coordinate in magnitude. The boxes returned here include it.
+// - the pad of the ray, which depends on its origin and costs nothing at the nodes. With e = 2^-19 max(|o.x|, |o.y|,
+//   |o.z|), faces are tested as   t0 = (box.min - (o + e)) * inverse,   t1 = (box.max - (o - e)) * inverse.
 //
-// Components of a direction below 2^-100 in magnitude are set to +-2^-100 first, so that 0 * infinity cannot come up.
-// The factor 1 + 2 gamma(3) on the far distance (Ize, JCGT 2013) is part of these 8 u: harmless, and not needed.
+// Components of a direction below 2^-100 in magnitude are first set to +-2^-100, so that 0 * infinity does not occur.
+// The factor 1 + 2 gamma(3) on the far distance (Ize, JCGT 2013) is part of these 8 u: it is harmless, but not needed.
 //
-// Rounding is monotonic, so a box accepted in this way has accepted ancestors, and no greater distance is found there:
-// nodes need no pad of their own. For the same reason a primitive test that also meets its own padded box, and takes no
-// distance smaller than where it enters it, is independent of the structure by construction, whatever its errors.
+// Rounding is monotonic, so the ancestors of an accepted box are accepted too, at a distance that is not greater: nodes
+// need no pad of their own. For the same reason, a primitive test that also intersects its own padded box, and accepts
+// no distance smaller than the entry into it, is independent of the structure by construction, whatever its errors.
 //
-// Free of cancellation are: the sphere by the distance of its centre to the ray's closest point (Haines et al., Ray
-// Tracing Gems, ch. 7; b*b - c errs by u |p - o|^2 / radius instead, which is unbounded for small, far spheres); the
-// cone after the origin was moved to the ray's closest point to the axis (to one point of the axis is not enough: long
-// thin cones then lose hits); a box by slabs; the triangle sheared to the ray (Woop et al., JCGT 2013). Signed volumes
-// of the ray with a triangle's edges are not quite. In both triangle tests a needle's distance errs by u length^2 /
-// width and more: of the hits on needles about one in a million falls outside the box and depends on the structure.
+// These tests are free of cancellation: the sphere by the distance of its centre from the closest point of the ray
+// (Haines et al., Ray Tracing Gems, ch. 7; b*b - c has an error of u |p - o|^2 / radius instead, which is unbounded for
+// small, distant spheres); the cone after the origin is moved to the point of the ray that is closest to the axis (the
+// point closest to one point of the axis is not sufficient: long thin cones then lose hits); the box by slabs; the
+// triangle sheared to the ray (Woop et al., JCGT 2013). Signed volumes of the ray with the edges of a triangle are not
+// completely free of it. In both triangle tests, the distance of a needle has an error of u length^2 / width and more:
+// about one in a million hits on needles is outside the box and depends on the structure.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -37,23 +40,23 @@
 
 namespace candela::accel {
 
-/// Share of the largest coordinate, of box or ray origin, by which boxes are widened.
+/// Padding of boxes and of rays, as a fraction of the largest coordinate of the box or the ray origin.
 inline constexpr float kBoundsPad = 0x1p-19f;
-/// Largest coordinate of a box in magnitude, about 1.1e12: products of three distances stay finite in single precision.
+/// Maximum coordinate of a box in magnitude, about 1.1e12: products of three distances stay finite in single precision.
 inline constexpr float kMaxCoordinate = 0x1p40f;
 
-/// The padded box of one primitive, computed in double and rounded outward; none for a plane, which has no end.
-/// Throws FileError if it reaches beyond kMaxCoordinate.
+/// Returns the padded box of one primitive, computed in double precision and rounded outward, or nothing for an
+/// infinite plane. Throws FileError if it exceeds kMaxCoordinate.
 std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive);
 
-/// All primitives of a scene: `finite` and `infinite` hold primitive indices in ascending order, bounds[i] is the box
-/// of finite[i]. Infinite primitives are tested by every ray.
+/// All primitives of a scene: `finite` and `infinite` contain primitive indices in ascending order, and bounds[i] is
+/// the box of finite[i]. Every ray tests the infinite primitives.
 struct SceneBounds {
   std::vector<Aabb> bounds;
   std::vector<std::uint32_t> finite;
   std::vector<std::uint32_t> infinite;
 };
-/// Throws FileError as primitiveBounds does.
+/// Throws FileError like primitiveBounds.
 SceneBounds boundPrimitives(const scene::Scene& scene);
 
 }  // namespace candela::accel

@@ -8,13 +8,13 @@ namespace candela::accel {
 namespace {
 
 constexpr int kLastPlane = 255;
-constexpr int kLeastExponent = -100;  // far above denormals, far below any margin that matters
+constexpr int kMinExponent = -100;  // far above denormals, far below any relevant margin
 
-// The smallest power of two, within range, of which 255 reach so far.
+// Returns the minimum power of two, within range, of which 255 steps cover the extent.
 int exponentFor(double reach) {
-  int exponent = kLeastExponent;
+  int exponent = kMinExponent;
   if (reach > 0) std::frexp(reach / kLastPlane, &exponent);
-  return std::max(exponent, kLeastExponent);
+  return std::max(exponent, kMinExponent);
 }
 
 }  // namespace

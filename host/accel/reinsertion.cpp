@@ -1,4 +1,4 @@
-// Looks for better places of subtrees, pass by pass.
+// Searches for better positions of subtrees, pass by pass.
 #include "host/accel/reinsertion.h"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace candela::accel {
 namespace {
 
-// Nearly all that reinsertion gains it gains among the largest nodes, where it costs next to nothing.
+// Nearly all of the gain comes from the nodes with the largest surface areas, where the search is cheap.
 constexpr std::size_t kTrunkNodes = 2048;
-constexpr int kMostPasses = 8;
-constexpr double kLeastGainOfPass = 1e-3;  // of the sum of half areas; a pass that gains less is the last
-// A trunk that gained less is not worth copying the tree.
-constexpr double kLeastGainOfTrunk = 1e-2;
+constexpr int kMaxPasses = 8;
+constexpr double kMinGainOfPass = 1e-3;  // fraction of the sum of half areas; a pass with a smaller gain is the last
+// If the gain within the trunk is smaller, the BVH is not copied.
+constexpr double kMinGainOfTrunk = 1e-2;
 constexpr std::size_t kTaskNodes = 1024;
 
 double halfArea(const glm::vec3& min, const glm::vec3& max) {
@@ -27,12 +27,12 @@ double halfArea(const glm::vec3& min, const glm::vec3& max) {
 double halfArea(const Aabb& box) { return halfArea(box.min, box.max); }
 double halfAreaOfBoth(const Aabb& a, const Aabb& b) { return halfArea(glm::min(a.min, b.min), glm::max(a.max, b.max)); }
 
-// Finds the best place for one subtree at a time, by branch and bound.
+// Finds the best position for one subtree at a time, by branch and bound.
 class Search {
  public:
   explicit Search(const LinkedTree& tree) : tree_(tree) {}
 
-  // Climbs from the subtree's parent, which goes away, to the root; the ancestors left behind shrink to `rest`.
+  // Climbs from the parent of the subtree, which is removed, to the root. The remaining ancestors shrink to `rest`.
   SubtreeMove bestMove(std::uint32_t from) {
     const std::vector<BvhNode>& nodes = tree_.nodes();
     box_ = nodes[from].bounds;
@@ -56,7 +56,7 @@ class Search {
  private:
   struct Visit {
     std::uint32_t node;
-    double saved;  // half areas that go away, less those that grow above the node
+    double saved;  // half areas that are removed, minus the growth of those above the node
   };
 
   void offer(std::uint32_t to, double gain) {
@@ -65,7 +65,7 @@ class Search {
     best_.gain = gain;
   }
 
-  // The new inner node alone costs what the subtree's own box has.
+  // The new interior node alone costs the half area of the subtree's own box.
   bool isHopeless(double saved) const { return saved - halfArea_ <= best_.gain; }
 
   void tryBelow(std::uint32_t root, double saved) {
@@ -91,7 +91,7 @@ class Search {
   std::vector<Visit> stack_;
 };
 
-// The best moves of all subtrees, those that gain most first.
+// Returns the best moves of all subtrees in descending order of gain.
 std::vector<SubtreeMove> bestMoves(const LinkedTree& tree, TaskPool& pool) {
   std::vector<SubtreeMove> moves(tree.nodes().size() - 1);
   for (std::size_t first = 0; first < moves.size(); first += kTaskNodes) {
@@ -109,7 +109,7 @@ std::vector<SubtreeMove> bestMoves(const LinkedTree& tree, TaskPool& pool) {
   return moves;
 }
 
-// Leaves out moves whose surroundings others have changed: they would not gain what they promise.
+// Omits moves whose surroundings have been changed by other moves: they would not have the computed gain.
 void apply(const std::vector<SubtreeMove>& moves, std::uint32_t maxDepth, LinkedTree& tree) {
   std::vector<bool> changed(tree.nodes().size(), false);
   for (const SubtreeMove& move : moves) {
@@ -127,13 +127,13 @@ Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOpt
   TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadsFor(options.threads));
   const double start = tree.innerHalfArea();
   double sum = start;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     const double before = sum;
     apply(bestMoves(tree, pool), options.maxDepth, tree);
     sum = tree.innerHalfArea();
-    if (sum >= (1 - kLeastGainOfPass) * before) break;
+    if (sum >= (1 - kMinGainOfPass) * before) break;
   }
-  // Moves of one pass that get in each other's way might even lose.
+  // Moves of one pass that affect each other might even increase the cost.
   return sum < (1 - leastGain) * start ? tree.layOut(bvh) : std::move(bvh);
 }
 
@@ -141,7 +141,7 @@ Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOpt
 
 Bvh reinsert(Bvh bvh, const BvhOptions& options) {
   if (options.reinsertion == Reinsertion::none) return bvh;
-  bvh = reinsertAmong(std::move(bvh), kTrunkNodes, kLeastGainOfTrunk, options);
+  bvh = reinsertAmong(std::move(bvh), kTrunkNodes, kMinGainOfTrunk, options);
   if (options.reinsertion == Reinsertion::trunk) return bvh;
   return reinsertAmong(std::move(bvh), std::numeric_limits<std::size_t>::max(), 0, options);
 }

@@ -1,4 +1,4 @@
-// Improves built trees by reinsertion.
+// Improves BVHs by reinsertion of subtrees.
 #pragma once
 #include <cstdint>
 
@@ -6,12 +6,12 @@
 
 namespace candela::accel {
 
-/// Takes subtrees out of a valid tree and puts each back where the sum of the inner nodes' surfaces becomes least
-/// (Bittner, Hapala and Havran, "Fast Insertion-Based Optimization of Bounding Volume Hierarchies", 2013), in passes:
-/// all look for their places in parallel, then those that gain most move first (Meister and Bittner, "Parallel
-/// Reinsertion for Bounding Volume Hierarchy Optimization", 2018). The leaves stay as they are, so that the SAH cost
-/// never grows. With Reinsertion::trunk only among the nodes of the largest surfaces. Reads maxDepth, threads and
-/// reinsertion of `options`; a function of the tree and of the other two alone.
+/// Removes subtrees from a valid BVH and reinserts each where the sum of the interior nodes' surface areas becomes
+/// minimal (Bittner, Hapala and Havran, "Fast Insertion-Based Optimization of Bounding Volume Hierarchies", 2013), in
+/// passes: all subtrees search for their positions in parallel, then those with the largest gain move first (Meister
+/// and Bittner, "Parallel Reinsertion for Bounding Volume Hierarchy Optimization", 2018). The leaves do not change, so
+/// that the SAH cost never grows. Reinsertion::trunk restricts the search to the nodes with the largest surface areas.
+/// Uses maxDepth, threads and reinsertion of `options`; the result does not depend on threads.
 Bvh reinsert(Bvh bvh, const BvhOptions& options);
 
 }  // namespace candela::accel

@@ -1,4 +1,4 @@
-// The path-tracing report's rule, and halving, which ends what it leaves too deep.
+// The midpoint rule of the path-tracing report, and the median split, which is used where it would become too deep.
 #include <algorithm>
 #include <utility>
 
@@ -39,7 +39,7 @@ std::optional<RangeSplit> splitAtMidpoint(std::span<BuildItem> items, const Rang
                                           const BvhOptions& options) {
   if (items.size() <= options.maxLeafSize) return std::nullopt;
   const int axis = longestAxis(summary.bounds);
-  // Planes, like centres, are doubled.
+  // Planes are doubled, like centres.
   RangeSplit split = splitAt(items, axis, double{summary.bounds.min[axis]} + double{summary.bounds.max[axis]});
   if (isOneSided(split, items.size())) split = splitAt(items, axis, meanCentre2(items, axis));
   if (isOneSided(split, items.size())) split = cutAt(items, std::min<std::size_t>(2, items.size() - 1));

@@ -1,4 +1,4 @@
-// The rules by which a range of boxes is cut in two, and what they share.
+// The rules that split a range of boxes in two, and their common parts.
 #pragma once
 #include <optional>
 #include <span>
@@ -7,27 +7,27 @@
 
 namespace candela::accel {
 
-/// 0 to 2; of equal ones the first.
+/// Returns the longest axis, 0 to 2; the first of equal ones.
 int longestAxis(const Box4& box);
 
-/// Where binned SAH (Wald 2007) finds it cheapest; nothing where one leaf is cheaper still. With SplitRule::coarseSah
-/// bins are fewer, and along the longest axis of the centres alone. At least two items.
+/// Splits by binned SAH (Wald 2007), or returns nothing if one leaf is cheaper. With SplitRule::coarseSah there are
+/// fewer bins, only along the longest axis of the centres. Requires at least two items.
 std::optional<RangeSplit> splitBySah(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                      const BvhOptions& options);
 
-/// Across the longest axis of the range's box: at its centre; if that leaves a side without centres, at their mean; if
-/// that does too, between the first two items and the rest. Nothing where the items fit into one leaf.
+/// Splits perpendicular to the longest axis of the box of the range: at its centre; if one side has no centres, at
+/// their mean; if that fails too, after the first two items. Returns nothing if the items fit into one leaf.
 std::optional<RangeSplit> splitAtMidpoint(std::span<BuildItem> items, const RangeSummary& summary, std::uint32_t levels,
                                           const BvhOptions& options);
 
-/// Halves the range: by the centres along their widest axis, or, if all centres coincide, as the items lie.
+/// Halves the range: by the centres along their longest axis, or in the given order if all centres coincide.
 RangeSplit splitAtMedian(std::span<BuildItem> items, const Box4& centres2);
 
-/// Whether both sides of a cut can still become leaves in the `levels` - 1 steps below it.
+/// Returns whether both sides of a split can still become leaves in the `levels` - 1 steps below it.
 bool fitsBelow(std::size_t leftCount, std::size_t itemCount, std::uint32_t levels, const BvhOptions& options);
 
-/// Moves the items that are not `isRight` to the front and sums up both sides on the way; one may stay empty. Which
-/// side an item is on cannot be predicted, so nothing branches on it.
+/// Moves the items that are not `isRight` to the front and computes the bounds of both sides; one side may stay empty.
+/// The code has no branch on the side of an item, since it cannot be predicted.
 template <class IsRight>
 RangeSplit partition(std::span<BuildItem> items, IsRight&& isRight) {
   RangeSplit split;

@@ -1,4 +1,4 @@
-// Binned SAH on one range: bins, and the best plane among them.
+// Binned SAH on one range: bins, and the best plane between them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +8,14 @@
 namespace candela::accel {
 namespace {
 
-// Small ranges take fewer bins: three of four ranges have less than 8 items, and 4 to 6 bins cost 0.1 % of SAH cost.
+// Small ranges use fewer bins: three of four ranges have fewer than 8 items, and 4 to 6 bins increase the SAH cost by
+// only 0.1 %.
 constexpr std::uint32_t kMinBins = 4;
 constexpr std::uint32_t kMaxBins = 16;
 constexpr std::uint32_t kMaxCoarseBins = 8;
 
-// Maps doubled centres to bins, each axis on its own. A flat axis, or one too short to be divided, has scale 0, and so
-// have all but the longest where the rule is the coarse one.
+// Maps doubled centres to bins, separately for each axis. The scale is 0 for an axis that is flat or too short to be
+// divided, and, with the coarse rule, for all axes but the longest.
 struct Binning {
   bool isCoarse;
   int longest;
@@ -29,7 +30,7 @@ struct Binning {
             std::min<std::size_t>(isCoarse ? kMaxCoarseBins : kMaxBins, kMinBins + itemCount / 4))) {
     for (int axis = 0; axis < 3; ++axis) {
       origin[axis] = centres2.min[axis];
-      // A little less than binCount, so that the last centre falls into the last bin whatever the rounding.
+      // Slightly less than binCount, so that the last centre is in the last bin after rounding.
       const float factor = static_cast<float>(binCount) * (1 - 0x1p-20f) / (centres2.max[axis] - origin[axis]);
       scale[axis] = std::isfinite(factor) && (!isCoarse || axis == longest) ? factor : 0;
     }
@@ -69,7 +70,7 @@ struct Bins {
   }
 };
 
-// A plane before bin `bin` of `axis`. The cost is the sum over both sides of half area times count.
+// A plane before bin `bin` of `axis`. The cost is the sum of half area times count over both sides.
 struct BinPlane {
   int axis = -1;
   std::uint32_t bin = 0;
@@ -77,7 +78,7 @@ struct BinPlane {
   std::uint32_t imbalance = 0;
   double cost = std::numeric_limits<double>::infinity();
 
-  // Where boxes have no area all costs are 0: then the more balanced tree wins.
+  // If boxes have no area, all costs are 0. The more balanced split is then better.
   bool isBetterThan(const BinPlane& other) const {
     return cost < other.cost || (cost == other.cost && imbalance < other.imbalance);
   }
@@ -100,7 +101,7 @@ BinPlane bestPlaneOnAxis(const Bins& bins, int axis, std::uint32_t binCount, std
   for (std::uint32_t bin = 1; bin < binCount; ++bin) {
     left.extend(boxes[bin - 1]);
     leftCount += counts[bin - 1];
-    // The first and the last bin of an axis that is not flat hold an item each: no side is ever empty.
+    // The first and the last bin of an axis that is not flat contain an item each: no side is ever empty.
     const std::uint32_t larger = std::max(leftCount, itemCount - leftCount);
     const BinPlane plane{axis, bin, leftCount, 2 * larger - itemCount, left.halfArea() * leftCount + rightCosts[bin]};
     if (plane.isBetterThan(best)) best = plane;
@@ -118,14 +119,14 @@ BinPlane bestPlane(const Bins& bins, const Binning& binning, std::uint32_t itemC
   return best;
 }
 
-// `splitCost` is the sum over both sides of half area times count.
+// `splitCost` is the sum of half area times count over both sides.
 bool leafIsCheaper(double splitCost, const RangeSummary& summary, std::size_t itemCount, const BvhOptions& options) {
   const double area = summary.bounds.halfArea();
   const double asLeaf = double{options.intersectionCost} * area * static_cast<double>(itemCount);
   return asLeaf <= double{options.traversalCost} * area + double{options.intersectionCost} * splitCost;
 }
 
-// Two items can be split in one way only. A third of all inner nodes are such pairs.
+// Two items can be split in only one way. A third of all interior nodes are such pairs.
 std::optional<RangeSplit> splitPair(std::span<const BuildItem> items, const RangeSummary& summary,
                                     const BvhOptions& options) {
   const double splitCost = items[0].box.halfArea() + items[1].box.halfArea();

@@ -1,4 +1,4 @@
-// One queue, taken from its end, so that a large task's own halves come first.
+// One queue that is emptied from its end, so that the halves of a large task are processed first.
 #include "host/accel/task_pool.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ TaskPool::TaskPool(std::uint32_t threadCount) {
   try {
     for (std::uint32_t i = 1; i < threadCount; ++i) threads_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {
-    // The system grants no more threads: those that run, and the one that waits, do the work.
+    // The system permits no more threads: the running threads and the waiting thread do the work.
   }
 }
 

@@ -11,11 +11,11 @@
 
 namespace candela::accel {
 
-/// `asked`, or one per core for 0.
+/// Returns `asked`, or the number of cores if it is 0.
 std::uint32_t threadsFor(std::uint32_t asked);
 
-/// Threads live from construction to destruction. The thread that calls wait() works too, so `threadCount` 1 starts
-/// none. Tasks run in no particular order.
+/// Threads run from construction to destruction. The thread that calls wait() works too, so that `threadCount` 1 starts
+/// no thread. Tasks run in no particular order.
 class TaskPool {
  public:
   explicit TaskPool(std::uint32_t threadCount);
@@ -23,10 +23,10 @@ class TaskPool {
   TaskPool(const TaskPool&) = delete;
   TaskPool& operator=(const TaskPool&) = delete;
 
-  /// From any thread, also from within a task.
+  /// Adds a task. May be called from any thread and from within a task.
   void submit(std::function<void()> task);
-  /// Returns when all tasks are done, those included that they submitted. Rethrows the first exception of a task;
-  /// tasks not begun by then are dropped.
+  /// Returns when all tasks are done, including those that they submitted. Rethrows the first exception of a task;
+  /// tasks that have not started by then are dropped.
   void wait();
 
  private:
@@ -36,10 +36,10 @@ class TaskPool {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<std::function<void()>> queue_;
-  std::size_t unfinishedCount_ = 0;  ///< queued or running
+  std::size_t unfinishedCount_ = 0;  ///< number of tasks that are queued or running
   std::exception_ptr failure_;
   bool closing_ = false;
-  std::vector<std::jthread> threads_;  ///< last member: joined before the rest goes
+  std::vector<std::jthread> threads_;  ///< last member: joined before the others are destroyed
 };
 
 }  // namespace candela::accel

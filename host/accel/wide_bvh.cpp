@@ -1,4 +1,4 @@
-// Collapses a two-wide tree into an eight-wide one.
+// Collapses a binary BVH into an 8-wide one.
 #include "host/accel/wide_bvh.h"
 
 #include <fmt/format.h>
@@ -16,21 +16,21 @@
 namespace candela::accel {
 namespace {
 
-// A binary node's number by place in a wide node.
+// Indices of binary nodes by position in an 8-wide node.
 constexpr std::uint32_t kNobody = ~0u;
 using Places = std::array<std::uint32_t, kWideChildren>;
 
 struct Pending {
-  std::uint32_t source;  ///< in the binary tree
-  std::uint32_t target;  ///< in the wide one
+  std::uint32_t source;  ///< index in the binary BVH
+  std::uint32_t target;  ///< index in the 8-wide BVH
   std::uint32_t depth;
 };
 
-// Below the top of the tree so many subtrees, or a few more, are collapsed apart from each other, by all threads.
+// Below the top of the BVH, at least this many subtrees are collapsed independently of each other, by all threads.
 constexpr std::size_t kSubtrees = 64;
-constexpr std::size_t kFewNodes = 20000;  // which one thread collapses while others would start
+constexpr std::size_t kFewNodes = 20000;  // below this number of nodes, one thread is faster than starting others
 
-// Collapses the tree below one binary node.
+// Collapses the part of the BVH below one binary node.
 class Collapser {
  public:
   Collapser(const Bvh& bvh, const WideFamilies& families, std::uint32_t root)
@@ -38,7 +38,7 @@ class Collapser {
     wide_.nodes.resize(blocks_.end());
   }
 
-  // Level by level, until that many nodes are left to do.
+  // Collapses level by level until at least this many subtrees are left.
   std::vector<Pending> runUntil(std::size_t count) {
     for (std::size_t next = 0;; ++next) {
       if (next == pending_.size() || pending_.size() - next >= count)
@@ -47,7 +47,7 @@ class Collapser {
     }
   }
 
-  // Everything, depth first.
+  // Collapses everything, in depth-first order.
   void run() {
     while (!pending_.empty()) {
       const Pending next = pending_.back();
@@ -81,13 +81,13 @@ class Collapser {
     ++wide_.nodeCount;
   }
 
-  // A root that is a leaf is the only child of a wide one.
+  // If the root is a leaf, it becomes the only child of an 8-wide node.
   Family familyOf(std::uint32_t root) const {
     return bvh_.nodes[root].isLeaf() ? Family{{root}, 1} : families_.of(root);
   }
 
-  // Again and again the child and the free place that suit each other best: Ylitie et al. section 3.2, with a greedy
-  // choice instead of an auction.
+  // Repeatedly assigns the child and the free position that fit each other best: Ylitie et al., section 3.2, with a
+  // greedy choice instead of an auction.
   Places arrange(const Family& family, const Aabb& bounds) const {
     std::array<glm::dvec3, kWideChildren> offsets;
     for (std::uint32_t i = 0; i < family.size; ++i) {
@@ -120,7 +120,7 @@ class Collapser {
     return (place & 1 ? offset.x : -offset.x) + (place & 2 ? offset.y : -offset.y) + (place & 4 ? offset.z : -offset.z);
   }
 
-  // The leaf's primitives; returns their bits of a leaf mask.
+  // Appends the primitives of the leaf. Returns their bits of a leaf mask.
   std::uint32_t appendLeaf(const BvhNode& leaf) {
     if (leaf.count > kMaxWideLeaf) {
       throw InternalError(fmt::format("a leaf of {} primitives, a wide tree takes {}", leaf.count, kMaxWideLeaf));
@@ -147,15 +147,15 @@ class Collapser {
   std::vector<Pending> pending_;
 };
 
-// A node of a subtree, where the subtree's nodes but the root follow `nodes` others and its primitives `primitives`
-// others.
+// Adjusts a node of a subtree whose nodes other than the root are stored after `nodes` others, and whose primitives are
+// stored after `primitives` others.
 WideNode moved(WideNode node, std::size_t nodes, std::size_t primitives) {
   if (node.innerMask != 0) node.block += static_cast<std::uint32_t>(nodes) - 1;
   node.firstPrimitive += static_cast<std::uint32_t>(primitives);
   return node;
 }
 
-// `roots[i]` is where the root of `subtrees[i]` goes.
+// `roots[i]` is the index for the root of `subtrees[i]`.
 WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideBvh> subtrees) {
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const WideBvh& part = subtrees[i];

@@ -1,10 +1,11 @@
-// The compressed eight-wide bounding volume hierarchy of Ylitie, Karras and Laine ("Efficient Incoherent Ray Traversal
-// on GPUs Through Compressed Wide BVHs", HPG 2017): 80 bytes a node on a device, less than a quarter of what eight
-// boxes take in single precision. Knows nothing of primitives.
+// The compressed 8-wide BVH of Ylitie, Karras and Laine ("Efficient Incoherent Ray Traversal on GPUs Through Compressed
+// Wide BVHs", HPG 2017): 80 bytes per node on a device, less than a quarter of eight boxes in single precision. It is
+// independent of primitives.
 //
-// Two things differ from theirs. Children that are nodes stand in a block of eight, each at the number that it has in
-// its parent: then a block and eight bits, one word, say which nodes wait. Where others are leaves the block has gaps,
-// in which nodes of other blocks stand. And leaves are told by three bits a child at fixed places instead of a byte.
+// Two details differ from the paper. Interior children are stored in a block of eight, each at its index in the parent;
+// a block and eight bits, one word, then represent the pending nodes. Blocks have gaps where children are leaves, and
+// these gaps hold nodes of other blocks. Leaves are encoded by three bits per child at fixed positions instead of a
+// byte.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -17,36 +18,38 @@
 
 namespace candela::accel {
 
-inline constexpr std::uint32_t kMaxWideLeaf = 3;          ///< primitives
-inline constexpr std::uint32_t kMaxWideNodes = 1u << 24;  ///< with gaps
+inline constexpr std::uint32_t kMaxWideLeaf = 3;          ///< maximum number of primitives in a leaf
+inline constexpr std::uint32_t kMaxWideNodes = 1u << 24;  ///< maximum number of nodes, including gaps
 
-/// Bit k of a child's number says, as well as the children's places allow, on which side of the node it lies along axis
-/// k: for a ray whose direction is negative on the axes of the bits of `octant`, number ^ octant orders them from near
-/// to far.
+/// A node. Bit k of a child's index states, as far as the assignment permits, on which side of the node the child lies
+/// along axis k. For a ray whose direction is negative on the axes of the bits of `octant`, index ^ octant orders the
+/// children from near to far.
 struct WideNode {
   QuantisedBoxes boxes;
-  std::uint32_t block = 0;           ///< child i, if it is a node, is node block + i
-  std::uint8_t innerMask = 0;        ///< bit i: child i is a node
-  std::uint32_t firstPrimitive = 0;  ///< of the leaves together, which follow each other in the order of children
-  std::uint32_t leafMask = 0;  ///< bits 3 i to 3 i + 2: as many are set, from the lowest, as child i has primitives
+  std::uint32_t block = 0;     ///< an interior child i is node block + i
+  std::uint8_t innerMask = 0;  ///< bit i: child i is an interior node
+  std::uint32_t
+      firstPrimitive = 0;  ///< first primitive of the leaves, which follow each other in the order of the children
+  std::uint32_t
+      leafMask = 0;  ///< bits 3 i to 3 i + 2: the number of primitives of child i in unary, from the lowest bit
 };
 
-/// The root is node 0. Blocks are nearly in depth-first order but for those next to the root; nodes that no parent
-/// names are of no account.
+/// The root is node 0. Blocks are nearly in depth-first order, except for those near the root. Nodes without a parent
+/// are unused.
 struct WideBvh {
   std::vector<WideNode> nodes;
   std::vector<std::uint32_t> primitiveIndices;
   std::uint32_t depth = 0;      ///< steps from the root to the deepest node
-  std::uint32_t nodeCount = 0;  ///< without gaps
+  std::uint32_t nodeCount = 0;  ///< number of nodes without gaps
 };
 
-/// Collapses a valid tree whose leaves hold at most kMaxWideLeaf primitives, into the nodes that WideFamilies chooses.
-/// Throws InternalError if a leaf is larger, or if there would be more than kMaxWideNodes nodes.
+/// Collapses a valid binary BVH whose leaves have at most kMaxWideLeaf primitives, into the nodes that WideFamilies
+/// chooses. Throws InternalError if a leaf is larger, or if there would be more than kMaxWideNodes nodes.
 WideBvh collapse(const Bvh& bvh);
 
-/// What is wrong with a wide tree over `bounds`, or nothing: every primitive in exactly one leaf, every node named at
-/// most once, every quantised box around what lies in it by the margin that exactness asks for, depth at most
-/// `maxDepth`. Safe on any input.
+/// Returns the first error of an 8-wide BVH over `bounds`, or nothing: every primitive must be in exactly one leaf,
+/// every node must have at most one parent, every quantised box must contain its content with the margin that exactness
+/// requires, and the depth must be at most `maxDepth`. Safe on any input.
 std::optional<std::string> validate(const WideBvh& wide, std::span<const Aabb> bounds, std::uint32_t maxDepth);
 
 }  // namespace candela::accel

@@ -1,4 +1,4 @@
-// Whether a wide tree is right.
+// Validates 8-wide BVHs.
 #include <fmt/format.h>
 
 #include <array>
@@ -10,8 +10,9 @@
 namespace candela::accel {
 namespace {
 
-// Of the margin, what rounding in double may not take. The argument in quantised_boxes.h needs 11 / 16.
-constexpr double kLeastMargin = 0.75 * kPlaneMargin;
+// Minimum margin of a quantised box; it allows for rounding in double precision. The proof in quantised_boxes.h needs
+// 11 / 16.
+constexpr double kMinMargin = 0.75 * kPlaneMargin;
 
 struct WideVisit {
   std::uint32_t node;
@@ -38,7 +39,7 @@ class WideBvhValidator {
   }
 
  private:
-  // Nodes are named once, so that the walk ends on any input. Notes the order of nodes, parents first.
+  // Nodes have one parent, so that the loop ends on any input. Stores the order of nodes, parents first.
   std::optional<std::string> walk() {
     nodeNamed_.assign(wide_.nodes.size(), false);
     primitiveSeen_.assign(bounds_.size(), false);
@@ -92,7 +93,7 @@ class WideBvhValidator {
     return std::nullopt;
   }
 
-  // From the leaves up: what lies in each child against its quantised box.
+  // Compares the content of each child with its quantised box, from the leaves up.
   std::optional<std::string> checkBoxes() {
     std::vector<std::array<Aabb, kWideChildren>> contents(wide_.nodes.size());
     for (std::size_t i = order_.size(); i-- > 0;) {
@@ -121,7 +122,7 @@ class WideBvhValidator {
 
   static bool holds(const QuantisedBoxes& boxes, std::uint32_t place, const Aabb& content, const Aabb& all) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double margin = kLeastMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
+      const double margin = kMinMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
       if (boxes.plane(axis, boxes.low[axis][place]) > content.min[axis] - margin) return false;
       if (boxes.plane(axis, boxes.high[axis][place]) < content.max[axis] + margin) return false;
     }

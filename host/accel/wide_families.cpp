@@ -1,4 +1,4 @@
-// Costs from the leaves up, choices from the root down.
+// Computes costs from the leaves up, and choices from the root down.
 #include "host/accel/wide_families.h"
 
 #include <algorithm>
@@ -7,14 +7,14 @@
 namespace candela::accel {
 namespace {
 
-// Of a line that meets a node, at least: where nodes have no area, the fewest are best.
-constexpr double kLeastChance = 0x1p-40;
+// Lower bound on the hit probability of a node. It makes fewer nodes better where nodes have no area.
+constexpr double kMinHitProbability = 0x1p-40;
 
 }  // namespace
 
 WideFamilies::WideFamilies(const Bvh& bvh) : bvh_(bvh), costs_(bvh.nodes.size()) {
   const double rootArea = bvh.nodes.front().bounds.surfaceArea();
-  // Children come after their parents.
+  // Children follow their parents, so that the loop runs backwards.
   for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
     if (!bvh.nodes[i].isLeaf()) costs_[i] = costsOf(bvh.nodes[i], rootArea);
   }
@@ -33,7 +33,7 @@ WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t ch
 }
 
 WideFamilies::Costs WideFamilies::costsOf(const BvhNode& inner, double rootArea) const {
-  const double chance = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kLeastChance) : 1;
+  const double chance = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kMinHitProbability) : 1;
   Costs costs;
   costs[0] = static_cast<float>(chance) + bestShare(inner.first, kWideChildren).cost;
   for (std::uint32_t k = 2; k <= costs.size(); ++k) {
@@ -51,7 +51,7 @@ Family WideFamilies::of(std::uint32_t node) const {
   return family;
 }
 
-// Recursion ends where one child is left: after seven steps at most.
+// The recursion ends when one child is left: after at most seven steps.
 void WideFamilies::choose(std::uint32_t node, std::uint32_t children, Family& family) const {
   const Costs& costs = costs_[node];
   while (children > 1 && costs[children - 1] == costs[children - 2]) --children;

@@ -1,4 +1,4 @@
-// Which descendants of a node of a two-wide tree become its children in an eight-wide one.
+// Chooses the descendants of a node of a binary BVH that become its children in an 8-wide BVH.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,28 +9,29 @@
 
 namespace candela::accel {
 
-/// Up to eight descendants of a node that together hold what it holds.
+/// Up to eight descendants of a node that together contain all of its primitives.
 struct Family {
   std::array<std::uint32_t, kWideChildren> members{};
   std::uint32_t size = 0;
 };
 
-/// The choice by which a random line that meets the root meets fewest wide nodes: Ylitie, Karras and Laine,
-/// section 3.1, but leaves stay those of the two-wide tree. The tree must be valid and outlive this.
+/// The choice that minimises the expected number of 8-wide nodes that a random line through the root visits: Ylitie,
+/// Karras and Laine, section 3.1, except that leaves stay those of the binary BVH. The BVH must be valid and outlive
+/// this object.
 class WideFamilies {
  public:
   explicit WideFamilies(const Bvh& bvh);
 
-  /// The children of a wide node in the place of the inner node `node`.
+  /// Returns the children of the 8-wide node that replaces the interior node `node`.
   Family of(std::uint32_t node) const;
 
  private:
-  // Entry k - 1: wide nodes expected to be met by a line that meets the root, where at most k children of a wide node
-  // hold what the two-wide node holds.
+  // Entry k - 1: expected number of 8-wide nodes visited by a line through the root, if at most k children of an 8-wide
+  // node represent the binary node.
   using Costs = std::array<float, kWideChildren - 1>;
 
   struct Share {
-    std::uint32_t left;  ///< children that the left of two nodes gets; the right one gets the others
+    std::uint32_t left;  ///< number of children for the left of two nodes; the others are for the right one
     float cost;
   };
   Share bestShare(std::uint32_t pair, std::uint32_t children) const;
@@ -38,7 +39,7 @@ class WideFamilies {
   void choose(std::uint32_t node, std::uint32_t children, Family& family) const;
 
   const Bvh& bvh_;
-  std::vector<Costs> costs_;  ///< by node; of a leaf 0
+  std::vector<Costs> costs_;  ///< by node; 0 for a leaf
 };
 
 }  // namespace candela::accel

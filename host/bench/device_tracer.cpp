@@ -1,3 +1,4 @@
+// Traces rays on a device and returns their hits.
 #include "host/bench/device_tracer.h"
 
 #include <utility>

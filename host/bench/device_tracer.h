@@ -1,4 +1,4 @@
-// A device's layouts as tracers of rays.
+// Traces rays through the BVH layouts of a device.
 #pragma once
 #include <memory>
 
@@ -9,7 +9,7 @@ namespace candela::bench {
 /// A scene on a device in one layout.
 class DeviceTracer : public RayTracer {
  public:
-  /// As RayCaster's constructor.
+  /// Takes the arguments of RayCaster's constructor.
   DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings);
 
   device::RaySets makeRays() { return caster_.makeRays(); }
@@ -17,7 +17,7 @@ class DeviceTracer : public RayTracer {
   double trace() override { return caster_.trace(); }
   std::vector<gpu::CastHit> hits() override { return caster_.hits(); }
 
-  const char* layout() const;  ///< "bvh2", "cwbvh", or "none" where all primitives are tested
+  const char* layout() const;  ///< "bvh2", "cwbvh", or "none" if all primitives are tested
   const char* sceneLoads() const { return caster_.readsTexels() ? "texel" : "storage"; }
   std::uint64_t sceneBytes() const { return caster_.scene().rows.size() * sizeof(gpu::uvec4); }
 
@@ -25,8 +25,8 @@ class DeviceTracer : public RayTracer {
   device::RayCaster caster_;
 };
 
-/// A tracer for each layout of a BVH and each way to read it that the device can bind; of both, one only if `settings`
-/// say so. Throws FileError if the device can bind none.
+/// Returns a tracer for each combination of layout and load type that the device can bind, or only for those that
+/// `settings` select. Throws FileError if the device can bind none.
 std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const scene::Scene& scene,
                                                          const render::RenderSettings& settings);
 

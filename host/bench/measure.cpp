@@ -1,3 +1,4 @@
+// Measures whole renders, and compares their films.
 #include "host/bench/measure.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ class Sessions {
 // How often each film came of an image.
 using RunsByHash = std::map<std::uint64_t, std::uint32_t>;
 
-// The film of most runs. Where films are equally frequent none of them is more credible than the others.
+// Returns the hash of the film that more than half of the runs gave, or 0 if there is none.
 std::uint64_t commonHash(const RunsByHash& runsByHash) {
   std::uint32_t runs = 0;
   for (const auto& [hash, count] : runsByHash) runs += count;
@@ -67,7 +68,7 @@ std::uint64_t commonHash(const RunsByHash& runsByHash) {
   return 0;
 }
 
-// What the caller sees of one run: its share of all of them, behind those that are over.
+// Maps the progress of one run to that of all runs.
 render::RenderControl shareOf(const render::RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
                               std::uint64_t samplesOver) {
   render::RenderControl part = whole;
@@ -142,7 +143,7 @@ std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const sc
 
 bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
                   const render::RenderControl& control) {
-  render::RenderControl silent = control;  // what is left of the progress is over
+  render::RenderControl silent = control;  // the progress has reached its end
   silent.progress = nullptr;
   std::map<std::string, double> noiseOf;
   for (Measurement& measurement : measurements) {

@@ -1,4 +1,4 @@
-// Renders variants of one scene again and again, in turn, so that a noisy machine hurts all alike.
+// Renders variants of one scene repeatedly and interleaved, so that noise of the machine affects all of them equally.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace candela::bench {
 
-/// One way to render a scene.
+/// A variant of the settings for one scene.
 struct Variant {
   std::string name;
   render::RenderSettings settings;
-  std::string image{};  ///< of variants for which this is the same the films must be the same, bit for bit
+  std::string image{};  ///< variants with the same value must give the same film, bit for bit
 };
 
-/// What the renders of one variant took.
+/// Measurements of the renders of one variant.
 struct Measurement {
   Variant variant;
-  render::RenderStatistics statistics{};  ///< of the last run; rays and steps are the same in every run
+  render::RenderStatistics statistics{};  ///< statistics of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
   std::vector<double> buildSeconds{};  ///< of the search structure, one per preparation, ascending
@@ -32,15 +32,15 @@ struct Measurement {
   double mraysPerSecond() const;  ///< at the median time
   double msamplesPerSecond() const;
   double stepsPerRay() const;
-  /// 1 / (seconds x relMSE), the figure of merit of a way to sample; 0 without either.
+  /// Returns 1 / (seconds x relMSE), the efficiency of a sampling method; 0 if one of them is missing.
   double efficiency() const;
 };
 
-/// The middle of ascending values, the mean of both middles if their number is even; 0 for none.
+/// Returns the median of ascending values, the mean of both middle values if their number is even; 0 for none.
 double median(std::span<const double> ascending);
-/// The smallest of ascending values that is not below a share `q` of all (nearest rank); 0 for none.
+/// Returns the smallest of ascending values such that a fraction `q` of all is not above it (nearest rank); 0 for none.
 double percentile(std::span<const double> ascending, double q);
-/// (largest - smallest) / median; 0 for none.
+/// Returns (maximum - minimum) / median; 0 for none.
 double spread(std::span<const double> ascending);
 
 /// What is prepared anew for each run of a variant.
@@ -57,8 +57,8 @@ std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const sc
                                             const render::RenderControl& control,
                                             Preparation preparation = Preparation::once);
 
-/// Renders each image twice more, with two other seeds, and takes half of the relMSE between the two for what either
-/// has: that holds for evenly spread samples, too. False if `control` stops a run.
+/// Renders each image twice more with two other seeds, and estimates its relMSE as half of the relMSE between the two,
+/// which is also valid for stratified samples. Returns false if `control` stops a run.
 bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
                   const render::RenderControl& control);
 

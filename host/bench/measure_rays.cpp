@@ -1,3 +1,4 @@
+// Measures rays alone, and compares their hits.
 #include "host/bench/measure_rays.h"
 
 #include <sys/resource.h>
@@ -40,7 +41,7 @@ void time(RayTracer& tracer, RayMeasurement& measurement) {
   measurement.processorSeconds.push_back(processorSeconds() - before);
 }
 
-// Loads, warms up, and compares with the first tracer.
+// Loads the rays, warms up, and compares the hits with those of the first tracer.
 std::vector<RayMeasurement> prepare(std::span<RayTracer* const> tracers, std::span<const gpu::CastRay> rays,
                                     std::uint32_t kind) {
   std::vector<RayMeasurement> measurements;

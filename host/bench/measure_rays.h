@@ -1,4 +1,4 @@
-// Traces the rays of a scene alone, by kind and by layout, in turn, so that a noisy machine hurts all alike.
+// Traces the rays of a scene alone, by kind and layout, interleaved, so that noise of the machine affects all equally.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -10,38 +10,39 @@
 
 namespace candela::bench {
 
-/// Name of a kind of rays, kPrimaryRay and so on: "primary", "diffuse", "shadow".
+/// Returns the name of a kind of rays such as kPrimaryRay: "primary", "diffuse", "shadow".
 const char* rayKindName(std::uint32_t kind);
 
-/// What traces given rays: a device through one layout, or a peer that is compared with it.
+/// Traces given rays: a device with one layout, or another program that is compared with it.
 class RayTracer {
  public:
   virtual ~RayTracer() = default;
-  /// Puts rays in the place of those before; see RayCaster::load.
+  /// Replaces the rays; see RayCaster::load.
   virtual void load(std::span<const gpu::CastRay> rays, bool anyHit) = 0;
-  /// Traces them once; seconds by the clock.
+  /// Traces the rays once. Returns seconds of wall-clock time.
   virtual double trace() = 0;
-  /// Of the last trace. A peer that counts no steps leaves them 0.
+  /// Returns the results of the last trace. Steps are 0 if the tracer does not count them.
   virtual std::vector<gpu::CastHit> hits() = 0;
-  /// Whether distances are the first tracer's to the last bit; if not, primitives alone are compared.
+  /// Returns whether distances must equal those of the first tracer to the last bit; otherwise only primitives are
+  /// compared.
   virtual bool isExact() const { return true; }
 };
 
-/// Rays of one kind through one tracer.
+/// Measurements of rays of one kind with one tracer.
 struct RayMeasurement {
   std::uint32_t kind = gpu::kPrimaryRay;
   std::uint64_t rayCount = 0;
   double stepsPerRay = 0;
-  double share = 1;                        ///< of rays whose hits are those of the first tracer
+  double share = 1;                        ///< fraction of rays whose hits equal those of the first tracer
   std::vector<double> seconds{};           ///< one per run, ascending
-  std::vector<double> processorSeconds{};  ///< of this process, user and system, ascending
+  std::vector<double> processorSeconds{};  ///< user and system time of this process, ascending
 
   double mraysPerSecond() const;  ///< at the median time
   double mraysPerProcessorSecond() const;
 };
 
-/// Every kind of rays there is, through every tracer: first once to warm up and to compare hits, then `repeats` times,
-/// all tracers once before any twice. By kind, then in the order of tracers; nothing if `stop` became true.
+/// Measures every kind of rays with every tracer: one run for warm-up and comparison of the hits, then `repeats`
+/// interleaved runs. The order is by kind, then by tracer. Returns nothing if `stop` became true.
 std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const device::RaySets& sets,
                                         std::uint32_t repeats, const std::atomic<bool>* stop);
 

@@ -1,3 +1,4 @@
+// Formats the benchmark of rays alone.
 #include "host/bench/ray_report.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool agrees(const RayRow& row) { return row.measurement.share >= row.leastShare; }
+bool agrees(const RayRow& row) { return row.measurement.share >= row.minShare; }
 
 std::vector<std::string> rayFigures(const RayRow& row) {
   const RayMeasurement& m = row.measurement;

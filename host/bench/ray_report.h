@@ -1,4 +1,4 @@
-// The benchmark of rays alone: scenes by kinds of rays by layouts, as text, Markdown and JSON.
+// The benchmark of rays alone: scenes, kinds of rays and layouts, as text, Markdown and JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -11,11 +11,11 @@ namespace candela::bench {
 struct RayRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
-  std::string tracer;            ///< "bvh2", "cwbvh", "none" or a peer's name
-  std::string sceneLoads;        ///< "texel" or "storage"; empty of a peer
-  std::uint64_t sceneBytes = 0;  ///< of nodes, primitives and all else of the scene; 0 of a peer
+  std::string tracer;            ///< "bvh2", "cwbvh", "none" or the name of another tracer
+  std::string sceneLoads;        ///< "texel" or "storage"; empty for another tracer
+  std::uint64_t sceneBytes = 0;  ///< size of nodes, primitives and all other data of the scene; 0 for another tracer
   RayMeasurement measurement;
-  double leastShare = 1;  ///< of equal hits, for which its figures count
+  double minShare = 1;  ///< minimum fraction of equal hits for which the figures are valid
 };
 
 struct RayReport {
@@ -26,14 +26,14 @@ struct RayReport {
   std::uint32_t repeats = 1;
   std::vector<RayRow> rows;
 
-  /// Whether every layout of a scene found the same hits, bit for bit.
+  /// Returns whether every layout of a scene gave the same hits, bit for bit.
   bool agree() const;
 };
 
-/// A row whose hits differ from the others' has no figures but the word "differs".
+/// A row with different hits shows the word "differs" instead of figures.
 std::string toText(const RayReport& report);
 std::string toMarkdown(const RayReport& report);
-/// "schema": "candela-bench/1".
+/// The schema is "candela-bench/1".
 nlohmann::ordered_json toJson(const RayReport& report);
 
 }  // namespace candela::bench

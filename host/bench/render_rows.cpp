@@ -1,3 +1,4 @@
+// Formats the common parts of reports on renders.
 #include "host/bench/render_rows.h"
 
 #include <fmt/format.h>

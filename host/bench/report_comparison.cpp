@@ -1,3 +1,4 @@
+// Compares two reports of a benchmark row by row.
 #include "host/bench/report_comparison.h"
 
 #include <fmt/format.h>
@@ -14,8 +15,8 @@ namespace {
 
 using nlohmann::json;
 
-// What makes a row the same in both reports. Segments per dispatch are not among it: by default they are chosen by
-// timing.
+// The fields that identify a row in both reports. The number of segments per dispatch is not one of them, since by
+// default it is chosen by timing.
 constexpr std::array kIdentity{"scene",    "size",       "samplesPerPixel", "variant", "rays",       "structure",
                                "bvhSplit", "bvhQuality", "kernel",          "layout",  "sceneLoads", "workgroup"};
 
@@ -48,7 +49,7 @@ std::optional<T> fieldOf(const json& row, const char* key) {
 std::vector<Row> readRows(const json& report, const std::string& name) {
   try {
     if (report.at("schema") != "candela-bench/1")
-      throw FileError(name + ": not a report of candela bench: its schema is another one");
+      throw FileError(name + ": not a report of candela bench: it has another schema");
     std::vector<Row> rows;
     for (const json& row : report.at("rows")) {
       rows.push_back({nameOf(row), row.at("sceneHash").get<std::string>(), fieldOf<double>(row, "mraysPerSecond"),

@@ -1,4 +1,4 @@
-// Two reports of a benchmark, row by row: what became slower.
+// Compares two reports of a benchmark row by row, to find what became slower.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -11,16 +11,16 @@ enum class RowVerdict {
   alike,    ///< within the threshold
   faster,   ///< by more than the threshold
   slower,   ///< by more than the threshold
-  missing,  ///< only the old report has it, or only there it has a score
-  added,    ///< only the new report has it, or only there it has a score
-  changed,  ///< the scene is another one
+  missing,  ///< the new report lacks the row or its score
+  added,    ///< the old report lacks the row or its score
+  changed,  ///< the scene has changed
 };
 
 struct ComparedRow {
   std::string name;                ///< scene and settings
-  std::optional<double> oldScore;  ///< million rays per second
+  std::optional<double> oldScore;  ///< millions of rays per second
   std::optional<double> newScore;
-  double spread = 0;  ///< the larger one of both rows
+  double spread = 0;  ///< maximum of the spreads of both rows
   RowVerdict verdict = RowVerdict::alike;
 };
 
@@ -28,15 +28,15 @@ struct ReportComparison {
   std::string oldDevice;  ///< device and driver
   std::string newDevice;
   double threshold = 0;
-  std::vector<ComparedRow> rows;  ///< in the old report's order, then what is new
+  std::vector<ComparedRow> rows;  ///< in the order of the old report, then the new rows
 
-  /// Whether a row became slower, lost its score or is missing.
+  /// Returns whether a row became slower, lost its score or is missing.
   bool regressed() const;
 };
 
-/// Rows are the same where scene, size, samples, variant, structure, kernel, layout, loads, workgroup and kind of rays
-/// are. A row is slower if its rays per second fell by more than `threshold`, a share of the old ones. Throws FileError
-/// for what is no "candela-bench/1"; `oldName` and `newName` are what messages call the files.
+/// Compares rows with equal scene, size, samples, variant, structure, kernel, layout, loads, workgroup and kind of
+/// rays. A row is slower if its rays per second fell by more than the fraction `threshold`. Throws FileError if a
+/// report is not a "candela-bench/1"; messages call the files `oldName` and `newName`.
 ReportComparison compareReports(const nlohmann::json& oldReport, const std::string& oldName,
                                 const nlohmann::json& newReport, const std::string& newName, double threshold);
 

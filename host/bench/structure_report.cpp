@@ -1,3 +1,4 @@
+// Formats the comparison of acceleration structures.
 #include "host/bench/structure_report.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,8 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
   return {name, settings};
 }
 
-// What was in use rather than what was asked for: the reference has a tree of its own, and none for few primitives.
+// Returns the structure that was used, not the requested one: the reference has its own BVH, and none for few
+// primitives.
 std::string structureText(const Measurement& m) {
   if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
   if (m.statistics.structure == render::AccelKind::none) return "none";

@@ -1,4 +1,4 @@
-// The comparison of search structures: scenes by structures, as text, Markdown and JSON.
+// The comparison of acceleration structures: scenes and structures, as text, Markdown and JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -14,24 +14,24 @@ struct StructureRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
   Measurement measurement;
-  std::optional<double> publishedSeconds;  ///< what somebody else's table says of the same work
+  std::optional<double> publishedSeconds;  ///< seconds published elsewhere for the same work
 };
 
 struct StructureReport {
   std::uint32_t repeats = 1;
   std::vector<StructureRow> rows;
 
-  /// Whether every structure of a scene gave the same image.
+  /// Returns whether every structure of a scene gave the same image.
   bool agree() const;
 };
 
-/// The report's own structures: a uniform grid, a BVH split at the middle, and beside them one split by surface area.
+/// Returns the structures of the path-tracing report, a uniform grid and a BVH with midpoint splits, and a SAH BVH.
 std::vector<Variant> structureVariants(const render::RenderSettings& settings);
 
-/// A row whose image differs from the others' has no figures but the word "differs".
+/// A row whose image differs from the others shows the word "differs" instead of figures.
 std::string toText(const StructureReport& report);
 std::string toMarkdown(const StructureReport& report);
-/// "schema": "candela-bench/1".
+/// The schema is "candela-bench/1".
 nlohmann::ordered_json toJson(const StructureReport& report);
 
 }  // namespace candela::bench

@@ -1,3 +1,4 @@
+// Formats the benchmark of whole renders.
 #include "host/bench/sweep_report.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ TextTable tableOf(const SweepReport& report) {
 
 std::string headline(const SweepReport& report) { return bench::headline(first(report), report.repeats); }
 
-// The fastest variant of the rows from `from` on that are of one scene; `from` moves behind them.
+// Returns the fastest variant among the rows of one scene, starting at `from`, and moves `from` behind them.
 const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
   const SweepRow* fastest = nullptr;
   const SweepRow& start = report.rows[from];

@@ -1,4 +1,4 @@
-// The benchmark of whole renders: scenes by variants of the settings, as text, Markdown, JSON and a drawing.
+// The benchmark of whole renders: scenes and variants of the settings, as text, Markdown, JSON and a chart.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -16,20 +16,20 @@ struct SweepRow {
 
 struct SweepReport {
   std::uint32_t repeats = 1;
-  std::uint64_t processBytes = 0;  ///< resident memory of the process at its peak
-  std::vector<SweepRow> rows;      ///< those of one scene follow each other
+  std::uint64_t processBytes = 0;  ///< peak resident memory of the process
+  std::vector<SweepRow> rows;      ///< the rows of one scene are consecutive
 
-  /// Whether all variants of each image gave the same film.
+  /// Returns whether all variants of each image gave the same film.
   bool agree() const;
 };
 
-/// A table, and below it one line for each scene, to be pasted where people compare figures. A row whose film differs
-/// has no figures but the word "differs".
+/// Returns a table, followed by one line per scene that is suitable for publication. A row whose film differs shows the
+/// word "differs" instead of figures.
 std::string toText(const SweepReport& report);
 std::string toMarkdown(const SweepReport& report);
-/// "schema": "candela-bench/1".
+/// The schema is "candela-bench/1".
 nlohmann::ordered_json toJson(const SweepReport& report);
-/// Bars of samples per second, as SVG.
+/// Returns a bar chart of samples per second, as SVG.
 std::string toSvg(const SweepReport& report);
 
 }  // namespace candela::bench

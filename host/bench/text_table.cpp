@@ -1,3 +1,4 @@
+// Formats tables as aligned text and as Markdown.
 #include "host/bench/text_table.h"
 
 #include <fmt/format.h>

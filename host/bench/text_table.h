@@ -1,4 +1,4 @@
-// Tables for people: aligned text, and Markdown.
+// Tables as aligned text and as Markdown.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@ struct TextTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Columns padded with blanks, the first to the right of its text, numbers and all other columns to the left.
+/// Returns columns padded with blanks; the first is aligned to the left, all others to the right.
 std::string toText(const TextTable& table);
-/// The same as a Markdown table; `|` in cells is escaped.
+/// Returns a Markdown table; `|` in cells is escaped.
 std::string toMarkdown(const TextTable& table);
 
 }  // namespace candela::bench

@@ -1,4 +1,4 @@
-// A command line after parsing.
+// The parsed command line.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -31,51 +31,52 @@ struct PixelPlace {
   std::uint32_t y = 0;  ///< from the top
 };
 
-/// Default-constructed, it holds the default of every option; the option table reads them from here.
+/// A default-constructed object has the default of every option; the option table reads the defaults from it.
 struct Arguments {
   Command command = Command::render;
-  bool commandNamed = false;       ///< `render` may be left out
-  std::vector<std::string> files;  ///< what is not an option: scenes, images or a kind of scene
+  bool commandNamed = false;       ///< false if `render` was implied
+  std::vector<std::string> files;  ///< positional arguments: scenes, images or a kind of scene
 
-  /// Absent: what the scene file asks for. `settings` has the rest; resolveSettings() joins both.
+  /// Options that may be given by the scene file; empty if they are not on the command line. `settings` has the others.
+  /// resolveRequests() combines both.
   std::optional<std::uint32_t> sampleCount;
   std::optional<render::Extent> size;
   std::optional<render::AccelKind> accel;
-  std::optional<std::uint32_t> maxDepth;  ///< absent: the integrator's default
+  std::optional<std::uint32_t> maxDepth;  ///< empty: the default of the integrator
   render::RenderSettings settings;
 
   bool lenient = false;
   std::vector<std::filesystem::path> allowedPaths;
 
-  bool untuned = false;  ///< `auto` means what is built in
-  std::string device;    ///< "cpu", or a selector as selectDevice() takes it
+  bool untuned = false;  ///< `auto` has its built-in meaning
+  std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   image::DisplayTransform display;
 
-  std::optional<double> tolerance;  ///< largest relMSE that passes
+  std::optional<double> tolerance;  ///< maximum relMSE that passes
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
 
   verify::LightTestOptions verification;
-  std::string junit;     ///< as `json`
-  bool explain = false;  ///< of `verify`: the pixel that differs most
+  std::string junit;     ///< like `json`
+  bool explain = false;  ///< for `verify`: explain the pixel that differs most
 
-  std::optional<PixelPlace> pixel;  ///< to be explained; absent: the one that differs most
+  std::optional<PixelPlace> pixel;  ///< pixel to explain; empty: the one that differs most
   std::uint32_t sample = 0;
 
-  std::optional<std::uint32_t> generatedSize;  ///< absent: the kind's default
+  std::optional<std::uint32_t> generatedSize;  ///< empty: the default of the kind
   std::string generatedFile = "-";             ///< "-": stdout
-  std::optional<std::uint32_t> boxDepth;       ///< level of a BVH, the root's being 0; absent: all
+  std::optional<std::uint32_t> boxDepth;       ///< level of a BVH, 0 for the root; empty: all levels
 
   std::uint32_t repeats = 3;        ///< runs of each variant of a benchmark
-  std::vector<std::string> sweeps;  ///< as sweepOver() reads them
-  double threshold = 0.05;          ///< share of its speed that a row may lose
-  std::string markdown;             ///< as `json`
-  std::string svg;                  ///< as `json`
+  std::vector<std::string> sweeps;  ///< in the notation of sweepOver()
+  double threshold = 0.05;          ///< fraction of its speed that a row may lose
+  std::string markdown;             ///< like `json`
+  std::string svg;                  ///< like `json`
 
-  bool dryRun = false;  ///< of `tune`: store nothing
+  bool dryRun = false;  ///< for `tune`: store nothing
 
-  std::filesystem::path report;  ///< a page; empty for none
+  std::filesystem::path report;  ///< HTML file; empty for none
   std::string json;              ///< a file, "-" for stdout, empty for none
   bool printStatistics = false;
   bool strict = false;  ///< bad samples fail a run
@@ -84,9 +85,9 @@ struct Arguments {
   bool help = false;
   bool version = false;
 
-  std::set<std::string> given;  ///< names (the long ones) of the options that the command line had
+  std::set<std::string> given;  ///< long names of the options on the command line
 
-  /// Whether a command that only reports prints its report as text.
+  /// Returns whether a reporting command prints its report as text.
   bool wantsText() const { return !quiet && json != "-" && markdown != "-" && svg != "-"; }
   Verbosity verbosity() const {
     if (quiet) return Verbosity::quiet;

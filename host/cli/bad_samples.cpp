@@ -1,3 +1,4 @@
+// Words the report on bad samples, and builds the commands that replay them.
 #include "host/cli/bad_samples.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Without one that states it, the number of samples could be the file's, of which the sample need not be one.
+// The number of samples is always stated, since the default could be that of the scene file, which may not include the
+// sample.
 std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
   arguments.sampleCount.reset();
   arguments.settings.image.seed = pixel.seed;
@@ -24,8 +26,8 @@ std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleC
   return fmt::format("{} --spp {}", words, sampleCount);
 }
 
-// A sample depends on those before it in nothing but the film, so the picture ends with it. Strata depend on the number
-// of samples: there all are drawn. A single sample may be one that is not jittered.
+// A sample depends on earlier ones only through the film, so that the image can end with it. Strata depend on the
+// number of samples, so that all are rendered. An image with a single sample might not be jittered.
 std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::RenderSettings& settings) {
   if (settings.image.sampler == render::SamplerKind::stratified || pixel.sampleCount == 1) return pixel.sampleCount;
   return std::max(pixel.firstSample + 1, 2u);
@@ -36,7 +38,7 @@ std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
   return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
 }
 
-// `explain` holds a device against the reference; it has no use for being told of the latter.
+// `explain` compares a device with the reference, so that --device cpu is omitted.
 std::string explainPath(const render::BadPixel& pixel, const RenderJob& job) {
   Arguments arguments = job.arguments;
   if (arguments.device == "cpu") arguments.device.clear();
@@ -93,7 +95,7 @@ void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& 
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {
   if (!arguments.strict || badSamples == 0) return code;
   log.problem(
-      fmt::format("--strict: {} bad samples, so this run has failed; what it wrote shows where they are", badSamples));
+      fmt::format("--strict: the run fails because of {} bad samples; its files are still written", badSamples));
   return code == ExitCode::done ? ExitCode::differ : code;
 }
 

@@ -1,4 +1,4 @@
-// Tells which samples were bad, how to see them again, and what --strict makes of them.
+// Reports bad samples, the commands that replay them, and the effect of --strict.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace candela::cli {
 
-/// The command that shows the pixel's first bad sample again: its path on both tracers, or, where the integrator
-/// follows no paths, the picture as far as that sample.
+/// Returns the command that replays the first bad sample of the pixel: its path on both tracers or, if the integrator
+/// has no paths, the image up to this sample.
 std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job);
 
-/// One line in total and one for each of the first few pixels, with its replay; empty if no sample was bad.
+/// Returns one line for the total and one for each of the first few pixels, with its replay; nothing if there are no
+/// bad samples.
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job);
 
-/// The first few pixels, each with x, y, badSamples, firstSample and replay.
+/// Returns the first few pixels, each with x, y, badSamples, firstSample and replay.
 nlohmann::ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job);
 
 /// Of two tracers: for each the numbers of bad samples and of pixels that have some, and the first of these.
@@ -25,8 +26,7 @@ nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies, c
 /// Puts the lines of both into the log.
 void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log);
 
-/// `code`; but where a run is otherwise in order and --strict forbids the bad samples that it met, says so and gives
-/// ExitCode::differ.
+/// Returns `code`, except that --strict turns success into ExitCode::differ, with a message, if there are bad samples.
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

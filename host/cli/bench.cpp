@@ -1,4 +1,4 @@
-// `candela bench`: which benchmark is meant, and what all of them check first.
+// `candela bench`: selects the benchmark, and does the checks common to all benchmarks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,20 +14,20 @@ namespace {
 
 struct Benchmark {
   const char* name;
-  std::size_t fewestFiles;  ///< behind the name
-  std::size_t mostFiles;
-  const char* complaint;  ///< of another number
+  std::size_t minFileCount;  ///< after the name of the benchmark
+  std::size_t maxFileCount;
+  const char* complaint;  ///< message for any other number of files
   ExitCode (*run)(const Arguments&, const Log&);
 };
 
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 constexpr std::array kBenchmarks{
-    Benchmark{"table1", 0, 0, "has its own scenes; bench accel takes others", runBenchStructures},
+    Benchmark{"table1", 0, 0, "has its own scenes; use bench accel for others", runBenchStructures},
     Benchmark{"accel", 1, kAnyNumber, "no scene given", runBenchStructures},
     Benchmark{"rays", 1, kAnyNumber, "no scene given", runBenchRays},
     Benchmark{"compare", 2, 2, "expected two reports, the old one and the new one", runBenchCompare}};
 
-// A word that is neither a benchmark nor a file is a benchmark that was mistyped.
+// A word that is neither a benchmark nor a file is regarded as a mistyped benchmark.
 [[noreturn]] void refuse(const std::string& word) {
   std::vector<std::string> names;
   for (const Benchmark& benchmark : kBenchmarks) names.emplace_back(benchmark.name);
@@ -37,15 +37,15 @@ constexpr std::array kBenchmarks{
 }
 
 void requireFiles(const Benchmark& benchmark, std::size_t count) {
-  if (count >= benchmark.fewestFiles && count <= benchmark.mostFiles) return;
+  if (count >= benchmark.minFileCount && count <= benchmark.maxFileCount) return;
   throw UsageError(fmt::format("bench {}: {}", benchmark.name, benchmark.complaint));
 }
 
-// What the other benchmarks choose themselves.
+// Refuses options that the other benchmarks choose themselves.
 void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& arguments) {
   for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
     if (!arguments.given.contains(option)) continue;
-    throw UsageError(fmt::format("bench {} {}: is for bench SCENE alone", benchmark.name, option));
+    throw UsageError(fmt::format("bench {} {}: this option applies only to bench SCENE", benchmark.name, option));
   }
 }
 

@@ -1,4 +1,4 @@
-// `candela bench compare OLD.json NEW.json`: whether something became slower.
+// `candela bench compare OLD.json NEW.json`: finds what became slower.
 #include <fmt/format.h>
 
 #include <fstream>

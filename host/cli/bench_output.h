@@ -1,4 +1,4 @@
-// Where a benchmark's report goes.
+// Writes reports of benchmarks.
 #pragma once
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -10,8 +10,8 @@
 
 namespace candela::cli {
 
-/// Prints a report of host/bench and writes the files that the command line asks for. Exit code 3, and `complaint` in
-/// the log, if what was measured does not agree.
+/// Prints a report of host/bench and writes the requested files. Logs `complaint` and returns exit code 3 if the
+/// measured variants do not agree.
 template <class Report>
 ExitCode publish(const Report& report, const Arguments& arguments, const Log& log, const char* complaint) {
   if (arguments.wantsText()) std::cout << toText(report) << std::flush;

@@ -1,4 +1,4 @@
-// `candela bench rays`: rays alone, through every layout of a scene that the device takes.
+// `candela bench rays`: times rays alone, with every layout of a scene that the device supports.
 #include <fmt/format.h>
 
 #include "host/bench/device_tracer.h"
@@ -17,7 +17,7 @@ using bench::RayMeasurement;
 using bench::RayReport;
 using bench::RayTracer;
 
-// False if it was interrupted.
+// Returns false if it was interrupted.
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
   const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
   const device::RaySets sets = tracers.front()->makeRays();
@@ -39,7 +39,7 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 
 ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu")
-    throw UsageError("bench rays --device cpu: the reference has no rays of their own to time");
+    throw UsageError("bench rays --device cpu: the rays of the reference tracer cannot be timed alone");
   vulkan::Device device = vulkan::Device::open(arguments.device);
   const render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
   RayReport report;
@@ -57,7 +57,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log, "the layouts did not give the same hits: where they differ, no time counts");
+  return publish(report, arguments, log, "the hits of some layouts differ; their times are left out");
 }
 
 }  // namespace candela::cli

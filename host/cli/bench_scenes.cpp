@@ -1,4 +1,4 @@
-// `candela bench SCENE...`: whole renders, with every combination of the options that are swept.
+// `candela bench SCENE...`: times whole renders, with every combination of the swept options.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -25,7 +25,7 @@ std::uint64_t peakProcessBytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-// Options of the image group alone decide what its film is.
+// The film depends only on the options of the image group.
 std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArguments>& sweeps, const Log& log) {
   std::vector<Variant> variants;
   for (const SweptArguments& swept : sweeps) {
@@ -37,7 +37,7 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
   return variants;
 }
 
-// False if it was interrupted.
+// Returns false if it was interrupted.
 bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
@@ -56,7 +56,7 @@ bool measureScene(const Arguments& arguments, render::Renderer& renderer, const 
 }  // namespace
 
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
-  sweepOver(arguments);  // says what is wrong with it before anything is loaded
+  sweepOver(arguments);  // reports errors before anything is loaded
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;
   report.repeats = arguments.repeats;
@@ -69,7 +69,7 @@ ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
   }
   report.processBytes = peakProcessBytes();
   writeText(arguments.svg, bench::toSvg(report));
-  return publish(report, arguments, log, "variants did not give the same image: where they differ, no time counts");
+  return publish(report, arguments, log, "the images of some variants differ; their times are left out");
 }
 
 }  // namespace candela::cli

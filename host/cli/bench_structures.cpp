@@ -1,4 +1,4 @@
-// `candela bench table1` and `bench accel SCENE...`: search structures on the same scenes.
+// `candela bench table1` and `bench accel SCENE...`: times acceleration structures on the same scenes.
 #include <fmt/format.h>
 
 #include <array>
@@ -33,7 +33,7 @@ const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0,
                          PublishedScene{"balls", embedded::balls, false, 526.6, 512.43}};
 constexpr std::uint32_t kTable1Samples = 15 * 15;
 
-// The rows of one scene; none if the run was interrupted.
+// Returns the rows of one scene, or none if the run was interrupted.
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
@@ -49,7 +49,7 @@ std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::
   return rows;
 }
 
-// The report's seconds are for this work alone.
+// Returns whether the published seconds are for this work.
 bool isPublishedWork(const render::RenderSettings& settings) {
   return settings.image.integrator == render::Integrator::path && settings.image.sampleCount == kTable1Samples &&
          settings.image.size.width == 512 && settings.image.size.height == 512;
@@ -107,8 +107,7 @@ ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log,
-                 "the structures did not give the same image: where they differ, no time counts");
+  return publish(report, arguments, log, "the images of some structures differ; their times are left out");
 }
 
 }  // namespace candela::cli

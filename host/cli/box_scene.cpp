@@ -1,4 +1,4 @@
-// Edges of boxes as cylinders, a material for each level.
+// Writes the edges of boxes as cylinders, with one material per level.
 #include "host/cli/box_scene.h"
 
 #include <algorithm>
@@ -12,14 +12,15 @@ namespace {
 
 using generate::NffWriter;
 
-constexpr double kEdgeWidth = 1.0 / 250;  // share of the picture's height
-constexpr double kDeepestColour = 0.45;   // of the colour map; below it is too dark on black
+constexpr double kEdgeWidth = 1.0 / 250;  // fraction of the height of the picture
+constexpr double kDeepestColour = 0.45;   // position in the colour map; colours below it are too dark on black
 
 void writeView(NffWriter& out, const scene::Camera& camera) {
   out.view({camera.from, camera.at, camera.up, camera.angle, camera.hither, camera.width, camera.height});
 }
 
-/// Of an edge, by the size of the picture rather than of the scene, whose floor may reach far beyond what is seen.
+/// Returns the radius of edges. It depends on the size of the picture, since the scene may extend far beyond what is
+/// visible.
 double edgeRadius(const scene::Camera& camera) {
   const double distance = glm::length(glm::dvec3(camera.at) - glm::dvec3(camera.from));
   const double pictureHeight = 2 * distance * std::tan(glm::radians(double{camera.angle}) / 2);
@@ -32,7 +33,7 @@ void writeColour(NffWriter& out, std::uint32_t depth, std::uint32_t deepest) {
   out.surface({{image::srgbDecode(signal.x), image::srgbDecode(signal.y), image::srgbDecode(signal.z)}, 1, 0, 0, 0, 1});
 }
 
-/// The four edges along `axis`, unless they have no length.
+/// Writes the four edges along `axis`, unless they have no length.
 void writeEdges(NffWriter& out, const accel::Aabb& box, int axis, double radius) {
   if (box.min[axis] == box.max[axis]) return;
   const int across = (axis + 1) % 3;

@@ -1,4 +1,4 @@
-// Boxes as a scene: their edges as thin cylinders.
+// Boxes as a scene: their edges are thin cylinders.
 #pragma once
 #include <span>
 
@@ -8,12 +8,13 @@
 
 namespace candela::cli {
 
-/// Primitives that a box becomes, at most: the others' edges have no length.
+/// Maximum number of primitives per box. Edges without length are omitted.
 inline constexpr std::uint64_t kBoxEdges = 12;
 
-/// The view of `camera` without its lens, a light at the eye, so that both tracers see the edges, and no background.
-/// Edges are as thick as 1/250 of the picture's height where the camera looks at, and coloured by depth from pale
-/// yellow (the root) to purple (`deepest`, in steps from the root).
+/// Writes a scene with the view of `camera` but without its lens, with a light at the eye, so that both tracers show
+/// the edges, and with a black background. The thickness of edges is 1/250 of the height of the picture at the point
+/// looked at. Their colours depend on the depth, from pale yellow (the root) to purple (`deepest`, in steps from the
+/// root).
 void writeBoxScene(generate::NffWriter& out, const scene::Camera& camera, std::span<const accel::LevelBox> boxes,
                    std::uint32_t deepest);
 

@@ -1,4 +1,4 @@
-// `candela boxes`: the tree over a scene, as a scene.
+// `candela boxes`: writes the boxes of a scene's BVH as a scene.
 #include <fmt/format.h>
 
 #include <limits>
@@ -15,10 +15,10 @@ namespace candela::cli {
 namespace {
 
 void requireReadableSize(std::size_t boxCount) {
-  constexpr std::uint64_t kMostBoxes = generate::kMostPrimitives / kBoxEdges;
-  if (boxCount <= kMostBoxes) return;
-  throw FileError(fmt::format("{} boxes have more than {} edges; --depth N draws one level of the tree", boxCount,
-                              generate::kMostPrimitives));
+  constexpr std::uint64_t kMaxBoxes = generate::kMaxPrimitives / kBoxEdges;
+  if (boxCount <= kMaxBoxes) return;
+  throw FileError(fmt::format("{} boxes have more than {} edges; use --depth N to draw one level of the BVH", boxCount,
+                              generate::kMaxPrimitives));
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
     generate::NffWriter out(sink, std::numeric_limits<float>::max_digits10);
     writeBoxScene(out, *loaded.scene.camera, boxes, deepest);
   });
-  log.note(fmt::format("{}: {} boxes, of {} in {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
+  log.note(fmt::format("{}: {} of {} boxes; the BVH has {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
                        bvh.nodes.empty() ? 0 : deepest + 1));
   return ExitCode::done;
 }

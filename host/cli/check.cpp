@@ -1,4 +1,4 @@
-// `candela check`: says what scene files contain, or all that is wrong with them.
+// `candela check`: describes scene files, or lists all of their errors.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +26,8 @@ ordered_json errorsOf(const FileError& error) {
   return errors;
 }
 
-// One file's entry of the JSON report; text goes out at once. The next file is looked at whatever is wrong with this.
+// Returns one file's entry of the JSON report, and prints the text at once. Errors do not prevent the check of later
+// files.
 ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
   ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
   try {

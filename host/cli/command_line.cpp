@@ -1,4 +1,4 @@
-// CLI11 splits the words; the option table says what they mean.
+// CLI11 splits the words; the option table defines their meaning.
 #include "host/cli/command_line.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@ namespace {
   throw UsageError(fmt::format("{}\nsee candela {} --help", message, commandInfo(command).name));
 }
 
-// "rendr" is a mistyped command rather than a scene: no such file, and nothing of a path about it.
+// A word like "rendr" is regarded as a mistyped command rather than a scene, if it does not look like a path and no
+// such file exists.
 void refuseMistypedCommand(const std::string& word) {
   std::error_code ignored;
   if (word.find_first_of("./-") != std::string::npos || std::filesystem::exists(word, ignored)) return;
@@ -29,7 +30,7 @@ void refuseMistypedCommand(const std::string& word) {
   if (!meant.empty()) throw UsageError(fmt::format("unknown command {}{}\nsee candela --help", word, meant));
 }
 
-// Takes the command's name off `words`; "render" may be left out.
+// Removes the command from `words`. Without a command, `render` is assumed.
 void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
   for (const CommandInfo& info : commandTable()) {
     if (words.front() != info.name) continue;
@@ -63,7 +64,7 @@ void apply(const Option& option, const std::vector<std::string>& values, Argumen
   if (!values.empty()) arguments.given.insert(option.name());
 }
 
-// Of several values the last counts, or all do where the option is repeatable: `apply` knows.
+// For several values, `apply` decides whether the last one or all of them are used.
 CLI::Option* declare(CLI::App& app, const Option& option) {
   if (option.isFlag()) return app.add_flag(option.names);
   return app.add_option(option.names)->expected(1)->allow_extra_args(false)->take_all();
@@ -79,7 +80,7 @@ void split(std::span<const std::string> words, Arguments& arguments) {
   }
   app.add_option("files", arguments.files);
 
-  std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants them
+  std::vector<std::string> reversed(words.rbegin(), words.rend());  // the order that CLI11 requires
   try {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {
@@ -97,12 +98,13 @@ void split(std::span<const std::string> words, Arguments& arguments) {
 void requireFileCount(const Arguments& arguments) {
   const CommandInfo& info = commandInfo(arguments.command);
   const std::size_t count = arguments.files.size();
-  if (count < info.fewestFiles) fail(info.command, fmt::format("no {} given", info.fileNoun));
-  if (count > info.mostFiles)
+  if (count < info.minFileCount) fail(info.command, fmt::format("no {} given", info.fileNoun));
+  if (count > info.maxFileCount)
     fail(info.command, fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
 }
 
-// Options for tracing say nothing about two images; to ignore them would hide a misunderstanding.
+// Options for tracing do not affect the comparison of two images. They are refused, since ignoring them would hide a
+// misunderstanding.
 void refuseTracingOptionsForImages(const Arguments& arguments) {
   if (arguments.command != Command::compare || arguments.files.size() != 2) return;
   for (const Option& option : optionTable()) {
@@ -127,7 +129,7 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
 void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  fail(Command::render, "no output given: -o FILE writes the image, --stats or --json FILE measure alone");
+  fail(Command::render, "no output given: write the image with -o FILE, or only measure with --stats or --json FILE");
 }
 
 void requireTreeDepth(const Arguments& arguments) {

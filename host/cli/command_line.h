@@ -1,4 +1,4 @@
-// From words to Arguments.
+// Parses the command line.
 #pragma once
 #include <span>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace candela::cli {
 
-/// `words` are the command line without the program's name. Values and counts of files are checked; files are not
-/// looked at. Throws UsageError, which says what was expected, what may have been meant, and where help is.
+/// `words` is the command line without the name of the program. Values and numbers of files are checked; files are not
+/// opened. Throws UsageError with the expected value, a suggestion and a reference to the help.
 Arguments parseCommandLine(std::span<const std::string> words);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// The commands: what they are called, what they take, and the functions that carry them out.
+// The commands: their names, their arguments, and the functions that execute them.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -13,18 +13,18 @@ struct CommandInfo {
   Command command;
   std::string name;
   std::string usage;     ///< after the program's name
-  std::string summary;   ///< completes "it ..."
-  std::string fileNoun;  ///< what a missing file is called
-  std::size_t fewestFiles;
-  std::size_t mostFiles;
+  std::string summary;   ///< an imperative phrase, without a capital and a full stop
+  std::string fileNoun;  ///< noun for a missing file in messages
+  std::size_t minFileCount;
+  std::size_t maxFileCount;
   ExitCode (*run)(const Arguments&, const Log&);
 };
 
 std::span<const CommandInfo> commandTable();
 const CommandInfo& commandInfo(Command command);
 
-// One file each. They return an exit code for results (done, differ, interrupted, invalid scenes) and throw Error for
-// what kept them from a result.
+// Each command has a file of its own. Commands return an exit code for results (done, differ, interrupted, invalid
+// scenes) and throw Error if there is no result.
 ExitCode runRender(const Arguments& arguments, const Log& log);
 ExitCode runDevices(const Arguments& arguments, const Log& log);
 ExitCode runCheck(const Arguments& arguments, const Log& log);
@@ -32,7 +32,7 @@ ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runExplain(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);
-// Of runBench(), each for its own first words.
+// The benchmarks of runBench(), by their first argument.
 ExitCode runBenchStructures(const Arguments& arguments, const Log& log);  ///< `table1`, `accel`
 ExitCode runBenchRays(const Arguments& arguments, const Log& log);        ///< `rays`
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< scenes

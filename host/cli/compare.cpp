@@ -1,4 +1,4 @@
-// `candela compare`: two images, or two tracers.
+// `candela compare`: compares two images, or two tracers.
 #include "host/cli/commands.h"
 #include "host/cli/comparison.h"
 

@@ -1,4 +1,4 @@
-// `candela compare A B`: how much do two images differ, and is it more than allowed?
+// `candela compare A B`: computes the differences between two images, and judges them.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -18,7 +18,7 @@ namespace {
 
 void writePictures(const Arguments& arguments, const image::Image& a, const image::Image& reference,
                    const image::FlipResult& flip) {
-  constexpr image::DisplayTransform kAsTheyAre{};  // the pictures are meant for display already
+  constexpr image::DisplayTransform kAsTheyAre{};  // the pictures are already display-referred
   if (!arguments.differenceFile.empty()) {
     writeImage(arguments.differenceFile, differencePicture(a, reference), kAsTheyAre);
   }
@@ -54,7 +54,7 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   if (!arguments.report.empty()) {
     writeReport(arguments.report, imageReport(arguments, a, reference, comparison, flip, verdict));
   }
-  if (badSamples > 0) log.problem(fmt::format("the files tell of {} bad samples", badSamples));
+  if (badSamples > 0) log.problem(fmt::format("the files contain {} bad samples", badSamples));
   return strictly(verdict.passes() ? ExitCode::done : ExitCode::differ, badSamples, arguments, log);
 }
 

@@ -1,4 +1,4 @@
-// `candela compare SCENE`: does the device compute what the reference computes?
+// `candela compare SCENE`: compares the images of the device and of the reference.
 #include <iostream>
 
 #include "host/cli/bad_samples.h"
@@ -16,8 +16,9 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
   if (arguments.settings.image.integrator == render::Integrator::cost) {
     throw UsageError(
-        "--integrator cost: each tracer has its own search structure and so its own counts, of which "
-        "neither can be wrong; `candela render` shows those of one");
+        "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
+        "compared; "
+        "use `candela render` to see the counts of one");
   }
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);

@@ -1,4 +1,4 @@
-// The two sides of `candela compare`.
+// The two kinds of `candela compare`.
 #pragma once
 #include "host/cli/arguments.h"
 #include "host/core/errors.h"
@@ -6,9 +6,9 @@
 
 namespace candela::cli {
 
-/// Two image files: figures, pictures of the differences, and a verdict if a tolerance was given.
+/// Compares two image files: figures, pictures of the differences, and a verdict by tolerance or by statistics.
 ExitCode compareImageFiles(const Arguments& arguments, const Log& log);
-/// One scene: the device's image against the reference's, from equal random numbers.
+/// Compares the device's image of a scene with the reference's, from equal random numbers.
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// `candela devices`: what there is to render on.
+// `candela devices`: lists the Vulkan devices.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -58,7 +58,7 @@ std::string toText(const vulkan::DeviceInfo& device, const Kept& kept) {
 ExitCode runDevices(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const std::vector<vulkan::DeviceInfo> devices = vulkan::listDevices();
-  if (devices.empty()) vulkan::selectDevice("");  // throws, and says what to install
+  if (devices.empty()) vulkan::selectDevice("");  // throws NoDeviceError, which says what to install
   nlohmann::ordered_json json;
   json["devices"] = nlohmann::ordered_json::array();
   std::string text;

@@ -1,4 +1,4 @@
-// The nearest candidate, as a question.
+// Words the suggestion for a mistyped word.
 #include "host/cli/did_you_mean.h"
 
 #include <fmt/format.h>

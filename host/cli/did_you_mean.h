@@ -1,4 +1,4 @@
-// Suggestions for mistyped words of the command line.
+// Suggestions for mistyped words on the command line.
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace candela::cli {
 
-/// E.g. "; did you mean balls?", to end a message with; empty if no candidate is near.
+/// Returns the end of a message, e.g. "; did you mean balls?"; empty if no candidate is similar.
 std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// Transforms by integrator, and what is said about them.
+// Chooses the display transform by integrator.
 #include "host/cli/display_choice.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace candela::cli {
 namespace {
 
-// What v = 1 stands for (see DisplayTransform).
+// Returns the value that v = 1 represents (see DisplayTransform).
 double valueAtOne(const image::DisplayTransform& display) {
   return display.scale * std::exp2(-double{display.exposure});
 }

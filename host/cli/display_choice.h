@@ -1,4 +1,4 @@
-// How 8-bit files show an image, where the command line leaves that open.
+// Chooses how 8-bit files show an image, if the command line does not.
 #pragma once
 #include <string>
 
@@ -6,13 +6,13 @@
 
 namespace candela::cli {
 
-/// What the options say; but if there is no --tonemap, depths and costs get the false colours made for them, scaled to
-/// the image.
+/// Returns the transform of the options; without --tonemap, depths and costs get their false colours, scaled to the
+/// image.
 image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image);
 
-/// A false colour with its scale, as metadata: "heat, scale 213".
+/// Returns a false colour with its scale, as metadata: "heat, scale 213".
 std::string falseColourText(const image::DisplayTransform& display);
-/// What lets a person read numbers off the picture: "cost: the palest colour stands for 213 steps".
+/// Returns a legend for the colours: "cost: the palest colour stands for 213 steps".
 std::string falseColourKey(const image::DisplayTransform& display);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// `candela explain`: one sample, traced on both sides, vertex by vertex.
+// `candela explain`: compares one sample on both tracers, vertex by vertex.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -17,15 +17,16 @@ namespace {
 
 using explain::Explanation;
 
-// What can be told before the scene is read.
+// Checks that do not need the scene.
 void requireSense(const Arguments& arguments) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the reference would be held against itself; name another tracer, see candela devices");
+        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
+        "devices)");
   }
   if (!arguments.pixel && arguments.given.contains("--sample")) {
     throw UsageError(
-        "--sample: of which pixel? Give --pixel X,Y; without it the pixel that differs most at sample 0 is explained");
+        "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");
   }
   explain::requirePaths(arguments.settings.image.integrator);
 }
@@ -34,8 +35,8 @@ render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
   const auto [width, height] = job.settings.image.size;
   if (x >= width || y >= height) {
-    throw UsageError(fmt::format("--pixel {},{}: outside the image, whose {}x{} pixels are 0,0 to {},{}", x, y, width,
-                                 height, width - 1, height - 1));
+    throw UsageError(fmt::format("--pixel {},{}: outside the image of {}x{} pixels (0,0 to {},{})", x, y, width, height,
+                                 width - 1, height - 1));
   }
   if (job.arguments.sample >= job.settings.image.sampleCount) {
     throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
@@ -60,7 +61,7 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
     return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress), badSamples);
   }();
   if (!pixels) {
-    log.note("interrupted; nothing is explained");
+    log.note("interrupted before a sample was explained");
     return ExitCode::interrupted;
   }
   if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device,

@@ -1,4 +1,4 @@
-// `candela generate`: a procedural scene to a file or to stdout.
+// `candela generate`: writes a procedural scene to a file or to stdout.
 #include <fmt/format.h>
 
 #include "host/cli/commands.h"
@@ -21,16 +21,16 @@ const Kind& kindNamed(const std::string& name) {
     names.emplace_back(kind.name);
   }
   const std::string meant = didYouMean(name, names);
-  fail(fmt::format("unknown kind {}{}", name, meant.empty() ? "; there are " + joinAlternatives(names) : meant));
+  fail(fmt::format("unknown kind {}{}", name, meant.empty() ? "; expected " + joinAlternatives(names) : meant));
 }
 
 std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {
   const std::uint32_t size = arguments.generatedSize.value_or(kind.defaultSize);
-  const std::uint32_t largest = kind.largestSize();
-  if (size >= kind.smallestSize && size <= largest) return size;
+  const std::uint32_t largest = kind.maxSize();
+  if (size >= kind.minSize && size <= largest) return size;
   fail(fmt::format(
       "--size: expected a whole number from {} to {} for {}, got {}; larger scenes have more than {} primitives",
-      kind.smallestSize, largest, kind.name, size, generate::kMostPrimitives));
+      kind.minSize, largest, kind.name, size, generate::kMaxPrimitives));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Lays out help in two columns.
+// Lays out the text of --help in two columns.
 #include "host/cli/help.h"
 
 #include <fmt/format.h>
@@ -23,10 +23,10 @@ struct GroupTitle {
 };
 constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::output, "Output"},
-    GroupTitle{OptionGroup::image, "What decides the image"},
+    GroupTitle{OptionGroup::image, "Image"},
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
     GroupTitle{OptionGroup::execution,
-               "How it is computed (no setting but the device changes a bit of the image; --accel changes `cost`)"},
+               "Execution (only --device affects the image, by rounding; --accel affects the view `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
     GroupTitle{OptionGroup::explanation, "Explaining a sample"},
@@ -41,18 +41,18 @@ struct ExitCodeText {
   const char* text;
 };
 constexpr std::array kExitCodeTexts{
-    ExitCodeText{ExitCode::done, "done"},
+    ExitCodeText{ExitCode::done, "success"},
     ExitCodeText{ExitCode::usage, "wrong usage"},
-    ExitCodeText{ExitCode::file, "a scene, image or file is wrong, or a size beyond the limits"},
-    ExitCodeText{ExitCode::differ, "the images differ, a device did not pass, or --strict met bad samples"},
+    ExitCodeText{ExitCode::file, "invalid scene, image or file, or a size beyond the limits"},
+    ExitCodeText{ExitCode::differ, "the images differ, the device failed the test, or --strict found bad samples"},
     ExitCodeText{ExitCode::noDevice, "no usable device"},
     ExitCodeText{ExitCode::deviceLost, "the device was lost"},
     ExitCodeText{ExitCode::outOfMemory, "out of memory"},
-    ExitCodeText{ExitCode::interrupted, "interrupted; what was done of an image is written"},
-    ExitCodeText{ExitCode::internal, "an error of Candela's own"},
+    ExitCodeText{ExitCode::interrupted, "interrupted; the samples rendered so far are written"},
+    ExitCodeText{ExitCode::internal, "internal error"},
 };
 
-// `head` in the left column, `text` wrapped in the right one.
+// Returns `head` in the left column and `text`, wrapped, in the right column.
 std::string twoColumns(const std::string& head, const std::string& text) {
   std::string out = "  " + head;
   std::size_t column = out.size();
@@ -107,9 +107,9 @@ std::string groupText(const GroupTitle& title, std::optional<Command> command) {
 }
 
 std::string kindsText() {
-  std::string out = "\nKinds, with their sizes and the default:\n";
+  std::string out = "\nKinds, with their ranges of sizes and default sizes:\n";
   for (const generate::Kind& kind : generate::kindTable()) {
-    const std::string head = fmt::format("{:<10}{} to {} ({})", kind.name, kind.smallestSize, kind.largestSize(),
+    const std::string head = fmt::format("{:<10}{} to {} ({})", kind.name, kind.minSize, kind.maxSize(),
                                          kind.defaultSize);
     out += twoColumns(head, std::string(kind.summary));
   }
@@ -119,7 +119,7 @@ std::string kindsText() {
 }  // namespace
 
 std::string helpText(std::optional<Command> command) {
-  std::string out = "Candela: a path tracer in Vulkan compute shaders, and a second tracer that checks it.\n\n";
+  std::string out = "Candela: a path tracer for Vulkan, with an independent reference tracer that checks it.\n\n";
   out += usageText(command);
   if (command == Command::generate) out += kindsText();
   for (const GroupTitle& title : kGroupTitles) out += groupText(title, command);

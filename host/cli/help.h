@@ -7,7 +7,8 @@
 
 namespace candela::cli {
 
-/// Usage, options and exit codes of one command, or of all (README quotes that one). Lines have at most 100 columns.
+/// Returns usage, options and exit codes of one command, or of all commands (quoted in README). Lines have at most 100
+/// columns.
 std::string helpText(std::optional<Command> command);
 
 }  // namespace candela::cli

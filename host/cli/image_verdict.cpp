@@ -1,4 +1,4 @@
-// Joins tolerance and test.
+// Combines the tolerance and the statistical test.
 #include "host/cli/image_verdict.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ std::string toleranceText(const ImageVerdict& verdict) {
                      *verdict.tolerance);
 }
 
-// Adds the test, or why there is none.
+// Adds the result of the test, or the reason why there is none.
 void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image& a, const image::Image& reference) {
   const bool asked = arguments.given.contains("--alpha");
   if (!asked && (verdict.tolerance || !verify::carriesVariance(a) || !verify::carriesVariance(reference))) return;
@@ -35,7 +35,7 @@ ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, cons
   ImageVerdict verdict;
   verdict.tolerance = arguments.tolerance;
   if (verdict.tolerance) {
-    // A value that is not a number has no error to speak of; it fails whatever the tolerance.
+    // If a value is not finite, its error is undefined, and the tolerance is exceeded.
     verdict.withinTolerance = comparison.notFiniteCount == 0 &&
                               comparison.relativeMeanSquaredError <= *verdict.tolerance;
   }
@@ -50,7 +50,7 @@ std::string ImageVerdict::sentence() const {
   }
   if (films) text += (text.empty() ? "" : " ") + films->verdict();
   if (!whyNoTest.empty()) text += fmt::format("There is no verdict on the light: {}.", whyNoTest);
-  return text.empty() ? "No verdict was asked for: --tolerance gives one." : text;
+  return text.empty() ? "No verdict was requested; --tolerance requests one." : text;
 }
 
 std::string toText(const ImageVerdict& verdict) {

@@ -10,18 +10,17 @@
 
 namespace candela::cli {
 
-/// What was asked for is judged, and all of it must be met: the tolerance if --tolerance is given, the test of both
-/// films if --alpha is. Where neither is given, two films that carry variance are tested, and other images get no
-/// verdict.
+/// All requested criteria must be met: the tolerance if --tolerance is given, the test of both films if --alpha is
+/// given. If neither is given, two films with variances are tested, and other images get no verdict.
 struct ImageVerdict {
   std::optional<double> tolerance;
   bool withinTolerance = true;
   std::optional<verify::FilmTestResult> films;
-  std::string whyNoTest;  ///< of films that carry variance and were not tested all the same; else empty
+  std::string whyNoTest;  ///< the reason if films with variances were not tested; else empty
 
   bool isGiven() const { return tolerance || films; }
   bool passes() const { return withinTolerance && !(films && films->differs()); }
-  /// Sentences for people, without a newline at the end; says so if there is no verdict.
+  /// Returns sentences without a newline at the end, also if there is no verdict.
   std::string sentence() const;
 };
 
@@ -29,9 +28,9 @@ struct ImageVerdict {
 ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, const image::Image& reference,
                          const image::ImageComparison& comparison);
 
-/// Lines for people, each ending in a newline; none without a verdict and a reason to say why.
+/// Returns lines, each ending in a newline; nothing if there is neither a verdict nor a reason for its absence.
 std::string toText(const ImageVerdict& verdict);
-/// Adds "pass" and "sameLight" to the report, as far as there are such verdicts.
+/// Adds "pass" and "sameLight" to the report, if there are such verdicts.
 void addToJson(const ImageVerdict& verdict, nlohmann::ordered_json& json);
 
 }  // namespace candela::cli

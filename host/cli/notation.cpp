@@ -1,4 +1,4 @@
-// Reading and printing of numbers and sizes.
+// Reads and prints numbers and sizes.
 #include "host/cli/notation.h"
 
 namespace candela::cli {
@@ -30,8 +30,8 @@ Notation<double> share(std::string metavar, double lowest, double highest) {
     if (percent) value /= 100;
     return value >= lowest && value <= highest ? std::optional(value) : std::nullopt;
   };
-  return {std::move(metavar), fmt::format("a share from {} to {}, or the same in percent (0.5%)", lowest, highest),
-          parse, [](const double& value) { return fmt::to_string(value); }};
+  return {std::move(metavar), fmt::format("a fraction from {} to {}, or a percentage (0.5%)", lowest, highest), parse,
+          [](const double& value) { return fmt::to_string(value); }};
 }
 
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest) {

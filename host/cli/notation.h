@@ -1,4 +1,4 @@
-// How values are written on the command line: one Notation per kind of value, used for reading, printing and help.
+// The notation of values on the command line: one Notation per kind of value, for reading, printing and help.
 #pragma once
 #include <fmt/format.h>
 
@@ -17,18 +17,18 @@ namespace candela::cli {
 
 template <class T>
 struct Notation {
-  std::string metavar;   ///< stands for the value in help
+  std::string metavar;   ///< placeholder for the value in help
   std::string expected;  ///< completes "expected ..." in messages
   std::function<std::optional<T>(const std::string&)> parse;
   std::function<std::string(const T&)> print;
 };
 
-/// lowest to highest, decimal.
+/// A decimal number from `lowest` to `highest`.
 Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest);
-/// lowest to highest; infinities and NaN are refused.
+/// A number from `lowest` to `highest`; infinities and NaN are refused.
 template <class Real>
 Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
-/// A share of one, as a number ("0.005") or in percent ("0.5%"), from `lowest` to `highest`.
+/// A fraction from `lowest` to `highest`, as a number ("0.005") or as a percentage ("0.5%").
 Notation<double> share(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
@@ -39,13 +39,13 @@ Notation<std::string> text(std::string metavar, std::string expected, std::strin
 /// One of a list of names.
 template <class T>
 Notation<T> choice(std::vector<std::pair<std::string, T>> names);
-/// As `inner`, and `absent` for no value. A word that `inner` reads too is a value.
+/// Reads and prints like `inner`, and `absent` for no value. A word that `inner` accepts as well is a value.
 template <class T>
 Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// "a, b or c".
+/// Returns "a, b or c".
 std::string joinAlternatives(const std::vector<std::string>& words);
 
 template <class Real>

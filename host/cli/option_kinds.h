@@ -1,4 +1,4 @@
-// The kinds of rows that the option table has: each makes an Option from a field of Arguments.
+// The kinds of options in the option table: each function makes an Option from a field of Arguments.
 #pragma once
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace candela::cli {
 
-/// What is said of an option beside its value.
+/// The properties of an option besides its value.
 struct Row {
   const char* names;
   unsigned commands;
@@ -17,7 +17,7 @@ struct Row {
   const char* help;
 };
 
-/// An option with a value. `get` maps Arguments& to its field, a reference.
+/// An option with a value. `get` maps Arguments& to a reference to its field.
 template <class T, class Get>
 Option valued(const Row& row, const Notation<T>& notation, Get get) {
   Option option{row.names, row.commands, row.group, row.help, notation.metavar, notation.expected, "", {}, {}};
@@ -38,13 +38,13 @@ Option flag(const Row& row, Get get) {
   Option option{row.names, row.commands, row.group, row.help, "", "no value", "", {}, {}};
   option.apply = [=](Arguments& arguments, const std::string& word) {
     get(arguments) = true;
-    return word == "true";  // what CLI11 gives for a flag without a value
+    return word == "true";  // value of CLI11 for a flag without a value
   };
   option.show = [=](const Arguments& arguments) { return std::vector<std::string>(get(arguments) ? 1 : 0, "on"); };
   return option;
 }
 
-/// A path, with no default.
+/// A path without a default.
 template <class Get>
 Option path(const Row& row, const char* metavar, Get get) {
   Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
@@ -56,7 +56,7 @@ Option path(const Row& row, const char* metavar, Get get) {
   return option;
 }
 
-/// The same for an option that may be given several times.
+/// Paths; the option may be repeated.
 template <class Get>
 Option paths(const Row& row, const char* metavar, Get get) {
   Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};

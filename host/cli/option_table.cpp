@@ -1,4 +1,4 @@
-// The option table: a row per option.
+// The option table: one row per option.
 #include "host/cli/option_table.h"
 
 #include <limits>
@@ -23,17 +23,17 @@ constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
-constexpr std::uint32_t kMostSamples = 1u << 30;
-constexpr std::uint32_t kMostSegments = 1u << 20;
-constexpr std::uint32_t kLargestSide = 65535;
-constexpr std::uint32_t kLargestWorkgroupSide = 1024;
-constexpr std::uint32_t kMostThreads = 1024;
-constexpr std::uint32_t kMostRepeats = 1000;
-constexpr float kLeastGridDensity = 0.0625f;
-constexpr float kMostGridDensity = 64;
+constexpr std::uint32_t kMaxSamples = 1u << 30;
+constexpr std::uint32_t kMaxSegments = 1u << 20;
+constexpr std::uint32_t kMaxSide = 65535;
+constexpr std::uint32_t kMaxWorkgroupSide = 1024;
+constexpr std::uint32_t kMaxThreads = 1024;
+constexpr std::uint32_t kMaxRepeats = 1000;
+constexpr float kMinGridDensity = 0.0625f;
+constexpr float kMaxGridDensity = 64;
 constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  // the kind's range is checked later
-constexpr float kShortestReach = 1e-30f;
-constexpr float kLongestReach = 1e30f;
+constexpr float kMinReach = 1e-30f;
+constexpr float kMaxReach = 1e30f;
 
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 const std::vector<std::pair<std::string, render::SamplerKind>> kSamplers{
@@ -52,11 +52,11 @@ const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{{"none", ima
                                                                     {"neutral", image::ToneMap::neutral}};
 
 std::string defaultDepths() {
-  return fmt::format("{}; whitted {}", defaultMaxDepth(render::Integrator::path),
+  return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
                      defaultMaxDepth(render::Integrator::whitted));
 }
 
-// NOLINTBEGIN: one row each, however long.
+// NOLINTBEGIN: each option is one row of any length.
 // clang-format off
 std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
@@ -96,9 +96,9 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag({"--lenient", kReadingScenes, kGroup, "skip what is unknown, complete what is short, with warnings"},
+    flag({"--lenient", kReadingScenes, kGroup, "skip unknown statements and complete short ones, with warnings"},
          [](auto& a) -> auto& { return a.lenient; }),
-    paths({"--allow-path", kReadingScenes, kGroup, "folder outside the scene's own that a scene may read; repeatable"}, "DIR",
+    paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.allowedPaths; }),
   };
 }
@@ -106,7 +106,7 @@ std::vector<Option> sceneFileOptions() {
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, else a device's number or part of its name in `candela devices`"},
+    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "search structure; absent, the file's `accel` goes before the default"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "bvh"), [](auto& a) -> auto& { return a.accel; }),
@@ -137,11 +137,11 @@ std::vector<Option> executionOptions() {
 std::vector<Option> outputOptions() {
   constexpr OptionGroup kGroup = OptionGroup::output;
   return {
-    paths({"-o,--output", kRender, kGroup, "image file, .png .jpg .hdr .pfm or .exr; repeatable"}, "FILE",
+    paths({"-o,--output", kRender, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender | kCompare, kGroup, "curve of 8-bit files, and of what FLIP looks at; `none`: linear and clipped; absent, `depth` and `cost` have false colours"},
+    valued({"--tonemap", kRender | kCompare, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare, kGroup, "brightness of the same; each stop doubles it"},
+    valued({"--exposure", kRender | kCompare, kGroup, "exposure of 8-bit files and of FLIP; each stop doubles the brightness"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
   };
 }
@@ -149,27 +149,27 @@ std::vector<Option> outputOptions() {
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
   return {
-    valued({"--tolerance", kCompare, kGroup, "largest relMSE of two images that passes"},
+    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
-    valued({"--alpha", kCompare, kGroup, "probability of a false alarm when the light of two EXR films is tested; without --alpha and --tolerance they are tested where they can be"},
+    valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
            share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
-    path({"--diff", kCompare, kGroup, "picture of the differences: orange where A is brighter, blue where it is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
-    path({"--flip", kCompare, kGroup, "picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+    path({"--diff", kCompare, kGroup, "write a picture of the differences: orange where A is brighter, blue where A is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
+    path({"--flip", kCompare, kGroup, "write a picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
   };
 }
 
 std::vector<Option> verificationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::verification;
   return {
-    valued({"--alpha", kVerify, kGroup, "probability of a false alarm of the whole run"},
+    valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
            share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
-    valued({"--bias", kVerify, kGroup, "difference of the image mean that must not stay unseen"},
-           share("SHARE", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
-    valued({"--time-limit", kVerify, kGroup, "after it no further look at the images begins"},
+    valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect"},
+           share("FRACTION", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
-    flag({"--explain", kVerify, kGroup, "after the verdict explain the pixel that differs most, as `candela explain` does"},
+    flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},
          [](auto& a) -> auto& { return a.explain; }),
   };
 }
@@ -177,25 +177,25 @@ std::vector<Option> verificationOptions() {
 std::vector<Option> explanationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::explanation;
   return {
-    valued({"--pixel", kExplain, kGroup, "whose sample is traced again; 0,0 is at the top left"},
-           orAbsent(pixelPlace(kLargestSide - 1), "the one that differs most"), [](auto& a) -> auto& { return a.pixel; }),
-    valued({"--sample", kExplain, kGroup, "which of the pixel's samples, from 0"},
-           wholeNumber(0, kMostSamples - 1), [](auto& a) -> auto& { return a.sample; }),
+    valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
+           orAbsent(pixelPlace(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+    valued({"--sample", kExplain, kGroup, "index of the pixel's sample, from 0"},
+           wholeNumber(0, kMaxSamples - 1), [](auto& a) -> auto& { return a.sample; }),
   };
 }
 
 std::vector<Option> benchmarkOptions() {
   constexpr OptionGroup kGroup = OptionGroup::benchmark;
   return {
-    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, in turn; the median counts"},
-           wholeNumber(1, kMostRepeats), [](auto& a) -> auto& { return a.repeats; }),
-    paths({"--sweep", kBench, kGroup, "of scenes: each value of an option, without its dashes; repeatable, for all combinations"}, "NAME=V,V,...",
+    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, interleaved; the median is reported"},
+           wholeNumber(1, kMaxRepeats), [](auto& a) -> auto& { return a.repeats; }),
+    paths({"--sweep", kBench, kGroup, "for scenes: measure each value of an option (named without its dashes); repeatable, for all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
-    valued({"--threshold", kBench, kGroup, "of `compare`: share of its speed that a row may lose"},
-           share("SHARE", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
+    valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
+           share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued({"--markdown", kBench | kTune, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
-    valued({"--svg", kBench, kGroup, "of scenes: draw samples per second; `-`: to stdout"},
+    valued({"--svg", kBench, kGroup, "for scenes: write a chart of samples per second as SVG; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
   };
 }
@@ -203,22 +203,22 @@ std::vector<Option> benchmarkOptions() {
 std::vector<Option> tuningOptions() {
   constexpr OptionGroup kGroup = OptionGroup::tuning;
   return {
-    valued({"--size", kTune, kGroup, "of the images; `auto`: chosen by timing, at most the scene's"},
-           orAbsent(extent("WxH", kLargestSide), "auto"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--size", kTune, kGroup, "image size in pixels; `auto`: chosen by timing, at most the scene's"},
+           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.size; }),
     valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
-           orAbsent(wholeNumber(1, kMostSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
-    flag({"--dry-run", kTune, kGroup, "measure and report, but keep nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
+           orAbsent(wholeNumber(1, kMaxSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
+    flag({"--dry-run", kTune, kGroup, "measure and report, but store nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
   };
 }
 
 std::vector<Option> generationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::generation;
   return {
-    valued({"-o,--output", kGenerate | kBoxes, kGroup, "the scene file; `-`: stdout"},
+    valued({"-o,--output", kGenerate | kBoxes, kGroup, "scene file; `-`: stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
-    valued({"--size", kGenerate, kGroup, "how large the scene is; each kind has its range"},
+    valued({"--size", kGenerate, kGroup, "size of the scene; each kind has its own range"},
            orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
-    valued({"--depth", kBoxes, kGroup, "draw one level of the tree, and leaves above it; 0 is the root"},
+    valued({"--depth", kBoxes, kGroup, "draw one level of the BVH, and the leaves above it; the root is level 0"},
            orAbsent(wholeNumber(0, kAnySize), "all"), [](auto& a) -> auto& { return a.boxDepth; }),
   };
 }
@@ -226,17 +226,17 @@ std::vector<Option> generationOptions() {
 std::vector<Option> generalOptions() {
   constexpr OptionGroup kGroup = OptionGroup::general;
   return {
-    flag({"--stats", kRender, kGroup, "print times, rays and settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
+    flag({"--stats", kRender, kGroup, "print times, numbers of rays and the settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
     valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
-    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample was not finite, negative or too bright; files are written all the same"},
+    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample is not finite, negative or too bright; files are still written"},
          [](auto& a) -> auto& { return a.strict; }),
-    path({"--report", kCompare | kVerify, kGroup, "write a page (HTML) with the pictures, maps of their differences, figures and the verdict"}, "FILE",
+    path({"--report", kCompare | kVerify, kGroup, "write an HTML page with the images, maps of their differences, figures and the verdict"}, "FILE",
          [](auto& a) -> auto& { return a.report; }),
-    flag({"-q,--quiet", kAll, kGroup, "say nothing but errors"}, [](auto& a) -> auto& { return a.quiet; }),
-    flag({"-v,--verbose", kAll, kGroup, "say more"}, [](auto& a) -> auto& { return a.verbose; }),
+    flag({"-q,--quiet", kAll, kGroup, "print only errors"}, [](auto& a) -> auto& { return a.quiet; }),
+    flag({"-v,--verbose", kAll, kGroup, "print details"}, [](auto& a) -> auto& { return a.verbose; }),
     flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),
-    flag({"-h,--help", kAll, kGroup, "print this"}, [](auto& a) -> auto& { return a.help; }),
+    flag({"-h,--help", kAll, kGroup, "print this help"}, [](auto& a) -> auto& { return a.help; }),
   };
 }
 // clang-format on

@@ -1,4 +1,4 @@
-// Checks of output files.
+// Checks output files.
 #include "host/cli/output_check.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ void requireWritableFile(const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(folder, ignored)) {
     throw FileError(fmt::format("{}: there is no folder {}", file.string(), folder.string()));
   }
-  // A device or a pipe is written in place; everything else is renamed into its folder.
+  // Devices and pipes are written in place; all other files are renamed into their folder.
   const bool inPlace = std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
   if (access(inPlace ? file.c_str() : folder.c_str(), W_OK) != 0) {
     throw FileError(fmt::format("{}: no permission to write there", file.string()));

@@ -1,15 +1,15 @@
-// Refuses outputs that could not be written, before any work is done for them.
+// Refuses outputs that cannot be written, before any work is done for them.
 #pragma once
 #include <filesystem>
 #include <string>
 
 namespace candela::cli {
 
-/// The folder is there and writable (else FileError).
+/// Throws FileError unless the folder exists and is writable.
 void requireWritableFile(const std::filesystem::path& file);
-/// The extension is a known format (else UsageError), and the same.
+/// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
-/// The same for a JSON report; "-" and "" pass.
+/// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// `candela render`: a scene file in, images and a report out.
+// `candela render`: renders a scene file, and writes images and a report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace candela::cli {
 namespace {
 
-// What a file that outlives the command line should say about itself.
+// Returns the metadata of an image file, which describe how it was rendered.
 std::map<std::string, std::string> imageMetadata(const RenderJob& job, const render::RenderResult& result) {
   const render::RenderStatistics& statistics = result.statistics;
   std::string settings = commandLineOf(job.arguments, OptionGroup::image, false);
@@ -57,7 +57,7 @@ void writeImages(const RenderJob& job, const render::RenderResult& result, const
 void summarise(const RenderReport& report, const Log& log) {
   const render::RenderSettings& settings = report.job.settings;
   const std::string done = report.result.interrupted
-                               ? fmt::format("interrupted after {} samples; what was done is written",
+                               ? fmt::format("interrupted; the {} samples rendered so far are written",
                                              report.result.statistics.samples)
                                : fmt::format("{} samples per pixel", settings.image.sampleCount);
   log.note(fmt::format("{}x{} pixels, {}, {:.2f} s on {}", settings.image.size.width, settings.image.size.height, done,

@@ -1,4 +1,4 @@
-// Reads scenes, joins requests with options, runs tracers.
+// Reads scenes, combines their settings with options, and creates tracers.
 #include "host/cli/render_job.h"
 
 #include <fmt/format.h>
@@ -21,11 +21,11 @@ namespace {
 
 void requirePixelLimit(const render::Extent& size) {
   if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
-  throw FileError(fmt::format("an image of {}x{} pixels is beyond the limit of {} pixels", size.width, size.height,
+  throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
                               image::kMaximumImagePixels));
 }
 
-// The film alone must fit: to ask for more would not fail, but drive the machine into swapping or worse.
+// Requires that the film fits into memory: a larger one could be allocated, but would make the machine swap.
 void requireMemoryForFilm(const render::Extent& size) {
   const double needed = static_cast<double>(size.width) * size.height * sizeof(image::FilmPixel);
   const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -71,12 +71,12 @@ constexpr std::array kSpecialOptions{
                   },
                   "--accel bvh with --bvh-split sah"}};
 
-// Said rather than refused, so that one command line serves all renders.
+// Such options cause a note rather than an error, so that one command line can be used for all renders.
 void noteIdleOptions(const Arguments& arguments, const Log& log) {
-  if (arguments.command == Command::bench) return;  // which chooses the structures itself
+  if (arguments.command == Command::bench) return;  // benchmarks choose the structures themselves
   for (const auto& [option, isRead, reader] : kSpecialOptions) {
     if (isRead(arguments.settings) || !arguments.given.contains(option)) continue;
-    log.note(fmt::format("{} changes nothing here: it is for {}", option, reader));
+    log.note(fmt::format("{} has no effect here; it applies to {}", option, reader));
   }
 }
 
@@ -89,7 +89,7 @@ void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& 
 
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
   if (!arguments.sampleCount && scene.requestedSamples) {
-    log.detail(fmt::format("{} samples per pixel in total, as the file asks", *scene.requestedSamples));
+    log.detail(fmt::format("{} samples per pixel, as requested by the scene", *scene.requestedSamples));
   }
   const render::RenderRequest request{.sampleCount = arguments.sampleCount,
                                       .size = arguments.size,
@@ -142,13 +142,13 @@ void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   if (statistics.structure == render::AccelKind::grid) {
     throw FileError(
-        fmt::format("the device stopped {} walks through the grid before their end, so the image would be wrong; "
-                    "nothing is written: use --accel bvh",
+        fmt::format("the device stopped {} traversals of the grid before their end, so the image would be wrong and is "
+                    "not written; use --accel bvh",
                     statistics.truncated));
   }
   throw InternalError(
-      fmt::format("{} loops ended before their work was done, so the image would be wrong; nothing is written. "
-                  "A smaller --segments-per-dispatch or another --accel may help",
+      fmt::format("{} loops ended before their work was done, so the image would be wrong and is not written; "
+                  "a smaller --segments-per-dispatch or another --accel may help",
                   statistics.truncated));
 }
 

@@ -1,4 +1,4 @@
-// A scene that is ready to be traced: read, its requests and the command line joined, its limits checked.
+// A scene ready for rendering: the file is read, its settings are combined with the options, and limits are checked.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,32 +12,32 @@
 namespace candela::cli {
 
 struct RenderJob {
-  Arguments arguments;  ///< with nothing left to the file
+  Arguments arguments;  ///< complete: nothing depends on the scene file any more
   render::RenderSettings settings;
   scene::Scene scene;
   double parseSeconds = 0;
 };
 
-/// Reads the first of `arguments.files`; the file's warnings go to the log. Throws SceneError, FileError and
-/// OutOfMemoryError (a film larger than the machine's memory).
+/// Reads the first of `arguments.files`. Warnings about the file go to the log. Throws SceneError, FileError and
+/// OutOfMemoryError (if the film is larger than the machine's memory).
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
-/// What must hold before a render of resolved arguments begins: an image within the limits (else FileError) whose film
-/// fits into memory (else OutOfMemoryError). Says in the log which options change nothing, and what will be dark.
+/// Checks resolved arguments before a render. Throws FileError if the image exceeds the limits, and OutOfMemoryError if
+/// its film does not fit into memory. Logs notes about options without effect and about missing lights.
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log);
 
-/// The file's requests, and what the integrator defaults to, take the place of options that are absent.
+/// Replaces empty options by the settings of the scene file or by the defaults of the integrator.
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// "cpu": the reference; everything else: a Vulkan device, on which `auto` means what `candela tune` found, unless the
 /// arguments have it otherwise. Throws NoDeviceError.
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log);
 
-/// Progress on stderr; SIGINT and SIGTERM stop.
+/// Reports progress on stderr; SIGINT and SIGTERM stop the render.
 render::RenderControl makeControl(Progress& progress);
 
-/// Throws, since the image would be wrong, if work was truncated: FileError where a scene's grid is too much for the
-/// device's loops, InternalError elsewhere.
+/// Throws if work was truncated, since the image would be wrong: FileError if a grid exceeds the loop limit of the
+/// device, else InternalError.
 void requireComplete(const render::RenderStatistics& statistics);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// The page on two image files: what their metadata tells is shown, but never trusted.
+// The page on two image files. Their metadata are shown, but not trusted.
 #include <fmt/format.h>
 
 #include <array>
@@ -35,7 +35,7 @@ std::string metadataOf(const image::Image& image, const char* key) {
   return entry == image.metadata.end() ? "" : entry->second;
 }
 
-// Of the colours, since not every format has room for a hash of the film.
+// The hash is that of the colours, since not every format can store a hash of the film.
 std::string pixelHash(const image::Image& image) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(image.rgb.data());
   return hashText(scene::fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
@@ -51,13 +51,13 @@ std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image
   return facts;
 }
 
-// A file may say anything of itself; words that a shell would not take literally make no command.
+// Metadata may contain anything; settings with characters that are special to a shell give no command.
 bool isHarmless(const std::string& settings) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@% ";
   return settings.starts_with("--") && settings.find_first_not_of(kPlain) == std::string::npos;
 }
 
-// How the file was rendered; empty if it does not say.
+// Returns the command that rendered the file, or nothing if the metadata do not contain it.
 std::string renderCommand(const std::string& file, const image::Image& image) {
   const std::string scene = metadataOf(image, "candela.scene");
   const std::string settings = metadataOf(image, "candela.settings");

@@ -1,4 +1,4 @@
-// Gathers what a page shows of device and reference.
+// Collects the content of the pages on device and reference.
 #include "host/cli/report_page.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::string commandOf(const Arguments& arguments, const char* command, std::init
   return line;
 }
 
-// What both reports on a scene have in common: pictures, tracers, hashes.
+// Returns the common part of both reports on a scene: pictures, tracers, hashes.
 Report tracersReport(const RenderJob& job, const image::Film& device, const image::Film& reference,
                      const render::RenderStatistics& statistics) {
   Report page;
@@ -47,9 +47,9 @@ Report tracersReport(const RenderJob& job, const image::Film& device, const imag
 
 std::string agreementSentence(const verify::AgreementReport& agreement) {
   return fmt::format(
-      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit ones (at least {} %), and "
-      "the means "
-      "of {} samples are {:.2e} apart (at most {:.0e}).",
+      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit pixels are equal (at least "
+      "{} "
+      "%), and the means of {} samples differ by {:.2e} (at most {:.0e}).",
       100 * agreement.pixels.share(), 100 * verify::kRequiredShare, 100 * agreement.pixels.litShare(),
       100 * verify::kRequiredLitShare, agreement.mean.samples, agreement.mean.relativeDifference(),
       verify::kMeanTolerance);
@@ -60,7 +60,7 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
                           fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
   page.figures.push_back(
       {"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
-  page.figures.push_back({"First difference of the others", paths.causesText()});
+  page.figures.push_back({"First differences of the other pixels", paths.causesText()});
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   if (verification.exact) {
     const verify::ExactTest& exact = *verification.exact;
     page.figures.push_back(
-        {"Stated answer",
+        {"Exact result",
          fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})", exact.expected, exact.device,
                      exact.devicePValue, exact.reference, exact.referencePValue)});
   }

@@ -1,4 +1,4 @@
-// `--report`: what the pages of compare and verify say.
+// The content of the pages that `--report` writes for compare and verify.
 #pragma once
 #include <filesystem>
 
@@ -11,18 +11,19 @@
 
 namespace candela::cli {
 
-/// Two image files, with what their metadata tells of them.
+/// Reports on two image files and their metadata.
 report::Report imageReport(const Arguments& arguments, const image::Image& a, const image::Image& reference,
                            const image::ImageComparison& comparison, const image::FlipResult& flip,
                            const ImageVerdict& verdict);
-/// Device and reference on one scene. `arguments` are those of the command line; the run was not interrupted.
+/// Reports on device and reference for one scene. `arguments` are those of the command line; the run was not
+/// interrupted.
 report::Report agreementReport(const Arguments& arguments, const RenderJob& job,
                                const verify::AgreementReport& agreement);
-/// The same for `verify`, whose films were kept.
+/// Reports on a run of `verify` that kept its films.
 report::Report verificationReport(const Arguments& arguments, const RenderJob& job,
                                   const verify::VerifyReport& verification);
 
-/// Writes the page, as a whole or not at all. Throws FileError.
+/// Writes the page atomically. Throws FileError.
 void writeReport(const std::filesystem::path& file, const report::Report& report);
 
 }  // namespace candela::cli

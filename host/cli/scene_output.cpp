@@ -1,4 +1,4 @@
-// Blocks of text to a file or to stdout.
+// Writes blocks of text to a file or to stdout.
 #include "host/cli/scene_output.h"
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace {
 
 using Sink = generate::NffWriter::Sink;
 
-/// Passes blocks on until Ctrl-C. Half a scene is worth nothing, and no file appears.
+/// Passes blocks on until Ctrl-C. An incomplete scene is useless, so that no file appears.
 Sink interruptible(Sink sink) {
   const std::atomic<bool>& interrupted = watchInterrupts();
   return [&interrupted, sink = std::move(sink)](std::string_view block) {

@@ -1,4 +1,4 @@
-// Where commands that write scenes write them to.
+// Writes generated scenes.
 #pragma once
 #include <functional>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace candela::cli {
 
-/// Hands `write` a sink whose blocks become a file, there as a whole or not at all, or go to stdout if `target` is "-".
-/// Throws FileError if they cannot, InterruptedError at the first block after Ctrl-C.
+/// Passes a sink to `write` whose blocks go to a file, which appears only when it is complete, or to stdout if `target`
+/// is "-". Throws FileError if writing fails, and InterruptedError at the first block after Ctrl-C.
 void writeSceneText(const std::string& target, const std::function<void(const generate::NffWriter::Sink&)>& write);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// Derives rates and percentiles, and lays them out.
+// Computes rates and percentiles, and formats the statistics.
 #include "host/cli/statistics_report.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ constexpr std::array kPhases{"parse", "build",    "structure", "upload", "pipeli
 
 double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
 
-// "--max-depth" -> "maxDepth".
+// Converts "--max-depth" to "maxDepth".
 std::string jsonKey(const std::string& optionName) {
   std::string key;
   bool raise = false;
@@ -84,7 +84,7 @@ ordered_json raysJson(const render::RenderStatistics& statistics) {
   return rays;
 }
 
-// Leaves of nested objects as "seconds.trace".
+// Appends the leaves of nested objects with names like "seconds.trace".
 void appendRows(const ordered_json& object, const std::string& prefix, std::string& out) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) {

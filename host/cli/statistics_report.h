@@ -1,4 +1,4 @@
-// The statistics of a render, for people and for programs.
+// The statistics of a render, as JSON and as text.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -13,12 +13,12 @@ struct RenderReport {
   const render::RenderResult& result;
   double writeSeconds = 0;
   double totalSeconds = 0;
-  render::BadSampleTally badSamples{};  ///< of the result's film
+  render::BadSampleTally badSamples{};  ///< bad samples of the result's film
 };
 
-/// All figures, keys in lowerCamel. Rates are per second of the phase `trace`.
+/// Returns all figures, with keys in lowerCamel. Rates are per second of the phase `trace`.
 nlohmann::ordered_json toJson(const RenderReport& report);
-/// The same as a table.
+/// Returns all figures as a table.
 std::string toText(const RenderReport& report);
 
 }  // namespace candela::cli

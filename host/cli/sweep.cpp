@@ -1,3 +1,4 @@
+// Parses sweeps, and combines their values.
 #include "host/cli/sweep.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-// One renderer serves all variants, so that its device is none of them.
+// All variants share one renderer, so that the device cannot be swept.
 bool canBeSwept(const Option& option) {
   const bool ofRenders = option.group == OptionGroup::image || option.group == OptionGroup::execution;
   return ofRenders && option.isFor(Command::bench) && !option.isFlag() && option.name() != "--device";
@@ -30,7 +31,7 @@ const Option& optionNamed(const std::string& name) {
     if (option.name() == "--" + name) return option;
     names.push_back(option.name().substr(2));
   }
-  throw UsageError(fmt::format("--sweep {}: no option that can be swept{}", name, didYouMean(name, names)));
+  throw UsageError(fmt::format("--sweep {}: not an option that can be swept{}", name, didYouMean(name, names)));
 }
 
 std::vector<std::string> split(const std::string& values) {
@@ -56,8 +57,7 @@ Sweep parse(const std::string& text) {
 
 void setOption(const Sweep& sweep, const std::string& value, Arguments& arguments) {
   if (!sweep.option->apply(arguments, value)) {
-    throw UsageError(
-        fmt::format("--sweep {}: '{}' is no value, expected {}", sweep.name, value, sweep.option->expected));
+    throw UsageError(fmt::format("--sweep {}: expected {}, got \"{}\"", sweep.name, sweep.option->expected, value));
   }
   arguments.given.insert(sweep.option->name());
 }
@@ -82,11 +82,11 @@ std::vector<SweptArguments> sweepOver(const Arguments& arguments) {
   for (const std::string& text : arguments.sweeps) {
     const Sweep sweep = parse(text);
     if (std::find(swept.begin(), swept.end(), sweep.option) != swept.end()) {
-      throw UsageError(fmt::format("--sweep {}: swept twice", sweep.name));
+      throw UsageError(fmt::format("--sweep {}: this option is swept twice", sweep.name));
     }
     swept.push_back(sweep.option);
-    if (all.size() * sweep.values.size() > kMostVariants) {
-      throw UsageError(fmt::format("--sweep: more than {} combinations", kMostVariants));
+    if (all.size() * sweep.values.size() > kMaxVariants) {
+      throw UsageError(fmt::format("--sweep: more than {} combinations", kMaxVariants));
     }
     all = withEach(all, sweep);
   }

@@ -1,4 +1,4 @@
-// `--sweep NAME=VALUE,VALUE,...`: the values that a benchmark gives to an option, one after the other.
+// `--sweep NAME=VALUE,VALUE,...`: the values of an option that a benchmark measures.
 #pragma once
 #include <span>
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace candela::cli {
 
-/// One way to set the options that are swept.
+/// One combination of the values of the swept options.
 struct SweptArguments {
-  std::string name;  ///< e.g. "workgroup=8x8 layout=cwbvh"; "as given" where nothing is swept
+  std::string name;  ///< e.g. "workgroup=8x8 layout=cwbvh"; "as given" without a sweep
   Arguments arguments;
 };
 
-/// All combinations of the values of `arguments.sweeps`, the last sweep's changing fastest. NAME is an option of images
-/// or of their execution, without its dashes. Throws UsageError for one that is none, that is swept twice, or that
-/// cannot have a value; and for more than kMostVariants combinations.
+/// Returns all combinations of the values of `arguments.sweeps`, the last sweep varying fastest. NAME is an option of
+/// images or of their execution, without its dashes. Throws UsageError for any other name, for a repeated name, for an
+/// invalid value, and for more than kMaxVariants combinations.
 std::vector<SweptArguments> sweepOver(const Arguments& arguments);
 
-inline constexpr std::size_t kMostVariants = 256;
+inline constexpr std::size_t kMaxVariants = 256;
 
 }  // namespace candela::cli

@@ -1,3 +1,4 @@
+// Writes text to a file or to stdout.
 #include "host/cli/text_output.h"
 
 #include <iostream>

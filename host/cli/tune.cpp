@@ -1,4 +1,4 @@
-// `candela tune`: what is fastest on a device, kept for later commands.
+// `candela tune`: finds the fastest settings of a device, and stores them for later commands.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -22,11 +22,11 @@ namespace {
 using tune::TuneReport;
 using tune::Work;
 
-// Where the choice will be kept; it can be.
+// Returns the file for the result. Throws FileError if it cannot be written.
 std::filesystem::path requireFile(const tune::TuningKey& key) {
   const std::optional<std::filesystem::path> folder = tune::cacheFolder();
   if (!folder) {
-    throw FileError("nowhere to keep what is found: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or give --dry-run");
+    throw FileError("no folder for the result: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or use --dry-run");
   }
   const std::filesystem::path file = *folder / tune::fileNameOf(key);
   tune::requireTuningFile(file);
@@ -65,7 +65,7 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
   }
   return tune::search(
       device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
-        log.note(fmt::format("{} candidates, {} runs each of {} scenes", candidates.size(), repeats, works.size()));
+        log.note(fmt::format("{} candidates, {} runs of each on {} scenes", candidates.size(), repeats, works.size()));
         Progress progress(std::cerr, progressStyle(log.verbosity()));
         return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
       });
@@ -74,7 +74,10 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
 }  // namespace
 
 ExitCode runTune(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") throw UsageError("tune --device cpu: the reference has nothing to be tuned");
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "tune --device cpu: the reference tracer has nothing to tune; choose a Vulkan device (see candela devices)");
+  }
   watchInterrupts();
   for (const std::string& target : {arguments.json, arguments.markdown}) requireWritableReport(target);
   vulkan::Device device = vulkan::Device::open(arguments.device);
@@ -87,7 +90,7 @@ ExitCode runTune(const Arguments& arguments, const Log& log) {
   if (!report.result.builtInAgrees) report.file.reset();
   if (report.file) tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
   return publish(report, arguments, log,
-                 "candidates did not give the same image: `candela verify` says which is wrong");
+                 "the images of some candidates differ; find the wrong ones with `candela verify`");
 }
 
 }  // namespace candela::cli

@@ -1,3 +1,4 @@
+// Finds the stored result for a device.
 #include "host/cli/tuned.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& 
   const std::filesystem::path file = *folder / tune::fileNameOf(key);
   const tune::TuningLookup found = tune::readTuning(file, key, info);
   if (!found.problem.empty()) {
-    log.warning(fmt::format("{} is ignored: {}; `candela tune` writes it anew", file.string(), found.problem));
+    log.warning(fmt::format("{} is ignored: {}; `candela tune` replaces it", file.string(), found.problem));
   }
   if (!found.tuning) return std::nullopt;
   return KeptTuning{*found.tuning, file};

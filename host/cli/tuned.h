@@ -1,4 +1,4 @@
-// What `auto` means on a device: what `candela tune` found there, or what is built in.
+// The meaning of `auto` on a device: the result of `candela tune`, or the built-in choice.
 #pragma once
 #include <memory>
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace candela::cli {
 
-/// What is kept for a device in the user's cache. A file that must not be used is told in the log and left alone.
+/// The result stored for a device in the user's cache. A file that must not be used causes a warning and is not
+/// changed.
 struct KeptTuning {
   tune::Tuning tuning;
   std::filesystem::path file;
 };
 std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& log);
 
-/// What is kept, or without it, or if `--untuned` is given, what is built in.
+/// Returns the stored result, or the built-in choice if there is none or `--untuned` is given.
 render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log);
 
 /// Renders as another renderer does, with these choices, and logs the warnings of sessions, each once.

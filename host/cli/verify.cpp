@@ -1,4 +1,4 @@
-// `candela verify`: the verdict on a device.
+// `candela verify`: prints the verdict on a device.
 #include "host/verify/verify.h"
 
 #include <iostream>
@@ -35,7 +35,7 @@ void explainWorst(const verify::VerifyReport& report, const RenderJob& job, rend
 ExitCode runVerify(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the reference would be verified by itself; name another tracer, see candela devices");
+        "--device cpu: the reference tracer cannot verify itself; choose a Vulkan device (see candela devices)");
   }
   if (arguments.explain) explain::requirePaths(arguments.settings.image.integrator);
   requireWritableReport(arguments.json);

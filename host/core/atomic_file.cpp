@@ -1,4 +1,4 @@
-// Write beside, sync, rename.
+// Writes a temporary file beside the target, syncs it and renames it.
 #include "host/core/atomic_file.h"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ bool writeAll(int descriptor, std::span<const std::byte> content) {
   return true;
 }
 
-/// The absolute path behind symbolic links.
+/// Returns the absolute path with symbolic links resolved.
 fs::path resolveLinks(const fs::path& file) {
   std::error_code error;
   const fs::path absolute = fs::absolute(file, error);
@@ -43,7 +43,7 @@ fs::path resolveLinks(const fs::path& file) {
   return resolved;
 }
 
-/// Devices, pipes, sockets: a rename would replace them by an ordinary file.
+/// Returns whether the file is a device, pipe or socket, which a rename would replace by a regular file.
 bool isSpecialFile(const fs::path& file) {
   std::error_code ignored;
   const fs::file_type type = fs::status(file, ignored).type();
@@ -51,7 +51,7 @@ bool isSpecialFile(const fs::path& file) {
          type == fs::file_type::socket;
 }
 
-/// Two processes, or two threads, that write the same file do not meet in the temporary one.
+/// Returns a name that no other process or thread uses for the same file.
 fs::path temporaryName(const fs::path& target) {
   static std::atomic<unsigned> counter = 0;
   fs::path name = target;
@@ -59,7 +59,8 @@ fs::path temporaryName(const fs::path& target) {
   return name;
 }
 
-/// Makes the rename itself survive a power failure. Not every file system can sync a folder, so errors do not count.
+/// Syncs the folder, so that the rename survives a power failure. Errors are ignored, since not every file system can
+/// sync a folder.
 void syncFolder(const fs::path& folder) {
   const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.isOpen()) ::fsync(descriptor.get());

@@ -1,4 +1,4 @@
-// Files that are either there as a whole or not at all.
+// Files that appear completely or not at all.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace candela {
 
-/// Replaces or creates a file: a temporary one beside it is written, synced and renamed by commit(). Until then, and
-/// after any error, the old file stays as it was; the destructor removes the temporary one. A symbolic link keeps
-/// pointing to the file that is replaced; devices and pipes are written to as they are. All functions throw FileError
-/// that names the file and the cause.
+/// Replaces or creates a file. A temporary file beside it is written, synced and renamed by commit(). Until then, and
+/// after any error, the old file stays unchanged; the destructor removes the temporary file. A symbolic link still
+/// points to the file that is replaced. Devices and pipes are written in place. All functions throw FileError, which
+/// names the file and the cause.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file);
@@ -20,18 +20,18 @@ class AtomicFile {
   ~AtomicFile();
 
   void write(std::span<const std::byte> content);
-  /// Once, and last.
+  /// Call it once, as the last function.
   void commit();
 
  private:
   std::filesystem::path name_;  ///< as given, for messages
   bool inPlace_;
   std::filesystem::path target_;     ///< the absolute path behind symbolic links
-  std::filesystem::path temporary_;  ///< empty when there is nothing to remove
+  std::filesystem::path temporary_;  ///< empty if there is nothing to remove
   FileDescriptor descriptor_;
 };
 
-/// The same for content that is in memory.
+/// Writes content that is in memory as AtomicFile does. Throws FileError.
 void writeFileAtomically(const std::filesystem::path& file, std::span<const std::byte> content);
 
 }  // namespace candela

@@ -1,4 +1,4 @@
-// The kinds of failure that a user can meet, each with the exit code it ends in. Thrown low, caught once in main().
+// Expected failures, each with its exit code. They are thrown where they are detected and caught once, in main().
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -9,16 +9,16 @@ namespace candela {
 enum class ExitCode : int {
   done = 0,
   usage = 1,
-  file = 2,        ///< scene, image or file error; also sizes beyond stated limits
-  differ = 3,      ///< compared images differ, verification failed
+  file = 2,        ///< invalid scene, image or file, or a size beyond the limits
+  differ = 3,      ///< the compared images differ, or a verification failed
   noDevice = 4,    ///< no usable Vulkan device
-  deviceLost = 5,  ///< device lost beyond recovery
+  deviceLost = 5,  ///< the device was lost
   outOfMemory = 6,
-  interrupted = 7,  ///< what was done of an image is written
+  interrupted = 7,  ///< interrupted; the samples rendered so far are written
   internal = 70,
 };
 
-/// Base of all expected failures. `what()` says what is wrong and what to do, without a trailing newline.
+/// Base class of all expected failures. `what()` names the cause and the remedy, without a newline at the end.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -43,7 +43,7 @@ struct DeviceLostError : Error {
 struct OutOfMemoryError : Error {
   explicit OutOfMemoryError(const std::string& message) : Error(ExitCode::outOfMemory, message) {}
 };
-/// For work whose half is worth nothing.
+/// Work was interrupted whose partial result is useless.
 struct InterruptedError : Error {
   explicit InterruptedError(const std::string& message) : Error(ExitCode::interrupted, message) {}
 };

@@ -6,7 +6,7 @@ namespace candela {
 
 class FileDescriptor {
  public:
-  /// Takes over `value`, what open() gave; negative: none.
+  /// Takes ownership of `value`, the result of open(). A negative value stands for no file.
   explicit FileDescriptor(int value) : value_(value) {}
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
@@ -15,7 +15,7 @@ class FileDescriptor {
   }
   int get() const { return value_; }
   bool isOpen() const { return value_ >= 0; }
-  /// False, with errno set, on an error; some file systems report a failed write only here.
+  /// Closes the file. Returns false and sets errno on an error; some file systems report a failed write only here.
   bool close() {
     const int value = value_;
     value_ = -1;

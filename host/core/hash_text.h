@@ -1,4 +1,4 @@
-// Hashes as reports write them.
+// The notation of hashes in reports.
 #pragma once
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace candela {
 
-/// 16 hexadecimal digits.
+/// Returns 16 hexadecimal digits.
 inline std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace candela

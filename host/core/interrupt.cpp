@@ -1,4 +1,4 @@
-// Signal handlers that set a flag once and then step aside.
+// Signal handlers that set a flag once and then restore the default action.
 #include "host/core/interrupt.h"
 
 #include <csignal>
@@ -16,7 +16,7 @@ void onSignal(int) { interrupted.store(true); }
 const std::atomic<bool>& watchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onSignal;
-  // After the first signal the default action is back: a second Ctrl-C ends the program even if it hangs.
+  // The first signal restores the default action: a second Ctrl-C ends the program even if it hangs.
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);

@@ -1,4 +1,4 @@
-// Lines on stderr, by verbosity.
+// Writes lines to stderr according to the verbosity.
 #include "host/core/log.h"
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// What the program says to the person who runs it, and how much of it.
+// Messages to the user on stderr, filtered by verbosity.
 #pragma once
 #include <iosfwd>
 #include <string>
@@ -7,14 +7,14 @@ namespace candela {
 
 enum class Verbosity { quiet, normal, verbose };
 
-/// Writes to `sink` (stderr), each line after the program's name. A text is shown from its own verbosity on; `problem`
-/// is always shown.
+/// Writes to `sink` (stderr), each line after the name of the program. A message appears if the verbosity is at least
+/// its own; a `problem` always appears.
 class Log {
  public:
   Log(std::ostream& sink, Verbosity verbosity) : sink_(sink), verbosity_(verbosity) {}
 
   Verbosity verbosity() const { return verbosity_; }
-  void problem(const std::string& text) const;  ///< must be seen, e.g. bad samples
+  void problem(const std::string& text) const;  ///< an error or a bad result, e.g. bad samples; always shown
   void warning(const std::string& text) const;  ///< hidden by --quiet
   void note(const std::string& text) const;     ///< hidden by --quiet
   void detail(const std::string& text) const;   ///< shown by --verbose only

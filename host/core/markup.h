@@ -1,10 +1,11 @@
-// Characters that mean something in HTML and XML.
+// Characters with a special meaning in HTML and XML.
 #pragma once
 #include <string_view>
 
 namespace candela {
 
-/// What stands for the character in content and in quoted attributes of HTML and XML; empty if it may stand for itself.
+/// Returns the entity for the character in content and in quoted attributes of HTML and XML, or an empty string if none
+/// is needed.
 constexpr std::string_view entityOf(char character) {
   switch (character) {
     case '&':

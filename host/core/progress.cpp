@@ -1,4 +1,4 @@
-// The progress line: when it is due and what it says.
+// The progress line: when it is printed, and its text.
 #include "host/core/progress.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTerminalInterval = 0.1;  // seconds
 constexpr double kPlainInterval = 5;
-constexpr double kPlainLongestInterval = 60;
+constexpr double kPlainMaxInterval = 60;
 constexpr double kPlainStep = 0.1;  // fraction of the work
 constexpr const char* kClearLine = "\r\x1b[K";
 
@@ -50,7 +50,7 @@ Progress::Progress(std::ostream& sink, ProgressStyle style, Clock clock)
 bool Progress::isDue(double now, double fraction) const {
   const double waited = now - shownAt_;
   if (style_ == ProgressStyle::terminal) return waited >= kTerminalInterval;
-  return waited >= kPlainLongestInterval || (waited >= kPlainInterval && fraction >= shownFraction_ + kPlainStep);
+  return waited >= kPlainMaxInterval || (waited >= kPlainInterval && fraction >= shownFraction_ + kPlainStep);
 }
 
 void Progress::update(double fraction, std::uint64_t samplesDone) {

@@ -1,4 +1,4 @@
-// Says how far a render is: one line that is rewritten on a terminal, few plain lines elsewhere.
+// Reports the progress of a render: one line that is rewritten on a terminal, or occasional plain lines elsewhere.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -12,24 +12,24 @@ namespace candela {
 
 enum class ProgressStyle { none, terminal, plain };
 
-/// `none` when quiet; otherwise by whether stderr is a terminal.
+/// Returns `none` if quiet, otherwise a style that depends on whether stderr is a terminal.
 ProgressStyle progressStyle(Verbosity verbosity);
 
-/// Seconds of a clock that never goes back.
+/// Returns the seconds of a monotonic clock.
 double monotonicSeconds();
 
 class Progress {
  public:
   using Clock = std::function<double()>;
 
-  /// Time counts from here. The destructor removes the terminal's line.
+  /// Starts the clock. The destructor removes the line on the terminal.
   Progress(std::ostream& sink, ProgressStyle style, Clock clock = monotonicSeconds);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// May be called often and from several threads. `fraction` is in [0, 1]. A terminal sees at most ten updates a
-  /// second; a plain log a line after at least 5 s that brought 10 %, or else after a minute.
+  /// Reports that `fraction`, in [0, 1], of the work is done. Thread-safe and cheap. A terminal gets at most ten
+  /// updates per second. A plain log gets a line every 10 %, but not within 5 s of the last line, or else every minute.
   void update(double fraction, std::uint64_t samplesDone);
 
  private:

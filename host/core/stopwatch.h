@@ -1,4 +1,4 @@
-// Times of phases by a steady clock.
+// Durations of phases, by a monotonic clock.
 #pragma once
 #include <chrono>
 
@@ -6,7 +6,7 @@ namespace candela {
 
 class Stopwatch {
  public:
-  /// Seconds since it was made or last asked.
+  /// Returns the seconds since construction or the last call.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> passed = now - last_;

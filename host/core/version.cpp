@@ -1,4 +1,5 @@
-// The version that the build passes in; nothing else of the build's surroundings, so that builds repeat.
+// The version comes from the build. Nothing else about the build environment is included, so that builds are
+// reproducible.
 #include "host/core/version.h"
 
 namespace candela {

@@ -1,4 +1,4 @@
-// Which Candela this is.
+// The version of Candela.
 #pragma once
 #include <string>
 

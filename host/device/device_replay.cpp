@@ -1,3 +1,4 @@
+// Traces one sample of one pixel again on the device.
 #include "host/device/device_replay.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Uploads a scene, in the load type that fits the device.
 #include "host/device/device_scene.h"
 
 #include <fmt/format.h>
@@ -22,14 +23,14 @@ bool fitsStorage(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat)
 
 [[noreturn]] void refuse(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads asked) {
   if (asked == render::SceneLoads::texel) {
-    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use storage loads",
+    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use --loads storage",
                                 flat.rows.size(), info.name, info.maxTexelBufferElements));
   }
   const bool grid = flat.structure == gpu::kStructureGrid;
   const char* const smaller = grid ? "make it smaller, or lower --grid-density" : "make it smaller";
   throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
                               flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,
-                              fitsTexels(info, flat) ? "use texel loads" : smaller));
+                              fitsTexels(info, flat) ? "use --loads texel" : smaller));
 }
 
 vulkan::Buffer makeRows(vulkan::Device& device, const flatten::FlatScene& flat, bool real, vulkan::Usage usage) {

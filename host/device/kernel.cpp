@@ -1,3 +1,4 @@
+// Selects the kernels of an integrator.
 #include "host/device/kernel.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Checks that the loops of a kernel fit into the limit of a device.
 #include "host/device/loop_budget.h"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const
   const std::uint64_t segments = bruteForceSegments(limit, flat.slotCount, raysPerSegment);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
   throw FileError(
-      fmt::format("--accel none over {} primitives: {} stops loops after {} turns; at most {} primitives, or "
+      fmt::format("--accel none over {} primitives: {} stops loops after {} iterations; at most {} primitives, or "
                   "use --accel bvh",
                   flat.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment)));
 }

@@ -1,3 +1,4 @@
+// Caches pipelines by their specialisation.
 #include "host/device/pipeline_store.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Traces given rays on a device, for benchmarks and tests.
 #include "host/device/ray_caster.h"
 
 #include <fmt/format.h>

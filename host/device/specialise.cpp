@@ -1,3 +1,4 @@
+// Computes the specialisation constants of a kernel.
 #include "host/device/specialise.h"
 
 #include "shaders/shared/features.h"

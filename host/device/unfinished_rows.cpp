@@ -1,3 +1,4 @@
+// Finds the rows of a band that have samples left.
 #include "host/device/unfinished_rows.h"
 
 #include <algorithm>

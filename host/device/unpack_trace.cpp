@@ -1,3 +1,4 @@
+// Unpacks the record of a replayed path.
 #include "host/device/unpack_trace.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Records the stages of the wavefront kernel.
 #include "host/device/wavefront.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// Finds the first difference and the first decision that differs, and words the result.
 #include "host/explain/explanation.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 namespace candela::explain {
 namespace {
 
-// Goes through the quantities until the two paths part for good.
+// Processes the quantities up to the decision at which the two paths diverge.
 void findDifferences(Explanation& result) {
   for (std::size_t stage = 0; stage < result.stages.size(); ++stage) {
     const std::vector<Quantity>& quantities = result.stages[stage].quantities;
@@ -37,7 +38,7 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
   const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
   if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
   if (quantity.kind == Quantity::Kind::randomNumber)
-    return fmt::format("{}: {}; no bit of it may differ", where, sides);
+    return fmt::format("{}: {}; it must be equal to the bit", where, sides);
   return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), kTolerance, sides);
 }
 
@@ -68,8 +69,8 @@ std::string Explanation::verdict() const {
 void requirePaths(render::Integrator integrator) {
   if (integrator == render::Integrator::path) return;
   throw UsageError(
-      "only the samples of --integrator path can be explained; for others `candela compare SCENE "
-      "--integrator ...` counts the pixels that differ, and the decisions that part them");
+      "only samples of --integrator path can be explained; for other integrators, `candela compare SCENE "
+      "--integrator ...` counts the pixels that differ and the decisions at which they diverge");
 }
 
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,

@@ -1,4 +1,4 @@
-// The same for programs.
+// Formats explanations as JSON.
 #include <cctype>
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// "light pdf" becomes "lightPdf", "BSDF u" "bsdfU".
+// Converts "light pdf" to "lightPdf" and "BSDF u" to "bsdfU".
 std::string keyOf(const std::string& name) {
   std::string key;
   bool startsWord = false;

@@ -1,4 +1,4 @@
-// The two paths side by side, for people.
+// Formats explanations as text, with the two paths side by side.
 #include <fmt/format.h>
 
 #include "host/explain/explanation.h"
@@ -12,7 +12,7 @@ constexpr std::size_t kSideWidth = 36;
 constexpr std::size_t kNumberWidth = 12;
 constexpr std::size_t kLineWidth = 100;
 
-// Numbers in columns of their own, so that those of vectors stand below each other; words begin where digits do.
+// Numbers have columns of their own, so that the components of vectors are aligned; words begin where digits do.
 std::string cell(const Value& value) {
   std::string text = value.words.empty() ? "" : " " + value.words;
   for (const double number : value.numbers) text += fmt::format("{:<{}}", fmt::format("{: .5g}", number), kNumberWidth);
@@ -37,7 +37,7 @@ class TextLayout {
  private:
   void addHead() {
     const render::PixelSample& sample = explanation_.sample;
-    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} against the reference\n", explanation_.scene,
+    text_ += fmt::format("{}, pixel {},{}, sample {}, seed {}: {} compared with the reference\n", explanation_.scene,
                          sample.x, sample.y, sample.index, explanation_.seed, explanation_.statistics.device);
     text_ += explanation_.verdict() + "\n";
     if (explanation_.isCut()) {
@@ -59,7 +59,7 @@ class TextLayout {
     }
   }
 
-  // Those that are equal, as they nearly always are, need no columns.
+  // Random numbers that are equal, as they nearly always are, need no columns.
   void addRandomNumbers(const Stage& stage) {
     std::string line = "  random";
     const std::size_t empty = line.size();
@@ -75,8 +75,7 @@ class TextLayout {
     if (line.size() > empty) text_ += line + "\n";
   }
 
-  // Behind the decision that parts the paths their numbers stand side by side, but until the result there is nothing to
-  // compare.
+  // After the decision at which the paths diverge, numbers are shown but not compared, except for the result.
   void addRow(const Place& place) {
     const Quantity& quantity = explanation_.at(place);
     const bool isResult = place.stage + 1 == explanation_.stages.size();

@@ -1,3 +1,4 @@
+// Compares the values of one quantity.
 #include "host/explain/quantity.h"
 
 #include <algorithm>

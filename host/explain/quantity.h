@@ -1,4 +1,4 @@
-// One quantity of a path as each tracer has it, and whether the two differ by more than rounding.
+// One quantity of a path on both tracers, and whether the two differ by more than rounding.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -10,11 +10,11 @@
 
 namespace candela::explain {
 
-/// Numbers are equal up to this share of the larger one, as pixels are: single precision leaves 1e-7, and a few bounces
-/// off flat surfaces make 1e-5 of it.
+/// Numbers, like pixels, are equal up to this fraction of the larger one: single precision gives 1e-7, which a few
+/// reflections at flat surfaces increase to 1e-5.
 inline constexpr double kTolerance = verify::kRelativeTolerance;
 
-/// What one side has: words (of a decision) or one to three numbers; neither: it did not come so far.
+/// The value on one side: words (for a decision) or one to three numbers. Both are empty if the path did not reach it.
 struct Value {
   std::string words;
   std::vector<double> numbers;
@@ -23,24 +23,24 @@ struct Value {
 
 struct Quantity {
   enum class Kind { randomNumber, decision, number };
-  std::string name;  ///< as people read it, e.g. "light pdf"
+  std::string name;  ///< name for people, e.g. "light pdf"
   Kind kind = Kind::number;
   Value device;
   Value reference;
-  double apart = 0;  ///< of numbers: their difference as a share; infinite where one is not finite
+  double apart = 0;  ///< relative difference of numbers; infinite if one is not finite
   bool differs = false;
 };
 
-/// Equal or not: the words say which way each side took.
+/// A decision, equal or not. The words describe the choice of each side.
 Quantity decision(std::string name, std::string device, std::string reference);
-/// Words as the samplers make them; equal bits or not.
+/// A random number, which must be equal to the bit.
 Quantity randomNumber(std::string name, std::uint32_t device, std::uint32_t reference);
 
-// Numbers. One that is absent on one side alone has a decision before it that differs, and is not compared.
+// Numbers. A number that is missing on one side only follows a decision that differs, and is not compared.
 Quantity scalar(std::string name, std::optional<double> device, std::optional<double> reference);
-/// Channel by channel; what is not further apart than kAbsoluteTolerance is equal.
+/// Compared channel by channel; differences up to kAbsoluteTolerance count as equal.
 Quantity colour(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference);
-/// By the length of the difference, as a share of `scale` (of 1: for unit vectors).
+/// Compared by the length of the difference, as a fraction of `scale` (1 for unit vectors).
 Quantity vector(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference,
                 double scale = 1);
 

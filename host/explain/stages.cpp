@@ -1,3 +1,4 @@
+// Lists the quantities of each stage.
 #include "host/explain/stages.h"
 
 #include <fmt/format.h>
@@ -17,13 +18,13 @@ constexpr std::array<const char*, 4> kCameraNumbers{"filter x", "filter y", "len
 constexpr std::array<const char*, 7> kVertexNumbers{"light choice", "light u", "light v",   "lobe choice",
                                                     "BSDF u",       "BSDF v",  "roulette u"};
 
-// Of a structure that a vertex may lack, one member.
+// Returns a member of a structure that a vertex may lack.
 template <class Part, class Member>
 auto memberOf(const std::optional<Part>& part, Member member) {
   return part ? std::optional((*part).*member) : std::nullopt;
 }
 
-// Both sides of one vertex, or of a vertex that only one of them has.
+// Both sides of one vertex, or of a vertex that only one side has.
 class VertexStage {
  public:
   VertexStage(const render::VertexTrace* device, const render::VertexTrace* reference, const scene::Scene& scene)
@@ -58,7 +59,7 @@ class VertexStage {
     return hasReference_ ? std::optional(reference_.*member) : std::nullopt;
   }
 
-  // `words(vertex)` of each side; none of a side that has no such vertex.
+  // Adds a decision with `words(vertex)` of each side, empty for a side without this vertex.
   template <class Words>
   void addDecision(const char* name, Words words) {
     Quantity made = decision(name, hasDevice_ ? words(device_) : "", hasReference_ ? words(reference_) : "");
@@ -95,7 +96,7 @@ class VertexStage {
     });
   }
 
-  // A surface that emits on one side only is compared with one that emits nothing.
+  // A surface that emits on one side only is compared with zero emission.
   void addEmission() {
     const auto& [a, b] = std::tie(device_.emission, reference_.emission);
     if (!a && !b) return;
@@ -174,7 +175,7 @@ class VertexStage {
   std::vector<Quantity> quantities_;
 };
 
-// Of a coordinate in the scene's units: how far rays go there.
+// Returns the scale of coordinates of the scene: the distance that rays travel.
 double cameraScale(const render::PathTrace& path) {
   if (path.vertices.empty()) return 0;
   const render::VertexTrace& first = path.vertices.front();

@@ -1,4 +1,4 @@
-// The stages of a path, camera and vertices, each with its quantities in the order in which the estimator comes to
+// The stages of a path, camera and vertices, each with its quantities in the order in which the estimator computes
 // them.
 #pragma once
 #include <string>
@@ -15,8 +15,8 @@ struct Stage {
   std::vector<Quantity> quantities;
 };
 
-/// One stage for the camera, one for each vertex that either side has kept, one for the sample's radiance. `scene`
-/// gives names to indices.
+/// Returns one stage for the camera, one for each vertex that either side has recorded, and one for the sample's
+/// radiance. `scene` provides names for indices.
 std::vector<Stage> stagesOf(const render::PathTrace& device, const render::PathTrace& reference,
                             const scene::Scene& scene);
 

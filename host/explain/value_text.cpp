@@ -1,3 +1,4 @@
+// Formats values of quantities as text.
 #include "host/explain/value_text.h"
 
 #include <fmt/format.h>

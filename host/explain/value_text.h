@@ -1,4 +1,4 @@
-// Quantities as text.
+// Formats values of quantities as text.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace candela::explain {
 
-/// Words, or numbers to six digits with spaces between them.
+/// Returns words, or numbers with six digits, separated by spaces.
 std::string valueText(const Value& value);
-/// How far apart the two sides' numbers are: "3.1e-07", or "=" if they are equal to the bit.
+/// Returns the relative difference of both sides: "3.1e-07", or "=" if they are equal to the bit.
 std::string apartText(const Quantity& quantity);
 
 }  // namespace candela::explain

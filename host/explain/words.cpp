@@ -1,3 +1,4 @@
+// Names for primitives, materials, lights, lobes and shadow rays.
 #include "host/explain/words.h"
 
 #include <fmt/format.h>

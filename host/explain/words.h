@@ -1,4 +1,4 @@
-// Names for what paths meet and decide.
+// Names for primitives, materials, lights, lobes and shadow rays.
 #pragma once
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace candela::explain {
 
-/// Index and kind, e.g. "7 sphere"; the index alone where the scene has no such entry.
+/// Returns index and kind, e.g. "7 sphere"; only the index if the scene has no such entry.
 std::string primitiveWords(std::uint32_t primitive, const scene::Scene& scene);
-/// The same of a material, e.g. "2 mixture": docs/light-transport.md section 5.
+/// Returns index and kind of a material, e.g. "2 mixture": docs/light-transport.md section 5.
 std::string materialWords(std::uint32_t material, const scene::Scene& scene);
-/// Of LightTrace::primitive.
+/// Returns the name of a LightTrace::primitive.
 std::string lightWords(std::uint32_t primitive, const scene::Scene& scene);
 std::string lobeWords(render::Lobe lobe);
 std::string shadowWords(render::ShadowOutcome outcome);

@@ -1,3 +1,4 @@
+// Computes the constants of the camera for a device.
 #include "host/flatten/camera_constants.h"
 
 #include <cmath>

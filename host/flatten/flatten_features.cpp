@@ -1,3 +1,4 @@
+// Determines the features that a scene uses.
 #include "host/flatten/flatten_features.h"
 
 #include <vector>

@@ -1,3 +1,4 @@
+// Stores a uniform grid as 16-byte records.
 #include "host/flatten/flatten_grid.h"
 
 #include <span>

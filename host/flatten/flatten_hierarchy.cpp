@@ -1,3 +1,4 @@
+// Builds a binary BVH and stores it as 16-byte records.
 #include "host/flatten/flatten_hierarchy.h"
 
 #include <algorithm>

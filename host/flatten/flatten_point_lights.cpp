@@ -1,3 +1,4 @@
+// Stores point lights as 16-byte records.
 #include "host/flatten/flatten_point_lights.h"
 
 namespace candela::flatten {

@@ -1,3 +1,4 @@
+// Stores primitives as 16-byte records.
 #include "host/flatten/flatten_primitives.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Stores the sky box as 16-byte records.
 #include "host/flatten/flatten_sky.h"
 
 #include "host/image/colour_transfer.h"

@@ -1,3 +1,4 @@
+// Builds an 8-wide BVH and stores it as 16-byte records.
 #include "host/flatten/flatten_wide_hierarchy.h"
 
 namespace candela::flatten {

@@ -1,3 +1,4 @@
+// Computes the table by which lights are sampled.
 #include "host/flatten/light_table.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Computes the lobes of a material.
 #include "host/flatten/lobes.h"
 
 namespace candela::flatten {

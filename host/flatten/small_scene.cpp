@@ -1,3 +1,4 @@
+// Decides whether a scene is small enough for a linear list.
 #include "host/flatten/small_scene.h"
 
 #include "shaders/shared/render_data.h"

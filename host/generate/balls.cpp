@@ -1,5 +1,5 @@
-// balls: the sphereflake. Every ball carries nine of a third of its radius that touch it, six round its equator and
-// three on its far side.
+// balls: the sphereflake. Each ball has nine children with a third of its radius that touch it, six around its equator
+// and three on its far side.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,12 +10,12 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kRatio = 1.0 / 3.0;  ///< of a child's radius to its parent's
+constexpr double kRatio = 1.0 / 3.0;  ///< ratio of a child's radius to its parent's
 
 using Directions = std::array<glm::dvec3, 9>;
 
-/// Where the children of a ball sit whose own parent is below it: three edges' midpoints of a cube, tilted until their
-/// middle points up, and the same turned by thirds.
+/// Directions to the children of a ball whose own parent is below it: the midpoints of three edges of a cube, tilted
+/// until their mean points up, and their rotations by thirds of a turn.
 Directions childDirections() {
   const double half = 1 / std::sqrt(2.0);
   const std::array<glm::dvec3, 3> trio{{{half, half, 0}, {half, 0, -half}, {0, half, -half}}};
@@ -28,7 +28,7 @@ Directions childDirections() {
   return directions;
 }
 
-/// The rotation that takes +z to the unit vector `direction` on the shortest way.
+/// Returns the smallest rotation that takes +z to the unit vector `direction`.
 glm::dmat3 turnFromZ(const glm::dvec3& direction) {
   constexpr double kNearlyOne = 0.9999;
   if (direction.z >= kNearlyOne) return glm::dmat3(1);
@@ -36,7 +36,7 @@ glm::dmat3 turnFromZ(const glm::dvec3& direction) {
   return rotation(std::acos(direction.z), glm::cross(glm::dvec3(0, 0, 1), direction));
 }
 
-/// `direction`: from the parent's centre to this one's, unit.
+/// `direction` is the unit vector from the parent's centre to that of this ball.
 void writeBall(NffWriter& out, const Directions& children, const glm::dvec3& centre, double radius,
                const glm::dvec3& direction, std::uint32_t generationsLeft) {
   out.sphere(centre, radius);

@@ -1,4 +1,4 @@
-// cornell: the Cornell box with a mirror and a glass ball in the place of its blocks, each ball one mesh.
+// cornell: the Cornell box with a mirror ball and a glass ball instead of its blocks, each ball one mesh.
 #include <array>
 
 #include "host/generate/cube_sphere.h"
@@ -7,8 +7,8 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kBallRadius = 100;                 ///< of both balls, millimetres
-constexpr glm::dvec3 kMirrorCentre{380, 101, 370};  ///< on the left, behind: the picture's left is +x
+constexpr double kBallRadius = 100;                 ///< radius of both balls, millimetres
+constexpr glm::dvec3 kMirrorCentre{380, 101, 370};  ///< on the left at the back: the left of the picture is +x
 constexpr glm::dvec3 kGlassCentre{175, 101, 180};
 constexpr double kGlassIor = 1.5;
 
@@ -17,7 +17,7 @@ constexpr glm::dvec3 kGreen{0.14, 0.45, 0.091};
 constexpr glm::dvec3 kRed{0.63, 0.065, 0.05};
 constexpr glm::dvec3 kLampRadiance{17, 12, 4};
 
-// The box as measured at Cornell University's Program of Computer Graphics, in millimetres; every polygon turns
+// The box as measured at Cornell University's Program of Computer Graphics, in millimetres. Every polygon is
 // counter-clockwise seen from inside.
 using Quad = std::array<glm::dvec3, 4>;
 constexpr Quad kLamp{{{343, 548.8, 227}, {343, 548.8, 332}, {213, 548.8, 332}, {213, 548.8, 227}}};
@@ -29,7 +29,7 @@ constexpr Quad kLeft{{{552.8, 0, 0}, {549.6, 0, 559.2}, {556, 548.8, 559.2}, {55
 
 Surface diffuse(const glm::dvec3& colour) { return {colour, 1, 0, 0, 0, 1}; }
 
-/// A frame round the lamp, which closes it: no light gets behind.
+/// Writes a frame around the light that closes the ceiling: no light reaches the space above.
 void writeCeiling(NffWriter& out) {
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;

@@ -1,4 +1,4 @@
-// Six grids of vertices, then their triangles.
+// Writes six grids of vertices, then their triangles.
 #include "host/generate/cube_sphere.h"
 
 #include <array>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<CubeFace, 6> kCubeFaces{{{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}};
 
-/// To a point of a face's grid of size x size cells.
+/// Returns the direction to a point of a face's grid of size x size cells.
 glm::dvec3 directionTo(const CubeFace& face, std::uint32_t i, std::uint32_t j, std::uint32_t size) {
   glm::dvec3 onCube;
   onCube[face.normal] = face.side;
@@ -24,7 +24,7 @@ void writeTriangles(NffWriter& out, std::uint32_t size) {
     for (std::uint64_t j = 0; j < size; ++j) {
       for (std::uint64_t i = 0; i < size; ++i) {
         const std::uint64_t corner = first + j * row + i;
-        // On the negative side u and v turn clockwise, seen from outside.
+        // On the negative side, u and v are clockwise seen from outside.
         const std::uint64_t next = face.side > 0 ? corner + 1 : corner + row;
         const std::uint64_t previous = face.side > 0 ? corner + row : corner + 1;
         out.meshFace(corner, next, corner + row + 1);

@@ -1,4 +1,4 @@
-// A cube's grid blown up to a sphere, as one closed mesh.
+// A sphere as one closed mesh, made from the grids on the faces of a cube.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace candela::generate {
 
-/// Of a cube's face: the axis that it is normal to, on which side, and the axes of its grid, such that the three are
-/// right-handed on the positive side.
+/// A face of the cube: the axis of its normal, its side, and the axes of its grid. The three axes are right-handed on
+/// the positive side.
 struct CubeFace {
   int normal;
   double side;  ///< 1 or -1
@@ -16,8 +16,8 @@ struct CubeFace {
   int v() const { return (normal + 2) % 3; }
 };
 
-/// 12 size^2 triangles that face outwards. `place` moves the unit vector to each vertex to where the vertex lies; faces
-/// that meet give it the same bits at their common edges.
+/// Writes 12 size^2 triangles that face outwards. `place` maps the unit vector of each vertex to its position. Adjacent
+/// faces give bit-identical vertices at their common edges.
 void writeCubeSphere(NffWriter& out, std::uint32_t size,
                      const std::function<glm::dvec3(const glm::dvec3& direction)>& place);
 

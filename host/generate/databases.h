@@ -1,6 +1,6 @@
-// The generators: for each kind of scene, how many primitives it has and what it consists of. Sizes are those of the
-// table of kinds. Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the
-// Standard Procedural Databases 3.14, whose files these have, but for terrain, sphere and cornell.
+// The generators: for each kind of scene, its number of primitives and its content. The sizes are those of the table of
+// kinds. Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the Standard
+// Procedural Databases 3.14, whose files all kinds but terrain, sphere and cornell reproduce.
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// gears: cubes of gears that mesh, some of glass, on a mirroring floor. Their faces are concave 144-gons.
+// gears: cubes of meshing gears, some of glass, on a mirroring floor. Their faces are concave 144-gons.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,19 +10,19 @@ namespace candela::generate {
 namespace {
 
 constexpr std::uint32_t kTeeth = 36;
-constexpr double kOuterRatio = 0.995;  ///< of the pitch at which gears are set: a little air between them
-constexpr double kToothDepth = 0.1;    ///< share of the radius
+constexpr double kOuterRatio = 0.995;  ///< ratio of the radius to the pitch of the gears, which leaves small gaps
+constexpr double kToothDepth = 0.1;    ///< fraction of the radius
 
 using Outline = std::array<glm::dvec3, 4 * kTeeth>;
 
 struct Gear {
-  glm::dvec3 centre;  ///< of the upper face
-  double radius;      ///< teeth included
+  glm::dvec3 centre;  ///< centre of the upper face
+  double radius;      ///< radius including the teeth
   double thickness;
-  double angle;  ///< of the first tooth, radians
+  double angle;  ///< angle of the first tooth, radians
 };
 
-/// A face: four vertices a tooth, counter-clockwise from above (`turn` 1) or below (-1).
+/// Writes a face: four vertices per tooth, counter-clockwise seen from above (`turn` 1) or below (-1).
 Outline outline(const Gear& gear, double z, double turn) {
   constexpr double kToothAngle = 2 * std::numbers::pi / kTeeth;
   constexpr std::array<double, 4> kShares{-0.19, 0.19, 0.3, 0.7};  // of a tooth's angle: two outer, two inner vertices
@@ -48,7 +48,7 @@ void writeGear(NffWriter& out, const Gear& gear) {
   out.polygon(outline(gear, -gear.thickness, -1));
 }
 
-/// The brightest channel is 1.
+/// Returns a colour whose brightest channel is 1.
 glm::dvec3 colourOf(const glm::uvec3& place) {
   const auto channel = [](std::uint32_t number, double step) { return 0.01 + glm::fract(number * step / 7); };
   const auto [x, y, z] = std::array{place.x, place.y, place.z};

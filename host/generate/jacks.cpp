@@ -1,4 +1,4 @@
-// jacks: a jack, three crossed bars with balls at their ends, and in each of its octants one of half the size.
+// jacks: a jack is three crossed bars with balls at their ends, and has a jack of half its size in each octant.
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -7,7 +7,8 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kReach = 0.75;  ///< of a jack in its cube of half width 1, so that neighbours keep clear
+constexpr double
+    kReach = 0.75;  ///< extent of a jack in its cube of half width 1, which keeps it clear of its neighbours
 
 glm::dvec3 transformed(const glm::dmat4& place, const glm::dvec3& point) {
   return glm::dvec3(place * glm::dvec4(point, 1));

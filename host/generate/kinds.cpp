@@ -1,4 +1,4 @@
-// The table of kinds.
+// The table of kinds of scenes.
 #include "host/generate/kinds.h"
 
 #include <array>
@@ -7,16 +7,17 @@
 
 namespace candela::generate {
 
-std::uint32_t Kind::largestSize() const {
-  std::uint32_t size = smallestSize;
-  while (primitiveCount(size + 1) <= kMostPrimitives) ++size;
+std::uint32_t Kind::maxSize() const {
+  std::uint32_t size = minSize;
+  while (primitiveCount(size + 1) <= kMaxPrimitives) ++size;
   return size;
 }
 
 std::span<const Kind> kindTable() {
-  // Default sizes are those of the original programs; of our own, a million, 70,000 and 20,000 triangles.
+  // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
+  // 70,000 and 20,000 triangles.
   static constexpr std::array<Kind, 14> table{{
-      {"balls", "sphereflake: each ball carries nine smaller ones", 1, 4, ballsPrimitives, writeBalls},
+      {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
       {"rings", "pyramid of interlocked rings of spheres and cylinders", 1, 7, ringsPrimitives, writeRings},
@@ -28,7 +29,7 @@ std::span<const Kind> kindTable() {
       {"sombrero", "ripples as a height field", 1, 1, sombreroPrimitives, writeSombrero},
       {"teapot", "Newell's teapot, as triangles with normals", 1, 6, teapotPrimitives, writeTeapot},
       {"terrain", "hills, one mesh of N x N vertices", 2, 708, terrainPrimitives, writeTerrain},
-      {"sphere", "bumpy sphere, one mesh in a closed room with a lamp", 1, 76, spherePrimitives, writeSphere},
+      {"sphere", "bumpy sphere, one mesh in a closed room with a light", 1, 76, spherePrimitives, writeSphere},
       {"cornell", "Cornell box with a mirror and a glass ball, one mesh each", 1, 29, cornellPrimitives, writeCornell},
   }};
   return table;

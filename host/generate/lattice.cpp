@@ -7,9 +7,9 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kBallShare = 1.0 / 4;  ///< of the distance of neighbours
+constexpr double kBallShare = 1.0 / 4;  ///< fraction of the distance between neighbours
 constexpr double kBarShare = 1.0 / 16;
-/// Where a bar begins: within the ball, almost as deep as it may.
+/// A bar begins inside the ball, almost at the maximum depth.
 constexpr double kBarStart = kBallShare * 0.5 * 0.99;
 
 constexpr Surface kBall{{0.9, 0.9, 0.9}, 0.5, 0.5, 37, 0, 0};

@@ -1,4 +1,4 @@
-// mount: a mountain by midpoint displacement (Carpenter), and a pyramid of four glass balls before it.
+// mount: a mountain by midpoint displacement (Carpenter), with a pyramid of four glass balls in front of it.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,12 +10,12 @@ namespace candela::generate {
 namespace {
 
 constexpr double kFractalDimension = 2.2;
-constexpr double kCorner = -1;  ///< least x and y of the mountain
+constexpr double kCorner = -1;  ///< minimum x and y of the mountain
 constexpr double kWidth = 2;
-constexpr std::uint64_t kMountainNumber = 21;  ///< another one gives another mountain
+constexpr std::uint64_t kMountainNumber = 21;  ///< seed of the mountain
 
-/// Normally distributed, the same for the same seed: the polar method on two linear congruential numbers (Press et
-/// al., Numerical Recipes, gasdev).
+/// Normally distributed random numbers, determined by the seed: the polar method on two linear congruential generators
+/// (Press et al., Numerical Recipes, gasdev).
 double gaussian(std::uint64_t seed) {
   constexpr std::uint64_t kModulus = 134456;
   const auto next = [](std::uint64_t x) { return (28411 + x * 8121) % kModulus; };
@@ -30,7 +30,7 @@ double gaussian(std::uint64_t seed) {
   }
 }
 
-/// A square of cells; the corners turn counter-clockwise from the least one.
+/// A square of cells. Its corners are in counter-clockwise order from the one with minimum coordinates.
 struct Section {
   std::uint32_t x, y, width;  ///< in cells
   std::array<double, 4> height;
@@ -46,13 +46,14 @@ class Mountain {
   double cells() const { return static_cast<double>(1u << size_); }
   double position(std::uint32_t cell) const { return kCorner + static_cast<double>(cell) * kWidth / cells(); }
 
-  /// `value` by its place in the mountain, whatever the size: 2^size is the mountain's width.
+  /// Scales `value` from cells to 2^-bits of the width of the mountain, which is 2^size cells.
   std::uint64_t scaled(std::uint32_t value, std::uint32_t bits) const {
     const std::uint64_t wide = value;
     return bits >= size_ ? wide << (bits - size_) : wide >> (size_ - bits);
   }
 
-  /// Of the database as published; it repeats itself, and is kept for that all results depend on it.
+  /// Returns the displacement of the published database. Its random numbers repeat, but all published results depend on
+  /// them.
   double displacement(std::uint32_t x, std::uint32_t y) const {
     const std::uint64_t hash = (scaled(x, 23) + scaled(y, 15) + scaled(x, 7)) & 0xffff;
     return gaussian(kMountainNumber + hash);
@@ -90,7 +91,7 @@ class Mountain {
     out_.polygon(std::array{c, d, a});
   }
 
-  /// Standard deviation of a midpoint's displacement, as a share of half the side that it divides.
+  /// Standard deviation of the displacement of a midpoint, as a fraction of half of the side that it divides.
   static double roughness() {
     const double ratio = 2 / std::exp2(1 / (kFractalDimension - 1));
     return std::sqrt(ratio * ratio - 1);

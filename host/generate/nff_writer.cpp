@@ -1,4 +1,4 @@
-// Text of statements, in blocks.
+// Writes the text of statements in blocks.
 #include "host/generate/nff_writer.h"
 
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-/// The exponent of a highlight that has half its strength at the surface's half angle.
+/// Returns the exponent of a highlight that has half its strength at the half angle of the surface.
 double phongExponent(const Surface& surface) {
   constexpr double kSharpest = 100000;
   return surface.halfAngle > 0 ? std::log(0.5) / std::log(std::cos(glm::radians(surface.halfAngle))) : kSharpest;

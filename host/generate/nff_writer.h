@@ -17,30 +17,30 @@ struct View {
   glm::dvec3 up;
   double angle;  ///< vertical field of view, degrees
   double hither;
-  std::uint32_t width = 512;  ///< of the picture, pixels
+  std::uint32_t width = 512;  ///< width of the image, pixels
   std::uint32_t height = 512;
 };
 
-/// What the Standard Procedural Databases say of a surface, which NFF's eight numbers hold.
+/// A surface as the Standard Procedural Databases describe it. NFF has eight numbers for it.
 struct Surface {
   glm::dvec3 colour;
   double kd;
   double ks;
-  double halfAngle;  ///< degrees, in [0, 90): where a highlight has half its strength; 0: as sharp as can be
+  double halfAngle;  ///< degrees, in [0, 90), at which a highlight has half its strength; 0: as sharp as possible
   double t;
   double ior;
 };
 
-/// The sky that all but one of the databases have.
+/// The background of all databases but one.
 inline constexpr glm::dvec3 kSkyBlue{0.078, 0.361, 0.753};
 
-/// Numbers are printed as C's %g does. The text goes to the sink in blocks, so that a scene of any size
-/// needs little memory; what the sink throws passes through.
+/// Numbers are printed like C's %g. The text is passed to the sink in blocks, so that a scene of any size needs little
+/// memory. Exceptions of the sink are passed on.
 class NffWriter {
  public:
   using Sink = std::function<void(std::string_view)>;
 
-  /// Nine `digits` keep every binary32 as it is.
+  /// Nine `digits` preserve every binary32.
   explicit NffWriter(Sink sink, int digits = 6) : sink_(std::move(sink)), digits_(digits) {}
   NffWriter(const NffWriter&) = delete;
   NffWriter& operator=(const NffWriter&) = delete;
@@ -48,22 +48,22 @@ class NffWriter {
   void background(const glm::dvec3& colour);
   void view(const View& view);
   void light(const glm::dvec3& position);
-  /// A parallelogram that shines with `radiance`; u x v is its normal.
+  /// Writes a parallelogram that emits `radiance`; u x v is its normal.
   void areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& radiance);
   void surface(const Surface& surface);
   void sphere(const glm::dvec3& centre, double radius);
   void cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius);
   void polygon(std::span<const glm::dvec3> vertices);
-  /// A polygon about the z axis at height z, seen from above.
+  /// Writes a polygon around the z axis at height z, with its front above.
   void square(double halfWidth, double z);
   void patch(std::span<const glm::dvec3> vertices, std::span<const glm::dvec3> normals);
-  /// All vertices and then all faces must follow.
+  /// Begins a mesh. All vertices and then all faces must follow.
   void mesh(std::uint64_t vertexCount, std::uint64_t faceCount);
   void meshVertex(const glm::dvec3& position);
-  /// Indices of vertices, the first one being 1.
+  /// Writes a face. Indices of vertices begin at 1.
   void meshFace(std::uint64_t a, std::uint64_t b, std::uint64_t c);
 
-  /// Hands the rest to the sink.
+  /// Passes the rest of the text to the sink.
   void finish();
 
  private:

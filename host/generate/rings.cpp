@@ -1,5 +1,5 @@
-// rings: balls of six pentagonal rings, which join the midpoints of a dodecahedron's edges, in a pyramid seen from its
-// point.
+// rings: a pyramid of balls, each made of six pentagonal rings that join the midpoints of a dodecahedron's edges, seen
+// from its apex.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,14 +10,14 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kRingRadius = 0.07412;                     ///< of cylinders and spheres, such that rings touch
-const double kSpread = 1 / std::sin(std::numbers::pi / 8);  ///< between layers, so that they fill a view of 45 degrees
+constexpr double kRingRadius = 0.07412;                     ///< radius of cylinders and spheres, such that rings touch
+const double kSpread = 1 / std::sin(std::numbers::pi / 8);  ///< distance between layers, for a view of 45 degrees
 const glm::dvec3 kEye(-1, -kSpread, 0.5);
 
 using Pentagon = std::array<glm::dvec3, 5>;
 using Rings = std::array<Pentagon, 6>;
 
-/// Within the unit sphere: one in the xy plane, and that one turned to its neighbours' planes.
+/// The rings within the unit sphere: one in the xy plane, and its rotations into the planes of its neighbours.
 Rings makeRings() {
   constexpr double kScale = 1 / (1 + kRingRadius);
   const double betweenFaces = 2 * std::acos(std::cos(std::numbers::pi / 3) / std::sin(std::numbers::pi / 5));
@@ -47,7 +47,7 @@ void writeObject(NffWriter& out, const Rings& rings, const glm::dvec3& centre) {
   }
 }
 
-/// Behind the pyramid, as large as the view and 1 % more.
+/// Writes a wall behind the pyramid that is 1 % larger than the view.
 void writeWall(NffWriter& out, std::uint32_t size) {
   const double y = kSpread * (size + 1);
   const double half = 1.01 * (y - kEye.y) * std::tan(std::numbers::pi / 8);

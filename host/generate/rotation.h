@@ -5,7 +5,7 @@
 
 namespace candela::generate {
 
-/// Counter-clockwise, seen against `axis`, which need not be unit.
+/// Returns a counter-clockwise rotation, seen against `axis`, which need not have unit length.
 inline glm::dmat3 rotation(double radians, const glm::dvec3& axis) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), radians, axis));
 }

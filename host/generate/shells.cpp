@@ -1,5 +1,5 @@
-// shells: a shell of spheres along a spiral (C. Pickover, IEEE CG&A 9(6), 1989). All of them overlap, and their radii
-// range over four decades: as hard as can be for grids.
+// shells: a shell of spheres along a spiral (C. Pickover, IEEE CG&A 9(6), 1989). They all overlap, and their radii
+// range over four decades, which is the worst case for grids.
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +16,7 @@ std::uint64_t shellsPrimitives(std::uint32_t size) { return steps(size) + 1; }
 
 void writeShells(NffWriter& out, std::uint32_t size) {
   constexpr double kTurns = 9;
-  constexpr double kGrowth = 0.15;  // of the radius's logarithm, per radian
+  constexpr double kGrowth = 0.15;  // growth of the logarithm of the radius per radian
   constexpr double kPitch = -2;     // height, as a multiple of the radius
   out.background(kSkyBlue);
   out.view({{-6, -60, 35}, {0, 8, -15}, {0, 0, 1}, 45, 0.5});

@@ -7,9 +7,9 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kLeast = -4;  ///< of x and z
+constexpr double kMinimum = -4;  ///< minimum of x and z
 constexpr double kExtent = 8;
-constexpr double kGround = -3;  ///< y where the ripples have died away
+constexpr double kGround = -3;  ///< y where the ripples have decayed
 
 std::uint32_t pointsOnASide(std::uint32_t size) { return 16u << size; }
 
@@ -18,17 +18,17 @@ class Ripples {
   explicit Ripples(std::uint32_t points) : points_(points) {}
 
   glm::dvec3 vertex(std::uint32_t column, std::uint32_t row) const {
-    return {kLeast + column * spacing(), kGround + height(column, row), kLeast + row * spacing()};
+    return {kMinimum + column * spacing(), kGround + height(column, row), kMinimum + row * spacing()};
   }
 
  private:
   double spacing() const { return kExtent / (points_ - 1); }
 
-  /// The database samples the ripples at spacings of extent / points, slightly denser than its vertices lie, and rounds
+  /// The database samples the ripples at spacings of extent / points, slightly denser than its vertices, and rounds
   /// heights to single precision.
   double height(std::uint32_t column, std::uint32_t row) const {
     constexpr double kTwoPi = 2 * 3.14159265358;
-    const double radius = std::hypot(kLeast + kExtent * column / points_, kLeast + kExtent * row / points_);
+    const double radius = std::hypot(kMinimum + kExtent * column / points_, kMinimum + kExtent * row / points_);
     return static_cast<float>(std::cos(kTwoPi * radius) * std::exp(-radius));
   }
 

@@ -1,4 +1,4 @@
-// sphere: a bumpy sphere as one mesh in a closed diffuse room with a lamp, so that no path escapes.
+// sphere: a bumpy sphere as one mesh in a closed diffuse room with a light, so that no path escapes.
 #include <array>
 #include <utility>
 
@@ -10,24 +10,24 @@ namespace candela::generate {
 namespace {
 
 constexpr glm::dvec3 kCentre{0, 0, 1.8};
-constexpr double kLeastRadius = 1;
+constexpr double kMinRadius = 1;
 constexpr double kRelief = 0.6;
-constexpr double kFrequency = 2;  ///< of the bumps, in wavelengths per radian
+constexpr double kFrequency = 2;  ///< frequency of the bumps, in wavelengths per radian
 constexpr std::uint32_t kReliefOctaves = 5;
 
-/// The room, and the lamp in its ceiling.
+/// The room, and the light in its ceiling.
 constexpr glm::dvec3 kLow{-2.5, -5, 0};
 constexpr glm::dvec3 kHigh{2.5, 2.5, 4.5};
 constexpr glm::dvec3 kLampMiddle{0, -1, kHigh.z};
 constexpr double kLampHalfWidth = 0.9;
 constexpr glm::dvec3 kRadiance{10};
 
-/// Where the bumpy sphere lies in a direction from its centre.
+/// Returns the point of the bumpy sphere in a direction from its centre.
 glm::dvec3 bumpyPoint(const glm::dvec3& direction) {
-  return kCentre + direction * (kLeastRadius + kRelief * fractalNoise(direction * kFrequency, kReliefOctaves));
+  return kCentre + direction * (kMinRadius + kRelief * fractalNoise(direction * kFrequency, kReliefOctaves));
 }
 
-/// The four corners of the room on a face's side, counter-clockwise from inside.
+/// Returns the four corners of the room on the side of a face, counter-clockwise seen from inside.
 std::array<glm::dvec3, 4> wall(const CubeFace& face) {
   const glm::dvec3& origin = face.side > 0 ? kHigh : kLow;
   const glm::dvec3 extent = (kHigh - kLow) * -face.side;
@@ -39,7 +39,7 @@ std::array<glm::dvec3, 4> wall(const CubeFace& face) {
   return {origin, origin + u, origin + u + v, origin + v};
 }
 
-/// A frame round the lamp, which closes it: no light gets behind.
+/// Writes a frame around the light that closes the ceiling: no light reaches the space above.
 void writeCeilingWithLamp(NffWriter& out) {
   const std::array<glm::dvec3, 4> outer = wall({2, 1});
   std::array<glm::dvec3, 4> inner;

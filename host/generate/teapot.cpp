@@ -1,4 +1,5 @@
-// teapot: Newell's teapot, each of its patches in n x n pieces of two triangles, on a chequered board of n x n squares.
+// teapot: Newell's teapot, each of its patches divided into n x n pieces of two triangles, on a chequered board of n x
+// n squares.
 #include <array>
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace {
 
 struct SurfacePoint {
   glm::dvec3 position;
-  glm::dvec3 normal;  ///< unit, outside
+  glm::dvec3 normal;  ///< unit vector to the outside
 };
 
 using Weights = std::array<double, 4>;
@@ -34,13 +35,13 @@ glm::dvec3 weightedSum(const BezierPatch& patch, const Weights& rows, const Weig
   return sum;
 }
 
-/// Where the lid and the bottom close on the axis a row of control points is a single point.
+/// At the poles, where the lid and the bottom close on the axis, a row of control points is a single point.
 bool isPole(const glm::dvec3& position) {
   constexpr double kNear = 1e-4;
   return std::abs(position.x) < kNear && std::abs(position.y) < kNear;
 }
 
-/// `s` along the columns of control points, `t` along the rows, both in [0, 1].
+/// `s` is the parameter along the columns of control points, `t` that along the rows, both in [0, 1].
 SurfacePoint pointAt(const BezierPatch& patch, double s, double t) {
   const glm::dvec3 position = weightedSum(patch, bernstein(s), bernstein(t));
   if (isPole(position)) return {position, {0, 0, position.z > 1.5 ? 1 : -1}};
@@ -49,7 +50,7 @@ SurfacePoint pointAt(const BezierPatch& patch, double s, double t) {
   return {position, glm::normalize(glm::cross(alongT, alongS))};
 }
 
-/// Nothing for a triangle that a pole has made a line.
+/// Writes nothing for a triangle that degenerates to a line at a pole.
 void writeTriangle(NffWriter& out, const std::array<SurfacePoint, 3>& corners) {
   std::array<glm::dvec3, 3> positions;
   std::array<glm::dvec3, 3> normals;
@@ -76,7 +77,7 @@ void writePatch(NffWriter& out, const BezierPatch& patch, std::uint32_t size) {
   }
 }
 
-/// The squares (i, j) with (i + j) mod 2 = `parity`.
+/// Writes the squares (i, j) with (i + j) mod 2 = `parity`.
 void writeSquares(NffWriter& out, std::uint32_t size, std::uint32_t parity) {
   const auto place = [&](std::uint32_t step) { return 4 * (2 * static_cast<double>(step) / size - 1); };
   for (std::uint32_t i = 0; i < size; ++i) {

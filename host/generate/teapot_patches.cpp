@@ -1,4 +1,4 @@
-// The patches of the teapot from its profiles, and from half of its handle and spout.
+// Computes the patches of the teapot from its profiles and from half of its handle and spout.
 #include "host/generate/teapot_patches.h"
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 namespace candela::generate {
 namespace {
 
-/// A control point of a profile: distance from the axis, height, and how far along its tangent a quarter circle's inner
-/// control points lie, as a share of the distance.
+/// A control point of a profile: its distance from the axis, its height, and the distance of the inner control points
+/// of a quarter circle along their tangent, as a fraction of the distance from the axis.
 struct ProfilePoint {
   double radius;
   double height;
@@ -22,7 +22,7 @@ constexpr Profile kKnob{{{0, 3.15}, {0.8, 3.15, 0.5625}, {0, 2.85}, {0.2, 2.7}}}
 constexpr Profile kLid{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}};
 constexpr Profile kBottom{{{0, 0}, {1.425, 0}, {1.5, 0.075}, {1.5, 0.15}}};
 
-/// The half at y <= 0 of what is symmetric about y = 0.
+/// The half at y <= 0 of parts that are symmetric about y = 0.
 constexpr BezierPatch kUpperHandle{{{{{-1.6, 0, 2.025}, {-1.6, -0.3, 2.025}, {-1.5, -0.3, 2.25}, {-1.5, 0, 2.25}}},
                                     {{{-2.3, 0, 2.025}, {-2.3, -0.3, 2.025}, {-2.5, -0.3, 2.25}, {-2.5, 0, 2.25}}},
                                     {{{-2.7, 0, 2.025}, {-2.7, -0.3, 2.025}, {-3, -0.3, 2.25}, {-3, 0, 2.25}}},
@@ -44,7 +44,7 @@ constexpr BezierPatch kUpperSpout{
 
 class Assembly {
  public:
-  /// Four quarters of a surface of revolution; the first begins at +x and turns clockwise (`sense` -1) or
+  /// Appends four quarters of a surface of revolution. The first begins at +x; they follow clockwise (`sense` -1) or
   /// counter-clockwise (1), seen from above.
   void revolve(const Profile& profile, double sense) {
     BezierPatch quarter;
@@ -67,7 +67,7 @@ class Assembly {
   void addWithMirrorImage(BezierPatch patch) {
     add(patch);
     for (auto& row : patch) {
-      std::ranges::reverse(row);  // keeps its front outside
+      std::ranges::reverse(row);  // keeps the front of the patch outside
       for (glm::dvec3& point : row) point.y = -point.y;
     }
     add(patch);

@@ -1,4 +1,4 @@
-// terrain: hills as a height field in one mesh, lit by sun and sky; many triangles at any size.
+// terrain: hills as a height field in one mesh, lit by sun and sky, with a large number of triangles.
 #include "host/generate/databases.h"
 #include "host/generate/value_noise.h"
 
@@ -8,7 +8,7 @@ namespace {
 constexpr double kSide = 100;
 constexpr double kHeight = 35;  ///< z lies in [0, kHeight)
 constexpr std::uint32_t kHeightOctaves = 8;
-constexpr double kWavelength = 25;  ///< of the first octave
+constexpr double kWavelength = 25;  ///< wavelength of the first octave
 
 glm::dvec3 vertexAt(std::uint32_t column, std::uint32_t row, std::uint32_t size) {
   const auto place = [&](std::uint32_t step) { return kSide * step / (size - 1); };

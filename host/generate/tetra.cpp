@@ -1,4 +1,4 @@
-// tetra: Sierpinski's tetrahedron, of four of half the size at its corners.
+// tetra: Sierpinski's tetrahedron, which consists of four of half its size at its corners.
 #include <array>
 
 #include "host/generate/databases.h"
@@ -6,11 +6,11 @@
 namespace candela::generate {
 namespace {
 
-/// The corners of a cube of half width 1 that span a tetrahedron: those whose coordinates multiply to 1.
+/// The corners of a cube of half width 1 that span a tetrahedron: those whose coordinates have the product 1.
 constexpr std::array<glm::dvec3, 4> kCorners{{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}};
 constexpr std::array<std::array<std::size_t, 3>, 4> kTetrahedronFaces{{{0, 1, 2}, {3, 2, 1}, {2, 3, 0}, {1, 0, 3}}};
 
-/// In the cube of `halfWidth` about `centre`.
+/// Writes the tetrahedron in the cube of `halfWidth` around `centre`.
 void writeTetrahedron(NffWriter& out, const glm::dvec3& centre, double halfWidth) {
   for (const auto& face : kTetrahedronFaces) {
     std::array<glm::dvec3, 3> vertices;

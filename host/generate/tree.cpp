@@ -1,4 +1,4 @@
-// tree: a tree that branches in twos (Aono and Kunii, IEEE CG&A 4(5), 1984): cones, and spheres where they join.
+// tree: a tree whose branches fork in two (Aono and Kunii, IEEE CG&A 4(5), 1984): cones, and spheres at their joints.
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -7,13 +7,13 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kTaper = 0.67;          ///< of a branch's radius, from base to apex
-constexpr double kWidthToLength = 0.15;  ///< of the trunk
+constexpr double kTaper = 0.67;          ///< ratio of the radius of a branch at its apex to that at its base
+constexpr double kWidthToLength = 0.15;  ///< ratio of the width of the trunk to its length
 constexpr std::size_t kBranches = 2;
 
 using Growths = std::array<glm::dmat4, kBranches>;
 
-/// Takes a branch, from the origin to +z, to one that grows from its apex. Angles in degrees.
+/// Transforms a branch from the origin to +z into one that grows from its apex. Angles are in degrees.
 glm::dmat4 growth(double branchingAngle, double divergence, double contraction) {
   glm::dmat4 transform = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 1));
   transform = glm::scale(transform, glm::dvec3(contraction));

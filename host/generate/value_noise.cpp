@@ -14,9 +14,9 @@ std::uint32_t mixed(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-/// Uniform in [0, 1).
+/// Returns a uniform value in [0, 1).
 double latticeValue(const glm::ivec3& point, std::uint32_t seed) {
-  constexpr std::uint32_t kNotZero = 0x9e3779b9u;  // 0 is mixed into 0
+  constexpr std::uint32_t kNotZero = 0x9e3779b9u;  // 0 is a fixed point of the permutation
   std::uint32_t hash = mixed(seed + kNotZero);
   for (int axis = 0; axis < 3; ++axis) hash = mixed(hash ^ static_cast<std::uint32_t>(point[axis]));
   return hash * 0x1p-32;

@@ -1,4 +1,4 @@
-// Reads bytes in order and never past their end.
+// Reads bytes sequentially, never beyond their end.
 #pragma once
 #include <algorithm>
 #include <string_view>
@@ -14,9 +14,9 @@ class ByteCursor {
 
   std::size_t remaining() const { return rest_.size(); }
 
-  /// The next `count` bytes. Throws FileError if there are fewer.
+  /// Returns the next `count` bytes. Throws FileError if there are fewer.
   ByteView take(std::size_t count) {
-    if (count > rest_.size()) throw FileError("the file is cut short");
+    if (count > rest_.size()) throw FileError("the file is truncated");
     const ByteView taken = rest_.first(count);
     rest_ = rest_.subspan(count);
     return taken;
@@ -24,14 +24,14 @@ class ByteCursor {
 
   std::uint8_t takeByte() { return std::to_integer<std::uint8_t>(take(1)[0]); }
 
-  /// Characters up to the first one for which `isEnd` holds, which is skipped. Throws FileError if none of the next
-  /// `kMaximumText` does.
+  /// Returns the characters before the first one for which `isEnd` is true, and skips that one. Throws FileError if
+  /// there is none among the next `kMaximumText` characters.
   template <typename Predicate>
   std::string_view takeUntil(Predicate isEnd) {
     constexpr std::size_t kMaximumText = 4096;
     const std::string_view text(reinterpret_cast<const char*>(rest_.data()), std::min(rest_.size(), kMaximumText));
     const auto end = std::find_if(text.begin(), text.end(), isEnd);
-    if (end == text.end()) throw FileError("the header does not end");
+    if (end == text.end()) throw FileError("the header has no end");
     const auto length = static_cast<std::size_t>(end - text.begin());
     take(length + 1);
     return text.substr(0, length);

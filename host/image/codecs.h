@@ -1,4 +1,4 @@
-// One encoder and decoder a format, between images and bytes in memory. Internal to the image layer.
+// One encoder and one decoder per file format, between images and bytes in memory. Internal to the image layer.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,17 +13,17 @@ using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
 
 /// Throws FileError unless 1 <= width, height <= kMaximumImageSide and there are at most kMaximumImagePixels. Decoders
-/// call it before they allocate.
+/// call it before they allocate memory.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// Decoders take any bytes and throw FileError, without the file's name, on those that are no image.
+/// Decoders accept any bytes and throw FileError, without the name of the file, if they are not an image.
 Pixels8 decodePng(ByteView file);
 Pixels8 decodeJpeg(ByteView file);
 Image decodeHdr(ByteView file);
 Image decodePfm(ByteView file);
 Image decodeExr(ByteView file);
 
-/// Encoders take images that pass checkImageSize.
+/// Encoders require images that pass checkImageSize.
 Bytes encodePng(const Pixels8& pixels);
 Bytes encodeJpeg(const Pixels8& pixels);
 Bytes encodeHdr(const Image& image);

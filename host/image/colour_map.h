@@ -1,4 +1,4 @@
-// Numbers as colours.
+// Colour maps for numbers.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace candela::image {
 
-/// The colour map "magma" of matplotlib (Nathaniel Smith and Stefan van der Walt, CC0) as sRGB signals in [0, 1], for t
-/// in [0, 1] (clamped; NaN is 0): a polynomial fit by Matt Zucker ("WlfXRN" on shadertoy.com, CC0).
+/// Returns the colour map "magma" of matplotlib (Nathaniel Smith and Stefan van der Walt, CC0) at t as sRGB signals in
+/// [0, 1]: a polynomial fit by Matt Zucker ("WlfXRN" on shadertoy.com, CC0). t is clamped to [0, 1]; NaN is taken as 0.
 inline glm::dvec3 magma(double t) {
   const double x = std::isnan(t) ? 0 : std::clamp(t, 0.0, 1.0);
   constexpr glm::dvec3 c0(-0.002136485053939582, -0.000749655052795221, -0.005386127855323933);
@@ -20,7 +20,7 @@ inline glm::dvec3 magma(double t) {
   return glm::clamp(c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6))))), 0.0, 1.0);
 }
 
-/// A signed strength in [-1, 1] as sRGB signals: black at 0, orange at 1, blue at -1.
+/// Returns sRGB signals for a signed value in [-1, 1]: black for 0, orange for 1, blue for -1.
 inline glm::dvec3 signedColour(double strength) {
   constexpr glm::dvec3 kPositive(1, 0.55, 0.1);
   constexpr glm::dvec3 kNegative(0.15, 0.5, 1);

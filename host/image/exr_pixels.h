@@ -1,4 +1,4 @@
-// What reading and writing of EXR files have in common: channel names and the way to an image's pixels.
+// Channel names and the frame buffer, used for reading and writing EXR files.
 #pragma once
 #include <ImathBox.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -14,10 +14,10 @@ inline constexpr const char* kVarianceChannel = "variance.Y";
 inline constexpr const char* kSamplesChannel = "samples";
 inline constexpr const char* kBadSamplesChannel = "badSamples";
 
-/// Names of string attributes that belong to the format, not to the picture.
+/// Returns whether a string attribute belongs to the file format rather than to the image.
 inline bool isExrFormatAttribute(std::string_view name) { return name == "type" || name == "name" || name == "view"; }
 
-/// A frame buffer for one image. OpenEXR takes pointers to non-const also where it only reads.
+/// Returns a frame buffer for an image. OpenEXR takes pointers to non-const even where it only reads.
 class ExrPixels {
  public:
   ExrPixels(const Image& image, const Imath::Box2i& window) : image_(image), window_(window) {}

@@ -1,4 +1,4 @@
-// OpenEXR files of any compression: colours, and as far as they are there variance, counts and metadata.
+// Reads OpenEXR files of any compression: colours and, if present, variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -24,7 +24,7 @@ class MemoryInput : public Imf::IStream {
   bool read(char* target, int count) override {
     const auto wanted = static_cast<std::size_t>(count);
     if (count < 0 || position_ > bytes_.size() || wanted > bytes_.size() - position_) {
-      throw Iex::InputExc("the file is cut short");
+      throw Iex::InputExc("the file is truncated");
     }
     std::memcpy(target, bytes_.data() + position_, wanted);
     position_ += wanted;
@@ -45,7 +45,8 @@ std::uint32_t takeWord(ByteCursor& cursor) {
   return word;
 }
 
-/// Walks through the headers, as OpenEXR believes an attribute's size, up to 2 GiB, before it looks for the bytes.
+/// Checks the headers before OpenEXR reads them, since OpenEXR trusts the size of an attribute, up to 2 GiB, before it
+/// looks for the bytes.
 void checkAttributeSizes(ByteView bytes) {
   constexpr std::uint32_t kMultiPart = 0x1000;
   const auto isNul = [](char c) { return c == 0; };
@@ -83,13 +84,13 @@ Imath::Box2i checkedWindow(const Imf::Header& header) {
   return window;
 }
 
-/// Deflate makes at most 1032 bytes of one and the other methods fewer, but for DWA; a pixel has at least two bytes. A
-/// file that claims more is not worth the memory.
+/// Refuses files that claim more pixels than they can contain. Deflate expands one byte to at most 1032, the other
+/// methods except DWA to fewer, and a pixel has at least two bytes.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
   constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is cut short");
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
 bool hasChannel(const Imf::Header& header, const char* name) {
@@ -97,7 +98,7 @@ bool hasChannel(const Imf::Header& header, const char* name) {
   return channel && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
-/// Maps the file's colour channels to the image's.
+/// Maps the colour channels of the file to those of the image.
 void addColour(const Imf::Header& header, ExrPixels& pixels) {
   if (hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B")) {
     pixels.addRgb("R", 0);

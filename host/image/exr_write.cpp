@@ -1,4 +1,4 @@
-// OpenEXR files: linear values with variance, counts and metadata.
+// Writes OpenEXR files: linear values with variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -74,7 +74,7 @@ Bytes encode(const Image& image) {
 }  // namespace
 
 Bytes encodeExr(const Image& image) try { return encode(image); } catch (const Iex::BaseExc& error) {
-  throw FileError(fmt::format("the EXR file cannot be made: {}", error.what()));
+  throw FileError(fmt::format("cannot encode the EXR file: {}", error.what()));
 }
 
 }  // namespace candela::image

@@ -1,4 +1,4 @@
-// Shades of depth and of heat, and their scales.
+// False colours of depth and cost, and their scales.
 #include "host/image/false_colour.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The film's arithmetic: 96-bit sums, and the means and variances that they give.
+// The arithmetic of the film: 96-bit sums, and the means and variances computed from them.
 #include "host/image/film.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ void add(FixedSum& sum, const FixedSum& term) {
   }
 }
 
-/// floor(value * 2^40) for value in [0, 2^40]. Every step is exact: a product with a power of two, and a difference of
-/// doubles that share their low bits.
+/// Returns floor(value * 2^40) for a value in [0, 2^40]. Every step is exact: a product with a power of two, and a
+/// difference of doubles that share their low bits.
 FixedSum toFixed(double value) {
   const double scaled = std::floor(value * kFilmScale);
   const double high = std::floor(scaled / kTwoTo64);
@@ -37,7 +37,7 @@ double toDouble(const FixedSum& sum) {
   return (sum[2] * kTwoTo64 + static_cast<double>(low)) / kFilmScale;
 }
 
-/// The value that a channel adds; `bad` is set if it is not the one given.
+/// Returns the value that is added for a channel. Sets `bad` if it differs from the given value.
 double inRange(double value, bool& bad) {
   if (!std::isfinite(value) || value < 0) {
     bad = true;
@@ -50,7 +50,7 @@ double inRange(double value, bool& bad) {
   return value;
 }
 
-/// The lower of two of FilmPixel::firstBadSample, in which 0 means none.
+/// Returns the lower of two values of FilmPixel::firstBadSample, in which 0 means none.
 std::uint32_t earlier(std::uint32_t a, std::uint32_t b) { return std::min(a - 1, b - 1) + 1; }
 
 void add(FilmPixel& sums, const FilmPixel& terms) {
@@ -63,7 +63,7 @@ void add(FilmPixel& sums, const FilmPixel& terms) {
   sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
 }
 
-/// FNV-1a over the little-endian bytes of 32-bit words.
+/// Computes FNV-1a over the little-endian bytes of 32-bit words.
 class Fnv1a {
  public:
   void add(std::uint32_t word) {
@@ -114,7 +114,7 @@ double Film::luminanceVariance(std::uint32_t x, std::uint32_t y) const {
   const double count = pixel.sampleCount;
   const double meanLuminance = luminance(mean(x, y));
   const double meanOfSquares = toDouble(pixel.luminanceSquared) / count;
-  // Truncation makes the second moment a little too small, so equal samples may give a negative difference.
+  // Truncation makes the second moment slightly too small, so that equal samples may give a negative difference.
   return std::max(0.0, meanOfSquares - meanLuminance * meanLuminance) * (count / (count - 1));
 }
 

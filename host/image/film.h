@@ -1,4 +1,5 @@
-// The film: per pixel, exact integer sums of samples, so that any order and any split of the work gives the same bytes.
+// The film: exact integer sums of samples per pixel, so that the result is the same bytes for any order and division of
+// the work.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -7,27 +8,28 @@
 
 namespace candela::image {
 
-/// A 96-bit unsigned integer, least significant word first, in units of 2^-40. Sums wrap. A channel's cannot: samples
-/// are at most 2^20, so 2^36 fit, more than sampleCount counts. The second moment holds 2^56 / Y^2 samples of luminance
-/// Y: 2^36 at Y = 1024, and 65,535 if every single one has the largest value there is.
+/// A 96-bit unsigned integer in units of 2^-40, least significant word first. Sums wrap. The sum of a channel cannot
+/// overflow: samples are at most 2^20, so that 2^36 of them fit, more than sampleCount can count. The second moment
+/// holds 2^56 / Y^2 samples of luminance Y: 2^36 samples at Y = 1024, and 65,535 samples of the maximum luminance.
 using FixedSum = std::array<std::uint32_t, 3>;
 
-/// One pixel's sums. 64 bytes; the device writes this very layout.
+/// The sums of one pixel, 64 bytes. The device writes the same layout.
 struct FilmPixel {
   FixedSum red{};
   std::uint32_t sampleCount = 0;
   FixedSum green{};
-  /// Samples with a channel that is not finite or negative (it adds 0) or beyond kFilmMaximum (it is clamped).
+  /// Number of samples with a channel that is not finite or negative (it adds 0), or above kFilmMaximum (it is
+  /// clamped).
   std::uint32_t badCount = 0;
   FixedSum blue{};
   std::uint32_t firstBadSample = 0;  ///< 1 + index of the lowest bad sample; 0: none
-  FixedSum luminanceSquared{};       ///< second moment of the luminance of the samples as added
+  FixedSum luminanceSquared{};       ///< second moment of the luminance of the samples, after clamping
   std::uint32_t spare = 0;
 };
 static_assert(sizeof(FilmPixel) == 64);
 
 inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
-inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the largest channel value of one sample
+inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the maximum of a channel of one sample
 
 class Film {
  public:
@@ -42,18 +44,18 @@ class Film {
   const std::vector<FilmPixel>& pixels() const { return pixels_; }
 
   /// Adds one sample of linear RGB radiance. Each channel is truncated to a multiple of 2^-40 after the range rule of
-  /// FilmPixel::badCount; negative values count as bad and add 0.
+  /// FilmPixel::badCount. Negative values are bad and add 0.
   void addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex);
 
-  /// Mean of the pixel's samples, linear RGB; 0 where there are none.
+  /// Returns the mean of the samples of a pixel, linear RGB; 0 without samples.
   glm::dvec3 mean(std::uint32_t x, std::uint32_t y) const;
-  /// Unbiased variance of the luminance of one sample (not of the mean); 0 below two samples. Squares below 2^-40 are
-  /// truncated away, so it is 0 where every luminance is below 2^-20.
+  /// Returns the unbiased variance of the luminance of one sample (not of the mean); 0 for fewer than two samples.
+  /// Squares below 2^-40 are truncated, so that it is 0 if every luminance is below 2^-20.
   double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
-  /// Adds the sums of a film of equal size. Throws UsageError, and leaves the film as it was, if the sizes differ or a
-  /// pixel's sampleCount would pass 2^32 - 1.
+  /// Adds the sums of a film of the same size. Throws UsageError and leaves the film unchanged if the sizes differ or
+  /// if a sampleCount would exceed 2^32 - 1.
   void merge(const Film& other);
-  /// FNV-1a (64 bits) over size and sums: equal films, equal hashes.
+  /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes.
   std::uint64_t hash() const;
 
  private:
@@ -62,7 +64,7 @@ class Film {
   std::vector<FilmPixel> pixels_;
 };
 
-/// Rec. 709 luminance.
+/// Returns the Rec. 709 luminance.
 inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
 
 }  // namespace candela::image

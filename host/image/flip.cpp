@@ -1,4 +1,4 @@
-// LDR-FLIP: colours as the eye's contrast sensitivity lets them through, edges and points, and how both make one error.
+// LDR-FLIP: colours filtered by contrast sensitivity, edges and points, and their combination into one error.
 #include "host/image/flip.h"
 
 #include <fmt/format.h>
@@ -29,12 +29,12 @@ constexpr std::array<Sensitivity, 3> kSensitivities = {{
     {1, 0.0053, 0, 1e-5},       // red-green
     {34.1, 0.04, 13.5, 0.025},  // blue-yellow
 }};
-constexpr double kWidestScale = 0.04;  ///< the largest b
+constexpr double kMaxScale = 0.04;  ///< maximum of b
 
 constexpr double kFeatureWidth = 0.082;  ///< w, degrees: two standard deviations of the edge detector
 constexpr double kFeatureExponent = 0.5;
 
-/// exp(-x^2 / (2 deviation^2)) for -radius <= x <= radius.
+/// Returns exp(-x^2 / (2 deviation^2)) for -radius <= x <= radius.
 Kernel gaussian(int radius, double deviation) {
   Kernel kernel;
   for (int x = -radius; x <= radius; ++x) kernel.push_back(std::exp(-x * x / (2 * deviation * deviation)));
@@ -52,10 +52,11 @@ void add(Plane& sum, const Plane& term) {
   for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += term.values[i];
 }
 
-/// Convolution with the sensitivity's filter a1 sqrt(pi/b1) exp(-pi^2 z^2/b1) + the same of a2 and b2 (equation 2), z
-/// in degrees, normalised. Neither Gaussian weighs anything outside the radius; each is separable, their sum is not.
+/// Convolves with the filter a1 sqrt(pi/b1) exp(-pi^2 z^2/b1) + a2 sqrt(pi/b2) exp(-pi^2 z^2/b2) of the contrast
+/// sensitivity (equation 2), z in degrees, normalised. Both Gaussians are negligible outside the radius. Each is
+/// separable; their sum is not.
 Plane filteredBySensitivity(const Plane& plane, const Sensitivity& s, double pixelsPerDegree) {
-  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kWidestScale / (2 * kPi * kPi)) * pixelsPerDegree));
+  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kMaxScale / (2 * kPi * kPi)) * pixelsPerDegree));
   const auto deviation = [&](double b) { return std::sqrt(b / 2) / kPi * pixelsPerDegree; };
   const Kernel first = gaussian(radius, deviation(s.b1));
   const Kernel second = gaussian(radius, deviation(s.b2));
@@ -67,7 +68,7 @@ Plane filteredBySensitivity(const Plane& plane, const Sensitivity& s, double pix
   return result;
 }
 
-/// Positive weights sum to 1 and negative ones to -1.
+/// Scales positive weights to the sum 1 and negative weights to the sum -1.
 Kernel balanced(Kernel kernel) {
   double positive = 0;
   double negative = 0;
@@ -76,7 +77,7 @@ Kernel balanced(Kernel kernel) {
   return kernel;
 }
 
-/// Length of the responses to a kernel along x and along y, both smoothed across.
+/// Returns the length of the responses to a kernel along x and along y, both smoothed in the other direction.
 Plane featureStrength(const Plane& plane, const Kernel& along, const Kernel& across) {
   Plane strength = filtered(plane, along, across);
   const Plane vertical = filtered(plane, across, along);
@@ -86,9 +87,9 @@ Plane featureStrength(const Plane& plane, const Kernel& along, const Kernel& acr
   return strength;
 }
 
-/// What FLIP compares of an image.
+/// The properties of an image that FLIP compares.
 struct Appearance {
-  std::vector<dvec3> colours;  ///< Hunt-adjusted Lab after the eye's low-pass
+  std::vector<dvec3> colours;  ///< Hunt-adjusted Lab after the low-pass filter of the eye
   Plane edges;
   Plane points;
 };
@@ -129,8 +130,8 @@ Appearance appearanceOf(const Image& image, double pixelsPerDegree) {
   Kernel point = across;
   for (int x = -radius; x <= radius; ++x) {
     const auto i = static_cast<std::size_t>(x + radius);
-    edge[i] *= -x;                                    // first derivative, but for a factor
-    point[i] *= x * x / (deviation * deviation) - 1;  // second derivative, likewise
+    edge[i] *= -x;                                    // first derivative, up to a factor
+    point[i] *= x * x / (deviation * deviation) - 1;  // second derivative, up to a factor
   }
   const Kernel smoothing = scaled(across, 1 / sum(across));
 

@@ -1,4 +1,4 @@
-// Colour differences of FLIP, section 4.1 of its paper.
+// Colour differences of FLIP (section 4.1 of the paper).
 #include "host/image/flip_colour.h"
 
 #include <algorithm>
@@ -10,19 +10,19 @@ namespace {
 using glm::dmat3;
 using glm::dvec3;
 
-/// Exponent of the HyAB distance, and where which share of the error range ends.
+/// Exponent of the HyAB distance, and the parameters of the error redistribution.
 constexpr double kQc = 0.7;
 constexpr double kPc = 0.4;
 constexpr double kPt = 0.95;
 
-/// Linear Rec. 709 to CIE XYZ, from the primaries and D65 (0.3127, 0.3290) as exact fractions; by columns.
+/// Matrix from linear Rec. 709 to CIE XYZ, from the primaries and D65 (0.3127, 0.3290) as exact fractions; by columns.
 dmat3 xyzMatrix() {
   return {10135552.0 / 24577794, 2613072.0 / 12288897, 1425312.0 / 73733382,  //
           8788810.0 / 24577794,  8788810.0 / 12288897, 8788810.0 / 73733382,  //
           4435075.0 / 24577794,  887015.0 / 12288897,  70074185.0 / 73733382};
 }
 
-/// XYZ relative to white, which is (1, 1, 1).
+/// Returns XYZ relative to white, which becomes (1, 1, 1).
 dmat3 relativeXyzMatrix() {
   const dmat3 xyz = xyzMatrix();
   const dvec3 white = xyz * dvec3(1);
@@ -37,7 +37,7 @@ double labCurve(double t) {
   return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3 * kDelta * kDelta) + 4.0 / 29;
 }
 
-/// The largest distance: HyAB of green and blue to the power of qc.
+/// Maximum distance: HyAB of green and blue to the power of qc.
 double largestDistance() {
   static const double distance = std::pow(hyab(toHuntLab({0, 1, 0}), toHuntLab({0, 0, 1})), kQc);
   return distance;

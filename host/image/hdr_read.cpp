@@ -1,4 +1,5 @@
-// Radiance RGBE files (Greg Ward, "Real Pixels", Graphics Gems II): flat, and both kinds of run-length coding.
+// Reads Radiance RGBE files (Greg Ward, "Real Pixels", Graphics Gems II): uncompressed, and both kinds of run-length
+// encoding.
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -23,7 +24,7 @@ std::string_view takeLine(ByteCursor& cursor) {
   return cursor.takeUntil([](char c) { return c == '\n'; });
 }
 
-/// Skips `prefix` in `text`, if it is there.
+/// Removes `prefix` from `text`. Returns whether it was there.
 bool skip(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());
@@ -40,14 +41,14 @@ std::optional<Number> takeNumber(std::string_view& text) {
   return number;
 }
 
-/// Variables up to an empty line. Several exposures multiply.
+/// Reads variables up to an empty line. Several exposures are multiplied.
 double takeExposure(ByteCursor& cursor) {
   double exposure = 1;
   for (std::string_view line = takeLine(cursor); !line.empty(); line = takeLine(cursor)) {
     if (skip(line, "FORMAT=") && line != "32-bit_rle_rgbe") refuse("only 32-bit_rle_rgbe is read");
     if (skip(line, "EXPOSURE=")) exposure *= takeNumber<double>(line).value_or(0);
   }
-  if (!(exposure > 0) || !std::isfinite(exposure)) refuse("EXPOSURE is no positive number");
+  if (!(exposure > 0) || !std::isfinite(exposure)) refuse("EXPOSURE is not a positive number");
   return exposure;
 }
 
@@ -60,7 +61,7 @@ Header takeHeader(ByteCursor& cursor) {
   const auto height = takeNumber<std::uint32_t>(line);
   if (!height || !skip(line, " +X ")) refuse("only columns from the left are read (\"-Y height +X width\")");
   const auto width = takeNumber<std::uint32_t>(line);
-  if (!width || !line.empty()) refuse("its size is no number");
+  if (!width || !line.empty()) refuse("its size is not a number");
   checkImageSize(*width, *height);
   header.width = *width;
   header.height = *height;
@@ -74,7 +75,7 @@ Rgbe takePixel(ByteCursor& cursor) {
   return pixel;
 }
 
-/// One channel of a row: a count above 128 repeats the next byte count - 128 times, any other copies count bytes.
+/// Reads one channel of a row. A count above 128 repeats the next byte count - 128 times; any other copies count bytes.
 void takeChannel(ByteCursor& cursor, std::vector<Rgbe>& row, std::size_t channel) {
   std::size_t x = 0;
   while (x < row.size()) {
@@ -88,14 +89,15 @@ void takeChannel(ByteCursor& cursor, std::vector<Rgbe>& row, std::size_t channel
   }
 }
 
-/// Pixels as they are, except that (1, 1, 1, n) repeats the last one n times, and k such in a row n * 256^(k-1) times.
+/// Reads pixels as stored, except that (1, 1, 1, n) repeats the last pixel n times; the k-th such pixel in a sequence
+/// repeats it n * 256^(k-1) times.
 void takeOldRow(ByteCursor& cursor, std::vector<Rgbe>& row, const Rgbe& first) {
   Rgbe pixel = first;
   int shift = 0;
   std::size_t x = 0;
   while (true) {
     const bool isRun = pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1;
-    if (isRun && (x == 0 || shift > 16)) refuse("a run repeats nothing");
+    if (isRun && (x == 0 || shift > 16)) refuse("a run has no pixel to repeat");
     const std::size_t count = isRun ? std::size_t{pixel[3]} << shift : 1;
     if (count > row.size() - x) refuse("a run is longer than its row");
     const Rgbe value = isRun ? row[x - 1] : pixel;
@@ -111,11 +113,11 @@ void takeRow(ByteCursor& cursor, std::vector<Rgbe>& row) {
   const Rgbe first = takePixel(cursor);
   const bool isNew = first[0] == 2 && first[1] == 2 && first[2] < 128 && row.size() >= 8 && row.size() < 32768;
   if (!isNew) return takeOldRow(cursor, row, first);
-  if (first[2] * 256u + first[3] != row.size()) refuse("a row has another width");
+  if (first[2] * 256u + first[3] != row.size()) refuse("a row has a different width");
   for (std::size_t channel = 0; channel < 4; ++channel) takeChannel(cursor, row, channel);
 }
 
-/// m * 2^(e - 136), as most programs read it (Ward's own adds 1/2 to m): so 1 stays 1.
+/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1. (Ward's own code adds 1/2 to m.)
 glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
   if (pixel[3] == 0) return glm::vec3(0);
   const double unit = std::ldexp(1.0, int{pixel[3]} - 136) / exposure;
@@ -129,7 +131,7 @@ Image decodeHdr(ByteView file) {
   const Header header = takeHeader(cursor);
   Image image{header.width, header.height, {}, {}, {}, {}, {}};
   std::vector<Rgbe> row(header.width);
-  for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with what the file really holds
+  for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with the actual content of the file
     takeRow(cursor, row);
     for (const Rgbe& pixel : row) image.rgb.push_back(toLinear(pixel, header.exposure));
   }

@@ -1,4 +1,4 @@
-// Images from films, and the choice of format for files.
+// Converts films to images, and chooses the format of image files.
 #include "host/image/image.h"
 
 #include <fmt/format.h>
@@ -56,11 +56,11 @@ Bytes readFile(const fs::path& file) {
   Bytes bytes(size);
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream) failReading(file, "no permission, or the file changed meanwhile");
+  if (!stream) failReading(file, "no permission, or the file changed while it was read");
   return bytes;
 }
 
-/// Decodes a file and puts its name in front of what is wrong with it.
+/// Decodes a file. Adds its name to the message of an error.
 template <typename Decode>
 auto decodeFile(const fs::path& file, Decode decode) {
   const Bytes bytes = readFile(file);
@@ -114,8 +114,8 @@ Bytes encodeImage(Format format, const Image& image, const DisplayTransform& tra
 Format requireFormat(const fs::path& file) {
   const std::optional<Format> format = formatByExtension(file);
   if (format) return *format;
-  throw UsageError(
-      fmt::format("\"{}\": the name of an image ends in .png, .jpg, .jpeg, .hdr, .pfm or .exr", file.string()));
+  throw UsageError(fmt::format("\"{}\": the name of an image file must end in .png, .jpg, .jpeg, .hdr, .pfm or .exr",
+                               file.string()));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ Format requireFormat(const fs::path& file) {
 void checkImageSize(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) throw FileError("the image has no pixels");
   if (width > kMaximumImageSide || height > kMaximumImageSide || width * height > kMaximumImagePixels) {
-    throw FileError(fmt::format("{} x {} pixels are too many: {} a side and {} in all can be handled", width, height,
+    throw FileError(fmt::format("{} x {} pixels exceed the limits of {} per side and {} in total", width, height,
                                 kMaximumImageSide, kMaximumImagePixels));
   }
 }

@@ -1,4 +1,5 @@
-// JPEG files by libjpeg. Its errors leave by longjmp, so between setjmp and the jump no object with a destructor lives.
+// Reads JPEG files with libjpeg. Its errors use longjmp, so that no object with a destructor may live between setjmp
+// and the jump.
 #include <fmt/format.h>
 #include <jerror.h>
 #include <jpeglib.h>
@@ -12,11 +13,11 @@
 namespace candela::image {
 namespace {
 
-/// A progressive file may repeat scans at will, each of which costs a pass over the whole image.
+/// Maximum number of scans. A progressive file may repeat scans, each of which costs a pass over the whole image.
 constexpr int kMaximumScans = 500;
 
 struct ErrorHandler {
-  jpeg_error_mgr base;  // first, so that libjpeg's pointer to it is one to this
+  jpeg_error_mgr base;  // first member, so that a pointer to it is a pointer to this object
   std::jmp_buf jump;
   char message[JMSG_LENGTH_MAX];
 };
@@ -27,7 +28,7 @@ struct ErrorHandler {
   std::longjmp(handler->jump, 1);
 }
 
-/// Damaged data is only a warning to libjpeg, which would go on with grey pixels.
+/// Turns warnings into errors. Damaged data are only a warning to libjpeg, which would continue with grey pixels.
 void refuseDamage(j_common_ptr info, int level) {
   const int code = info->err->msg_code;
   const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR || code == JWRN_ADOBE_XFORM;

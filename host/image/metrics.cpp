@@ -1,4 +1,4 @@
-// Differences of two images, pixel by pixel and channel by channel.
+// Compares two images pixel by pixel and channel by channel.
 #include "host/image/metrics.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ double relativeDifference(double value, double reference) {
   return (value - reference) / reference;
 }
 
-/// Sums over pixels, in double precision and in the order of rows.
+/// Sums over pixels, in double precision and row by row.
 struct Sums {
   std::uint64_t pixelCount = 0;
   dvec3 a{0};
@@ -109,7 +109,7 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
 
 std::string toText(const ImageComparison& c) {
   std::string text = fmt::format("size                  {} x {}\n", c.width, c.height);
-  if (c.notFiniteCount > 0) text += fmt::format("not finite            {} pixels, left out\n", c.notFiniteCount);
+  if (c.notFiniteCount > 0) text += fmt::format("not finite            {} pixels, ignored\n", c.notFiniteCount);
   text += fmt::format("mean                  {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.mean.x, c.mean.y, c.mean.z,
                       c.meanLuminance);
   text += fmt::format("mean of the reference {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.referenceMean.x,

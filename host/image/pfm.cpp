@@ -1,4 +1,4 @@
-// Portable float maps (Paul Debevec): a text header, then binary32 rows from the bottom up.
+// Reads and writes portable float maps (Paul Debevec): a text header, then binary32 rows from bottom to top.
 #include <fmt/format.h>
 
 #include <bit>
@@ -11,7 +11,7 @@
 namespace candela::image {
 namespace {
 
-/// Words of the header end in exactly one white space character.
+/// Each word of the header ends in exactly one white space character.
 template <typename Number>
 Number takeNumber(ByteCursor& cursor) {
   const std::string_view word = cursor.takeUntil(

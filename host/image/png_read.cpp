@@ -1,4 +1,4 @@
-// PNG files by libpng's simplified interface, which converts every kind of PNG and needs no setjmp here.
+// Reads PNG files with libpng's simplified interface, which converts every kind of PNG and needs no setjmp here.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -23,24 +23,24 @@ class PngReader {
 
   void readRgb(std::uint8_t* rgb) {
     image_.format = PNG_FORMAT_RGB;
-    image_.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // else 16-bit files that do not say would be taken for linear
+    image_.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // otherwise 16-bit files without a gamma are taken as linear
     const png_color black{0, 0, 0};
     constexpr png_int_32 kPackedRows = 0;
     if (!png_image_finish_read(&image_, &black, rgb, kPackedRows, nullptr)) fail();
   }
 
  private:
-  /// The destructor does not run where the constructor fails; libpng has freed its own part by then.
+  /// Throws from the constructor, whose destructor does not run; libpng has freed its memory by then.
   [[noreturn]] void fail() const { throw FileError(fmt::format("not a valid PNG file: {}", image_.message)); }
 
   png_image image_{};
 };
 
-/// Deflate makes at most 1032 bytes of one, a byte holds at most 8 pixels: a file that claims more is not worth the
-/// memory.
+/// Refuses files that claim more pixels than they can contain: deflate expands one byte to at most 1032, and a byte has
+/// at most 8 pixels.
 void checkPlausible(std::uint64_t pixelCount, std::size_t fileSize) {
   constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 1032;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is cut short");
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is truncated");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Two passes; the inner loops run along rows so that they vectorize.
+// Filters in two passes. The inner loops follow rows, so that compilers vectorise them.
 #include "host/image/separable_filter.h"
 
 #include <algorithm>

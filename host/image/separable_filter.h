@@ -1,22 +1,22 @@
-// Convolution of planes of numbers with products of two one-dimensional kernels.
+// Convolution of planes of numbers with separable kernels.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace candela::image {
 
-/// One number a pixel, row by row from the top.
+/// One number per pixel, row by row from the top.
 struct Plane {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<double> values;
 };
 
-/// Weights for the offsets -radius to radius; their count is odd.
+/// Weights for the offsets -radius to radius. Their count is odd.
 using Kernel = std::vector<double>;
 
 /// out(x, y) = sum over i, j of horizontal[i] vertical[j] in(x + i, y + j), where i and j are offsets from the centre.
-/// Beyond its edges the plane goes on with its outermost values.
+/// Values beyond the edges are those of the nearest pixel.
 Plane filtered(const Plane& in, const Kernel& horizontal, const Kernel& vertical);
 
 }  // namespace candela::image

@@ -1,3 +1,3 @@
-// The one place where stb_image_write is compiled; its warnings are its own.
+// Compiles stb_image_write, in a file of its own so that its warnings can be disabled.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>

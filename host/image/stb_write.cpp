@@ -1,4 +1,4 @@
-// PNG, JPEG and HDR files by stb_image_write.
+// Writes PNG, JPEG and HDR files with stb_image_write.
 #include <stb/stb_image_write.h>
 
 #include <algorithm>
@@ -22,10 +22,10 @@ Bytes checked(int succeeded, Bytes bytes) {
   return bytes;
 }
 
-/// What RGBE can hold: shared exponents up to 2^127. NaN becomes 0.
+/// Clamps to the range of RGBE, whose shared exponents reach 2^127. NaN becomes 0.
 float rgbeValue(float value) {
-  constexpr float kLargest = 1.6e38f;
-  return value > 0 ? std::min(value, kLargest) : 0;
+  constexpr float kMaxValue = 1.6e38f;
+  return value > 0 ? std::min(value, kMaxValue) : 0;
 }
 
 }  // namespace

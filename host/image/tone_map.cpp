@@ -1,4 +1,4 @@
-// From linear radiance to 8-bit pixels.
+// Converts linear radiance to 8-bit pixels.
 #include <algorithm>
 #include <cmath>
 
@@ -12,16 +12,16 @@ namespace {
 using glm::dmat3;
 using glm::dvec3;
 
-/// Krzysztof Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), channel by channel.
+/// Krzysztof Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), applied per channel.
 dvec3 aces(const dvec3& x) { return (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14); }
 
-/// AgX's contrast curve: the polynomial of degree 6 by Benjamin Wrensch.
+/// The contrast curve of AgX: the polynomial of degree 6 by Benjamin Wrensch.
 dvec3 agxContrast(const dvec3& x) {
   return -0.00232 + x * (0.1191 + x * (0.4298 + x * (-6.868 + x * (31.96 + x * (-40.14 + x * 15.5)))));
 }
 
 /// Troy Sobotka's AgX in the approximation by Benjamin Wrensch, "Minimal AgX Implementation" (2023), without a look.
-/// Its curve ends in a signal for a display of gamma 2.2, from which the linear value is taken.
+/// Its curve gives a signal for a display of gamma 2.2, which is converted to a linear value.
 dvec3 agx(const dvec3& linear) {
   const dmat3 inset(0.842479062253094, 0.0423282422610123, 0.0423756549057051,  //
                     0.0784335999999992, 0.878468636469772, 0.0784336,           //
@@ -36,7 +36,7 @@ dvec3 agx(const dvec3& linear) {
   return glm::pow(glm::max(signal, 0.0), dvec3(2.2));
 }
 
-/// Khronos PBR Neutral, in the symbols of its specification (KhronosGroup/ToneMapping, 2024).
+/// Khronos PBR Neutral, with the symbols of its specification (KhronosGroup/ToneMapping, 2024).
 dvec3 neutral(const dvec3& linear) {
   constexpr double kF90 = 0.04;
   constexpr double kS = 0.8 - kF90;
@@ -68,13 +68,14 @@ dvec3 applyCurve(const dvec3& linear, ToneMap toneMap) {
   return linear;
 }
 
-/// A curve meets finite values >= 0 only. The limit is far above what any of them tells from white.
+/// Clamps to finite values >= 0 before a curve is applied. The limit is far above the value at which any of them
+/// becomes white.
 double sanitized(double value) {
   constexpr double kLimit = 1e30;
   return std::isnan(value) ? 0 : std::clamp(value, 0.0, kLimit);
 }
 
-/// Encoded for the display, of a linear value >= 0.
+/// Encodes a linear value >= 0 for the display.
 dvec3 toneMapped(const dvec3& linear, ToneMap toneMap) {
   const dvec3 shown = glm::clamp(applyCurve(linear, toneMap), 0.0, 1.0);
   if (toneMap == ToneMap::none) return shown;

@@ -1,3 +1,4 @@
+// Records the vertices of a path for comparison with the device.
 #include "host/reference/path_notes.h"
 
 #include "shaders/shared/dimensions.h"

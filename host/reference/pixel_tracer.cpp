@@ -1,3 +1,4 @@
+// Traces the samples of one pixel.
 #include "host/reference/pixel_tracer.h"
 
 namespace candela::reference {

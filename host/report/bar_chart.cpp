@@ -1,3 +1,4 @@
+// Draws horizontal bar charts as SVG.
 #include "host/report/bar_chart.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 namespace candela::report {
 namespace {
 
-// In pixels.
+// Lengths in pixels.
 constexpr double kBarsWidth = 860;
 constexpr double kLabels = 330;
 constexpr double kBars = 400;

@@ -1,4 +1,4 @@
-// Horizontal bars with labels, as a self-contained SVG file.
+// Horizontal bar charts with labels, as self-contained SVG files.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@ namespace candela::report {
 struct Bar {
   std::string label;
   double value = 0;  ///< >= 0
-  double low = 0;    ///< of a whisker that shows the spread
+  double low = 0;    ///< lower end of a whisker that shows the spread
   double high = 0;
 };
 
@@ -17,7 +17,7 @@ struct BarGroup {
   std::vector<Bar> bars;
 };
 
-/// `unit`: what values are in. Groups share one scale.
+/// `unit` is the unit of the values. All groups have the same scale.
 std::string barChart(const std::string& title, const std::string& unit, const std::vector<BarGroup>& groups);
 
 }  // namespace candela::report

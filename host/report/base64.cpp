@@ -1,3 +1,4 @@
+// Encodes bytes in base64.
 #include "host/report/base64.h"
 
 #include <bit>

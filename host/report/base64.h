@@ -1,4 +1,4 @@
-// Bytes as text within HTML.
+// Base64 encodings for HTML.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace candela::report {
 
-/// RFC 4648, section 4, with padding.
+/// Encodes as RFC 4648, section 4, with padding.
 std::string base64(std::span<const std::byte> bytes);
 
-/// A PNG file as the address of an image: "data:image/png;base64,...".
+/// Returns a PNG file as the URL of an image: "data:image/png;base64,...".
 std::string pngUri(const image::Pixels8& pixels);
 
-/// Red, green and blue of every pixel, row by row from the top, as binary32, little-endian, in base64.
+/// Returns red, green and blue of every pixel, row by row from the top, as binary32, little-endian, in base64.
 std::string floatText(const image::Image& image);
 
 }  // namespace candela::report

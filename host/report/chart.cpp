@@ -1,3 +1,4 @@
+// Draws histograms as SVG.
 #include "host/report/chart.h"
 
 #include <fmt/format.h>
@@ -8,10 +9,10 @@
 namespace candela::report {
 namespace {
 
-// Of the drawing, in its own units.
+// Size of the drawing in its own units.
 constexpr double kChartWidth = 480;
 constexpr double kHeight = 150;
-constexpr double kBase = kHeight - 20;  // below it, the axis' labels
+constexpr double kBase = kHeight - 20;  // above the labels of the axis
 
 std::uint64_t highest(const Histogram& histogram) {
   return std::max<std::uint64_t>(1, *std::max_element(histogram.counts.begin(), histogram.counts.end()));

@@ -1,4 +1,4 @@
-// Histograms as drawings within a page (SVG), which need no script.
+// Histograms as SVG drawings within a page, without scripts.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace candela::report {
 
-/// Both images' luminances, on a logarithmic axis: bars for A, a line for B.
+/// Draws the luminances of both images on a logarithmic axis: bars for A, a line for B.
 std::string valueChart(const ValueHistograms& histograms);
-/// The pixels' relative differences: one bar a bin.
+/// Draws the relative differences of the pixels: one bar per bin.
 std::string differenceChart(const Histogram& histogram);
 
 }  // namespace candela::report

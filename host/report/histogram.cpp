@@ -1,3 +1,4 @@
+// Counts values and differences in bins.
 #include "host/report/histogram.h"
 
 #include <algorithm>
@@ -8,9 +9,9 @@
 namespace candela::report {
 namespace {
 
-constexpr int kMostStops = 24;
+constexpr int kMaxStops = 24;
 constexpr std::size_t kBinsPerStop = 2;
-constexpr std::size_t kDifferenceBins = 41;  // odd: equal pixels are in the middle one
+constexpr std::size_t kDifferenceBins = 41;  // odd, so that equal pixels are in the middle bin
 constexpr double kShareWithin = 0.99;
 
 struct StopRange {
@@ -18,7 +19,7 @@ struct StopRange {
   double high = 0;
 };
 
-// Whole stops.
+// Rounds to whole stops.
 StopRange stopRange(const image::Image& a, const image::Image& b) {
   double least = HUGE_VAL;
   double most = -HUGE_VAL;
@@ -32,7 +33,7 @@ StopRange stopRange(const image::Image& a, const image::Image& b) {
   }
   if (least > most) return {};
   const double high = std::floor(most) + 1;
-  return {std::max(std::floor(least), high - kMostStops), high};
+  return {std::max(std::floor(least), high - kMaxStops), high};
 }
 
 Histogram histogramOfStops(const image::Image& image, const StopRange& range) {

@@ -1,3 +1,4 @@
+// Escapes HTML and expands templates.
 #include "host/report/html.h"
 
 #include "host/core/errors.h"

@@ -1,4 +1,4 @@
-// HTML as text: escaping, and templates.
+// Escaping of HTML, and templates.
 #pragma once
 #include <map>
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace candela::report {
 
-/// `text` as it appears in HTML, in content and in quoted attributes alike; control characters become U+FFFD.
+/// Returns `text` escaped for the content and for quoted attributes of HTML. Control characters become U+FFFD.
 std::string escapeHtml(std::string_view text);
 
-/// The template with each "{{name}}" replaced. What is inserted is not looked at again. Throws InternalError for a name
-/// that has no value.
+/// Returns the template with each "{{name}}" replaced. Inserted text is not searched again. Throws InternalError for a
+/// name without a value.
 std::string fillTemplate(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
 }  // namespace candela::report

@@ -1,3 +1,4 @@
+// Draws the pictures of a report.
 #include "host/report/maps.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace candela::report {
 namespace {
 
 constexpr double kDifferenceRange = 0.1;
-constexpr image::DisplayTransform kAsItIs{};  // for pictures that are meant for display already
+constexpr image::DisplayTransform kAsItIs{};  // for pictures that are already display-referred
 
 image::Pixels8 reducedPixels(const image::Image& picture, std::uint32_t k) {
   return toPixels8(k == 1 ? picture : reduced(picture, k), kAsItIs);
@@ -25,12 +26,12 @@ Map differenceMap(const Report& report, std::uint32_t k) {
 }
 
 Map flipMap(const Report& report, std::uint32_t k) {
-  return {
-      "map-flip", "FLIP",
-      fmt::format("How visible the difference is when A and B are shown in turn: black 0, pale yellow 1. Mean {:.4g}, "
-                  "maximum {:.4g}.",
-                  report.flip.mean, report.flip.maximum),
-      reducedPixels(errorPicture(report.flip), k)};
+  return {"map-flip", "FLIP",
+          fmt::format(
+              "Visibility of the difference when A and B are shown alternately: black 0, pale yellow 1. Mean {:.4g}, "
+              "maximum {:.4g}.",
+              report.flip.mean, report.flip.maximum),
+          reducedPixels(errorPicture(report.flip), k)};
 }
 
 Map testMap(const Report& report, std::uint32_t tileSize, std::uint32_t k) {

@@ -1,4 +1,4 @@
-// The pictures of a report: both sides, and the maps of their differences.
+// The pictures of a report: both images, and maps of their differences.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace candela::report {
 
-/// One picture with what it shows, as HTML-free text.
+/// One picture with its caption, as plain text.
 struct Map {
   std::string id;
   std::string title;
@@ -15,9 +15,9 @@ struct Map {
   image::Pixels8 pixels;
 };
 
-/// The picture of one side, each pixel standing for k x k.
+/// Returns the picture of one side, in which each pixel represents k x k pixels.
 image::Pixels8 sidePicture(const image::Image& image, const image::DisplayTransform& display, std::uint32_t k);
-/// The difference map, the FLIP map, and a t-map for every size of tiles that was tested.
+/// Returns the difference map, the FLIP map, and a map of t for every size of tiles that was tested.
 std::vector<Map> mapsOf(const Report& report, std::uint32_t k);
 
 }  // namespace candela::report

@@ -1,3 +1,4 @@
+// Averages blocks of pixels.
 #include "host/report/reduce.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ glm::vec3 blockMean(const image::Image& image, std::uint32_t left, std::uint32_t
 
 std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height) {
   std::uint32_t k = 1;
-  while (std::uint64_t{blocks(width, k)} * blocks(height, k) > kMostPixels) ++k;
+  while (std::uint64_t{blocks(width, k)} * blocks(height, k) > kMaxPixels) ++k;
   return k;
 }
 

@@ -1,4 +1,4 @@
-// Pictures that are too large for a page are shown smaller.
+// Reduces pictures that are too large for a page.
 #pragma once
 #include <cstdint>
 
@@ -6,13 +6,14 @@
 
 namespace candela::report {
 
-/// Pixels that a page shows: their values take 32 MB in it.
-inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 20;
+/// Maximum number of pixels on a page, where their values take 32 MB.
+inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 20;
 
-/// The smallest k such that blocks of k x k pixels are no more than kMostPixels; 1 for what is small enough.
+/// Returns the minimum k such that there are at most kMaxPixels blocks of k x k pixels; 1 for small images.
 std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height);
 
-/// Means of blocks of k x k pixels, cut at the right and lower edge; colours alone, without variance and counts.
+/// Returns the means of blocks of k x k pixels, cut at the right and lower edge. Only colours are computed, not
+/// variances and counts.
 image::Image reduced(const image::Image& image, std::uint32_t k);
 
 }  // namespace candela::report

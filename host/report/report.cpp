@@ -1,3 +1,4 @@
+// Assembles the page.
 #include "host/report/report.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 namespace candela::report {
 namespace {
 
-constexpr std::uint32_t kSmallWidth = 400;  // up to which pixels are shown as squares when the picture is enlarged
+constexpr std::uint32_t kSmallWidth = 400;  // maximum width of pictures whose pixels are shown as squares when enlarged
 
 struct OutcomeText {
   const char* styleName;
@@ -57,17 +58,18 @@ std::string reductionNote(std::uint32_t k) {
   if (k == 1) return "";
   return fmt::format(
       "<p class=\"note\" id=\"reduction\">The images are too large for a page: each pixel shown here is the mean "
-      "of {0} × {0} of theirs. Verdict, figures and tests are those of the full images.</p>",
+      "of {0} × {0} of their pixels. The verdict, the figures and the tests are those of the full images.</p>",
       k);
 }
 
 std::string histograms(const image::Image& a, const image::Image& b) {
   return "<figure>" + valueChart(valueHistograms(a, b)) +
-         "<figcaption><strong>Luminances</strong>, two bins a stop. Bars: A; line: B. Black pixels are left "
+         "<figcaption><strong>Luminances</strong>, two bins per stop. Bars: A; line: B. Black pixels are left "
          "out.</figcaption>"
          "</figure>\n<figure>" +
          differenceChart(differenceHistogram(a, b)) +
-         "<figcaption><strong>Relative differences</strong> of the pixels, (A − B) / B. What lies outside is in the "
+         "<figcaption><strong>Relative differences</strong> of the pixels, (A − B) / B. Values outside the range are "
+         "in the "
          "outermost "
          "bars.</figcaption></figure>\n";
 }

@@ -1,4 +1,4 @@
-// A comparison as one page that needs nothing else: no network, no other file, and to be read no script either.
+// A comparison as one self-contained page, which needs no network and no other file, and can be read without scripts.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,12 +13,12 @@ namespace candela::report {
 
 enum class Outcome { agree, differ, none };
 
-/// Texts may be anything, such as names of files that nobody chose with HTML in mind.
+/// Texts may be arbitrary, such as file names with HTML characters.
 struct Figure {
   std::string name;
   std::string value;
 };
-/// What is known of both sides.
+/// A property of both sides.
 struct Fact {
   std::string name;
   std::string a;
@@ -28,7 +28,7 @@ struct Fact {
 /// The tests of regions, the whole image first.
 struct LightTests {
   std::vector<verify::RegionResult> regions;
-  double level = 0;  ///< of each
+  double level = 0;  ///< level of each test
 };
 
 struct Report {
@@ -41,12 +41,12 @@ struct Report {
   image::ImageComparison comparison;
   image::FlipResult flip;
   std::optional<LightTests> tests;
-  std::vector<Figure> figures;  ///< before those of `comparison`
+  std::vector<Figure> figures;  ///< shown before those of `comparison`
   std::vector<Fact> facts;
-  std::vector<std::string> commands;  ///< for a shell
+  std::vector<std::string> commands;  ///< shell commands
 };
 
-/// Equal reports give equal pages. Pictures of more than kMostPixels are reduced, and the page says so.
+/// Returns the page. Equal reports give equal pages. Pictures of more than kMaxPixels are reduced, with a note.
 std::string toHtml(const Report& report);
 
 }  // namespace candela::report

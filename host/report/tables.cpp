@@ -1,3 +1,4 @@
+// Formats the tables of a report as HTML.
 #include "host/report/tables.h"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ std::vector<Figure> imageFigures(const Report& report) {
       {"Pixels that differ",
        fmt::format("{} ({:.4g} %), by more than {:g} relative and {:g} absolute", c.differingCount,
                    100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute)}};
-  if (c.notFiniteCount > 0) figures.push_back({"Not finite", fmt::format("{} pixels, left out", c.notFiniteCount)});
+  if (c.notFiniteCount > 0) figures.push_back({"Not finite", fmt::format("{} pixels, ignored", c.notFiniteCount)});
   return figures;
 }
 

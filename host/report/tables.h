@@ -6,13 +6,13 @@
 
 namespace candela::report {
 
-/// The figures of the report and those of the images.
+/// Returns the figures of the report and those of the images.
 std::string figureTable(const Report& report);
-/// What is known of A and of B; empty without facts.
+/// Returns the properties of A and B; empty if there are none.
 std::string factTable(const Report& report);
-/// The tests by significance, as many as can be read; empty without tests.
+/// Returns the most significant tests; empty if there are none.
 std::string testTable(const Report& report);
-/// One block a command.
+/// Returns one block per command.
 std::string commandList(const Report& report);
 
 }  // namespace candela::report

@@ -1,3 +1,4 @@
+// Draws maps of the tests of tiles.
 #include "host/report/tile_map.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 using verify::Region;
 using verify::RegionResult;
 
-// |t| as a share of the significant one, with the sign of the difference.
+// Returns |t| as a fraction of the critical t, with the sign of the difference.
 double strengthOf(const RegionResult& result, double level) {
   const double sign = result.test.difference < 0 ? -1 : 1;
   if (result.differs) return sign;

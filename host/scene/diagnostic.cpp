@@ -1,4 +1,4 @@
-// Diagnostics as text, and the error that carries all of a file's.
+// Formats diagnostics, and the error that contains all errors of a file.
 #include "host/scene/diagnostic.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// One thing that is wrong, or odd, in an input file, and where.
+// An error or a warning about an input file, with its position.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -18,7 +18,7 @@ struct Diagnostic {
 /// "scene.p3f:14:9: unknown keyword "spehre"; did you mean "s"?"
 std::string toString(const Diagnostic& diagnostic);
 
-/// All that is wrong with one scene, in the order of the file. `what()` holds every line.
+/// All errors of one scene, in the order of the file. `what()` contains one line for each.
 struct SceneError : FileError {
   explicit SceneError(std::vector<Diagnostic> all);
   std::vector<Diagnostic> diagnostics;

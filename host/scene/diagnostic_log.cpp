@@ -1,4 +1,4 @@
-// Collects what is wrong and what is odd in one file.
+// Collects the errors and warnings of one file.
 #include "host/scene/diagnostic_log.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace candela::scene {
 namespace {
 
 void sortByPlace(std::vector<Diagnostic>& diagnostics) {
-  // Line 0 stands for the whole file and comes last.
+  // Line 0 denotes the whole file and comes last.
   const auto place = [](const Diagnostic& d) { return std::tuple(d.line - 1u, d.column); };
   std::ranges::stable_sort(diagnostics, {}, place);
 }

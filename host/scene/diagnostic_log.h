@@ -1,4 +1,4 @@
-// Collects what is wrong and what is odd in one file, and keeps the list readable however bad the file is.
+// Collects the errors and warnings of one file, and limits their number.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -12,25 +12,25 @@ namespace candela::scene {
 
 class DiagnosticLog {
  public:
-  static constexpr std::size_t kShown = 100;       ///< errors, and kinds of warning, that are listed
-  static constexpr std::size_t kCounted = 10'000;  ///< errors after which reading stops
+  static constexpr std::size_t kShown = 100;  ///< maximum number of errors, and of kinds of warnings, that are listed
+  static constexpr std::size_t kCounted = 10'000;  ///< number of errors after which reading stops
 
   explicit DiagnosticLog(std::string file) : file_(std::move(file)) {}
 
   void error(Position position, std::string message);
-  /// Keeps the first warning of each kind and counts the others.
+  /// Stores the first warning of each kind and counts the others.
   void warn(const std::string& kind, Position position, std::string message);
 
-  /// True if another error, or a warning of this kind, would be listed rather than counted.
+  /// Returns whether another error, or another warning of this kind, would be listed rather than only counted.
   bool listsError() const { return errorCount_ < kShown; }
   bool listsWarning(const std::string& kind) const { return warnings_.size() < kShown && !warnings_.contains(kind); }
 
   std::size_t errorCount() const { return errorCount_; }
   bool isFull() const { return errorCount_ >= kCounted; }
 
-  /// Throws SceneError, in the order of the file, if there was an error.
+  /// Throws SceneError with the errors in the order of the file, if there are any.
   void throwIfErrors() const;
-  /// In the order of the file.
+  /// Returns the warnings in the order of the file.
   std::vector<Diagnostic> warnings() const;
 
  private:

@@ -1,4 +1,4 @@
-// Ear clipping of one polygon in the plane (Meisters 1975), with a queue of ears so that it takes quadratic time.
+// Ear clipping of one polygon in the plane (Meisters 1975), with a queue of ears, so that it takes quadratic time.
 #include "host/scene/ear_clipper.h"
 
 namespace candela::scene {
@@ -20,8 +20,8 @@ bool EarClipper::isReflex(std::uint32_t i) const {
   return orientation(points_[previous_[i]], points_[i], points_[next_[i]]) <= 0;
 }
 
-/// True if `vertex` lies in the closed triangle of `ear`. A vertex at the place of a corner (where a bridge to a hole
-/// meets it) does not count.
+/// Returns whether `vertex` lies in the closed triangle of `ear`. A vertex with the position of a corner (such as the
+/// end of an edge to a hole) does not count.
 bool EarClipper::blocks(std::uint32_t vertex, std::uint32_t ear) const {
   const glm::dvec2& p = points_[vertex];
   const glm::dvec2& a = points_[previous_[ear]];
@@ -54,8 +54,8 @@ void EarClipper::cut(std::uint32_t i) {
   revisit(next_[i]);
 }
 
-/// Drops a vertex that turns nowhere (on a straight edge, doubled, or at the tip of a spike), then looks at its
-/// neighbours; queues any other.
+/// Removes a vertex that is on a straight edge, duplicated, or at the tip of a spike, and then examines its neighbours.
+/// Queues any other vertex.
 void EarClipper::revisit(std::uint32_t vertex) {
   std::vector<std::uint32_t> pending{vertex};
   while (!pending.empty()) {
@@ -82,7 +82,8 @@ void EarClipper::revisitAll() {
   }
 }
 
-/// Where no ear is left: cuts a convex vertex whatever is inside; if all are reflex, what is left is turned over.
+/// Handles the case that no ear is left: cuts a convex vertex regardless of its inside. If all vertices are reflex, the
+/// rest is reversed.
 void EarClipper::cutAnyway() {
   std::uint32_t i = someVertex_;
   for (std::size_t turn = 0; turn < remaining_ && isReflex(i); ++turn) i = next_[i];

@@ -7,7 +7,7 @@
 
 namespace candela::scene {
 
-/// Twice the signed area of the triangle a b c; positive if it turns counter-clockwise.
+/// Returns twice the signed area of the triangle a b c, positive if it is counter-clockwise.
 inline double orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -16,9 +16,9 @@ class EarClipper {
  public:
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-  /// `points` turn counter-clockwise on the whole.
+  /// The winding of `points` is counter-clockwise: their signed area is positive.
   explicit EarClipper(std::vector<glm::dvec2> points);
-  /// Clips all ears. False if at some time there was none: the polygon crosses itself.
+  /// Clips all ears. Returns false if there was no ear at some time, because the polygon crosses itself.
   bool clip();
   const Triangles& triangles() const { return triangles_; }
 
@@ -35,11 +35,12 @@ class EarClipper {
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> previous_, next_;
   std::vector<bool> linked_;
-  std::vector<std::uint32_t> reflex_;  ///< at the last look at all: cutting ears makes no others, and only they block
-  std::vector<std::uint32_t> queue_;   ///< vertices that may be ears; read from the front
+  std::vector<std::uint32_t>
+      reflex_;  ///< reflex vertices at the last full search: clipping ears makes no new ones, and only they block ears
+  std::vector<std::uint32_t> queue_;  ///< vertices that may be ears; read from the front
   std::size_t queueFront_ = 0;
   std::size_t remaining_ = 0;
-  std::uint32_t someVertex_ = 0;  ///< still linked
+  std::uint32_t someVertex_ = 0;  ///< a vertex that is still linked
   Triangles triangles_;
 };
 

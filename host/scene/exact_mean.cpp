@@ -1,3 +1,4 @@
+// Parses the comment "# exact-mean: ...".
 #include "host/scene/exact_mean.h"
 
 #include <vector>
@@ -8,9 +9,10 @@ namespace candela::scene {
 namespace {
 
 constexpr std::string_view kKey = "exact-mean:";
-constexpr const char* kForm = "the form is: # exact-mean: r g b [x y width height], the latter in shares of the image";
+constexpr const char*
+    kForm = "the form is: # exact-mean: r g b [x y width height], with the rectangle in fractions of the image";
 
-// Where the numbers begin, or npos if the line is another one.
+// Returns the position of the first number, or npos if the line is not such a comment.
 std::size_t numbersOf(std::string_view line) {
   const std::size_t hash = line.find_first_not_of(" \t");
   if (hash == std::string_view::npos || line[hash] != '#') return std::string_view::npos;

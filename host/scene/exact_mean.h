@@ -1,4 +1,4 @@
-// The one comment that means something: what the image's mean is known to be.
+// The only comment of a scene file with a meaning: the known mean of the image.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -8,7 +8,8 @@
 
 namespace candela::scene {
 
-/// The first "# exact-mean: r g b [x y width height]" of a scene's text. One that cannot be read is an error in `log`.
+/// Returns the first "# exact-mean: r g b [x y width height]" in the text of a scene. If it cannot be read, an error is
+/// added to `log`.
 std::optional<ExactMean> findExactMean(std::string_view text, DiagnosticLog& log);
 
 }  // namespace candela::scene

@@ -1,11 +1,11 @@
-// FNV-1a, 64 bits.
+// The 64-bit FNV-1a hash.
 #pragma once
 #include <cstdint>
 #include <span>
 
 namespace candela::scene {
 
-/// Continues `hash` over `bytes` (Fowler, Noll, Vo).
+/// Continues `hash` over `bytes` (Fowler, Noll and Vo).
 inline std::uint64_t fnv1a(std::span<const std::uint8_t> bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
   for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3ull;
   return hash;

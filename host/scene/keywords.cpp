@@ -1,4 +1,4 @@
-// The table of statements: keyword, form, handler.
+// The table of statements, and messages for unknown keywords.
 #include "host/scene/keywords.h"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ constexpr std::array kKeywords{
     Keyword{"spp", "spp n", "spp", parseSamples},
 };
 
-// What people write out in full, or mean.
+// Spellings that people use instead of the keywords.
 constexpr std::array kLongNames{
     Spelling{"from", "from"},
     Spelling{"eye", "eye"},
@@ -77,7 +77,7 @@ constexpr std::array kLongNames{
     Spelling{"triangles", "mesh"},
 };
 
-// Words of other programs' dialects, with what to do about them.
+// Keywords of other programs' dialects, with advice.
 constexpr std::array kForeign{
     Spelling{"fire", "the sky box of another dialect: write \"env\""},
     Spelling{"number", "a foreign keyword"},

@@ -1,4 +1,4 @@
-// The table of statements: keyword, form, handler.
+// The table of statements: keyword, syntax and handler.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,19 +9,19 @@ struct Parser;
 
 struct Keyword {
   std::string_view name;
-  std::string_view form;       ///< as messages show it
-  std::string_view countedAs;  ///< in StatementCounts
-  /// Reads what follows the keyword. Throws StatementError.
+  std::string_view form;       ///< syntax for messages
+  std::string_view countedAs;  ///< name in StatementCounts
+  /// Reads the statement after its keyword. Throws StatementError.
   void (*parse)(Parser&);
 };
 
-/// nullptr if `word` is no keyword. Keywords are case-sensitive.
+/// Returns nullptr if `word` is not a keyword. Keywords are case-sensitive.
 const Keyword* findKeyword(std::string_view word);
 
-/// The message for a word that is no keyword, with a suggestion where there is one.
+/// Returns the message for a word that is not a keyword, with a suggestion if there is one.
 std::string describeUnknown(std::string_view word);
 
-/// True for the words that begin an entry of a view.
+/// Returns whether the word begins an entry of a view.
 bool isViewKeyword(std::string_view word);
 
 }  // namespace candela::scene

@@ -16,7 +16,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that a scene may read
 };
 
-/// How many statements of each kind the file had: "sphere", "polygon", "patch", "material", ...
+/// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...
 using StatementCounts = std::map<std::string, std::uint64_t>;
 
 struct LoadedScene {
@@ -32,7 +32,7 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
 /// Reads NFF or P3F from memory; `name` stands in messages, `folder` is where `env` paths start.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});
-/// Throws SceneError, which says how to give a view, if there is none.
+/// Throws SceneError, with the syntax of a view, if the scene has no view.
 void requireCamera(const Scene& scene);
 
 }  // namespace candela::scene

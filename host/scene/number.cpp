@@ -1,4 +1,4 @@
-// Numbers as scene files write them.
+// Parses numbers of scene files.
 #include "host/scene/number.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace candela::scene {
 namespace {
 
-/// Of a decimal number out of range: true if it is too small rather than too large.
+/// Returns whether a decimal number that is out of range is too small rather than too large.
 bool isTiny(std::string_view text) {
   const std::size_t exponent = text.find_first_of("eE");
   if (exponent != std::string_view::npos) return text.substr(exponent + 1).starts_with('-');

@@ -1,4 +1,4 @@
-// Numbers as scene files write them.
+// Numbers in the notation of scene files.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -13,12 +13,13 @@ struct ParsedNumber {
   NumberStatus status = NumberStatus::ok;
 };
 
-/// True if `text` starts like a number: a word that does not is a keyword, never a misspelt number.
+/// Returns whether `text` starts like a number. Any other word is a keyword, never a misspelt number.
 bool looksLikeNumber(std::string_view text);
 
-/// The whole of `text` as a decimal number ("8", ".8", "+1.1e-16"), rounded once to binary32. Too small rounds to 0.
+/// Parses the whole of `text` as a decimal number ("8", ".8", "+1.1e-16"), rounded once to binary32. Numbers that are
+/// too small become 0.
 ParsedNumber<float> parseFloat(std::string_view text);
-/// The same in binary64.
+/// Parses a number in the same way, rounded to binary64.
 ParsedNumber<double> parseDouble(std::string_view text);
 
 }  // namespace candela::scene

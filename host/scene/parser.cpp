@@ -1,4 +1,4 @@
-// The statement loop: keyword, handler, recovery.
+// The loop over statements: keyword, handler, recovery from errors.
 #include "host/scene/parser.h"
 
 #include <fmt/format.h>
@@ -52,11 +52,13 @@ void Parser::requireNonNegative(std::string_view what, const glm::vec3& value, P
 }
 
 std::size_t Parser::itemCount(std::string_view what, std::int64_t min, std::int64_t max, std::size_t numbersPerItem) {
-  constexpr std::size_t kHarmless = 1024;  // so few may be allocated, for a better message where one is missing
+  constexpr std::size_t
+      kHarmless = 1024;  // always permitted, because the message about a missing number is then clearer
   const auto count = static_cast<std::size_t>(in.wholeNumber(what, min, max));
   const std::size_t room = (tokens.bytesLeft() + 1) / 2 / numbersPerItem;
   if (count <= std::max(room, kHarmless)) return count;
-  StatementReader::fail(in.lastNumber(), fmt::format("{} {} does not fit into the rest of the file", what, count));
+  StatementReader::fail(in.lastNumber(),
+                        fmt::format("{} {} is more than the rest of the file can contain", what, count));
 }
 
 bool Parser::lists(const std::string& kind) const {

@@ -1,4 +1,4 @@
-// What the statements of a scene file share while it is read: the text, the scene so far, the current material.
+// State shared by the statements of a scene file while it is read: the text, the scene so far, the current material.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -28,26 +28,27 @@ struct Parser {
   StatementCounts counts;
   std::filesystem::path folder;
   LoadOptions options;
-  std::optional<std::uint32_t> material;  ///< index of the current one
-  Position keyword;                       ///< of the statement being read
+  std::optional<std::uint32_t> material;  ///< index of the current material
+  Position keyword;                       ///< position of the current statement's keyword
 
-  /// A departure from the format that can be passed over: an error, or with `lenient` a warning of this kind.
+  /// Reports a deviation from the format that can be ignored: an error, or a warning of this kind with `lenient`.
   void deviation(const std::string& kind, Position position, const std::string& message);
-  /// True if a deviation of this kind would be shown rather than counted, so that its message is worth making.
+  /// Returns whether a deviation of this kind would be listed rather than counted, so that its message is needed.
   bool lists(const std::string& kind) const;
-  /// Reports an error and goes on with the statement, if `value` is negative.
+  /// Reports an error if `value` is negative, and continues with the statement.
   void requireNonNegative(std::string_view what, float value, Position position);
   void requireNonNegative(std::string_view what, const glm::vec3& value, Position position);
-  /// Reads how many items of `numbersPerItem` numbers each follow, in [min, max]. A count that the rest of the file
-  /// cannot hold is refused before anyone allocates by it. Throws StatementError.
+  /// Reads the number, in [min, max], of items of `numbersPerItem` numbers each. Refuses a number that the rest of the
+  /// file cannot contain before memory is allocated for it. Throws StatementError.
   std::size_t itemCount(std::string_view what, std::int64_t min, std::int64_t max, std::size_t numbersPerItem);
-  /// Index of the current material; before any `f` that is the default one, which this adds to the scene.
+  /// Returns the index of the current material. Before any `f`, this is the default material, which is added to the
+  /// scene.
   std::uint32_t currentMaterial();
 };
 
-/// Takes a statement that begins with no keyword: an error, or with `lenient` a warning.
+/// Handles a statement that does not begin with a keyword: an error, or a warning with `lenient`.
 void skipUnknown(Parser& parser);
-/// Reads all statements; what is wrong is then in `parser.log`.
+/// Reads all statements. Errors and warnings are then in `parser.log`.
 void parseStatements(Parser& parser);
 
 }  // namespace candela::scene

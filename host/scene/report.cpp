@@ -1,4 +1,4 @@
-// Counts what a scene contains.
+// Counts the content of a scene.
 #include "host/scene/report.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace candela::scene {
 namespace {
 
-/// A box that grows. Computed in double precision, rounded to nearest at the end.
+/// A growing box. It is computed in double precision and rounded to nearest at the end.
 class Extent3 {
  public:
   void add(const glm::dvec3& centre, const glm::dvec3& halfSize = glm::dvec3(0)) {
@@ -69,7 +69,7 @@ SceneReport::Lights lightsOf(const Scene& scene) {
       case PrimitiveKind::plane:
         ++lights.planes;
         break;
-      case PrimitiveKind::box:  // an emitting one has become triangles
+      case PrimitiveKind::box:  // emitting boxes have become triangles
         break;
     }
   }

@@ -1,4 +1,4 @@
-// What a scene contains, for people and for programs.
+// A description of the content of a scene, as text and as JSON.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +16,7 @@ struct SceneReport {
     glm::vec3 min;
     glm::vec3 max;
   };
-  /// As traced: polygons, patches, meshes and emitting boxes have become triangles.
+  /// Primitives as traced: polygons, patches, meshes and emitting boxes have become triangles.
   struct Primitives {
     std::uint64_t spheres = 0, triangles = 0, boxes = 0, cones = 0, planes = 0;
     std::uint64_t total() const { return spheres + triangles + boxes + cones + planes; }
@@ -33,14 +33,14 @@ struct SceneReport {
   };
 
   std::string name;
-  StatementCounts statements;  ///< as in the file
+  StatementCounts statements;  ///< numbers of statements in the file
   Primitives primitives;
-  std::optional<Bounds> bounds;  ///< of all but infinite planes; absent if there is nothing else
+  std::optional<Bounds> bounds;  ///< bounds of all primitives except infinite planes; empty if there are no others
   Lights lights;
   Materials materials;
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
-  std::optional<std::uint32_t> skySide;  ///< largest side of a face of the sky box, in texels
+  std::optional<std::uint32_t> skySide;  ///< maximum side of a face of the sky box, in texels
   std::optional<std::uint32_t> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
   std::uint64_t hash = 0;
@@ -49,7 +49,7 @@ struct SceneReport {
 };
 
 SceneReport makeReport(const LoadedScene& loaded);
-/// Several lines, the last one ended too.
+/// Returns several lines, each ending in a newline.
 std::string toText(const SceneReport& report);
 nlohmann::json toJson(const SceneReport& report);
 

@@ -1,4 +1,4 @@
-// A scene report as text and as JSON.
+// Formats a scene report as text and as JSON.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

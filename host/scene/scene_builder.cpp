@@ -1,4 +1,4 @@
-// Adds primitives to a scene, in order.
+// Adds primitives to a scene.
 #include "host/scene/scene_builder.h"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ void addQuad(Scene& scene, const glm::vec3 (&corner)[4], std::uint32_t material)
   addTriangle(scene, {{corner[0], corner[2], corner[3]}}, material);
 }
 
-/// The face of `box` where `axis` has its least or greatest value, counter-clockwise from outside.
+/// Returns the face of `box` at the minimum or maximum of `axis`, counter-clockwise seen from outside.
 void addFace(Scene& scene, const Box& box, int axis, bool atMax, std::uint32_t material) {
   const int first = (axis + (atMax ? 1 : 2)) % 3;
   const int second = (axis + (atMax ? 2 : 1)) % 3;

@@ -1,4 +1,4 @@
-// Adds primitives to a scene, in order.
+// Adds primitives to a scene.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace candela::scene {
 
-/// Each appends one primitive with the given material (an index into Scene::materials).
+/// Each function appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
 /// Its vertices are appended to the scene's mesh without indices, which all such triangles share.
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material);

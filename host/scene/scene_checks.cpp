@@ -1,4 +1,4 @@
-// What can only be said of a scene once all of it has been read.
+// Checks that need the complete scene.
 #include "host/scene/scene_checks.h"
 
 #include <algorithm>

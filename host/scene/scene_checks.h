@@ -1,11 +1,11 @@
-// What can only be said of a scene once all of it has been read.
+// Checks that need the complete scene.
 #pragma once
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/scene.h"
 
 namespace candela::scene {
 
-/// Warns of a scene without objects or without light.
+/// Warns about a scene without objects or without light.
 void checkScene(const Scene& scene, DiagnosticLog& log);
 
 }  // namespace candela::scene

@@ -1,4 +1,4 @@
-// Reads the six images of a sky box, from permitted places only.
+// Reads the six images of a sky box, only from permitted folders.
 #include "host/scene/sky.h"
 
 #include <fmt/format.h>
@@ -28,10 +28,10 @@ fs::path findFace(const fs::path& folder, const std::string& name) {
 
 SkyFace readFace(const fs::path& file) {
   image::Pixels8 pixels = image::readPixels8(file);
-  const bool fits = pixels.width <= kLargestSkySide && pixels.height <= kLargestSkySide;
+  const bool fits = pixels.width <= kMaxSkySide && pixels.height <= kMaxSkySide;
   if (!fits) {
-    throw FileError(fmt::format("{} is {} x {} pixels; a sky's face may have {} a side", quote(file.string()),
-                                pixels.width, pixels.height, kLargestSkySide));
+    throw FileError(fmt::format("{} has {} x {} pixels; a face of a sky box may have at most {} per side",
+                                quote(file.string()), pixels.width, pixels.height, kMaxSkySide));
   }
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
 }

@@ -1,4 +1,4 @@
-// Reads the six images of a sky box, from permitted places only.
+// Reads the six images of a sky box, only from permitted folders.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace candela::scene {
 
-/// Longest side of a face, in texels.
-inline constexpr std::uint32_t kLargestSkySide = 8192;
+/// Maximum side of a face, in texels.
+inline constexpr std::uint32_t kMaxSkySide = 8192;
 
 /// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
 /// resolved, must be permitted by `guard`. Empty if there is no such folder. Throws FileError.

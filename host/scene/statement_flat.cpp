@@ -8,9 +8,11 @@
 namespace candela::scene {
 namespace {
 
-constexpr double kFarthest = 1e38;  ///< of a plane's foot: leaves room for points around it
+constexpr double kMaxDistance = 1e38;  ///< maximum distance of a plane from the origin; leaves room for points around
+                                       ///< the nearest point
 
-/// Two vectors perpendicular to the unit vector n, u x v = n (Duff et al., JCGT 2017). On an axis they are exact.
+/// Returns two vectors perpendicular to the unit vector n, with u x v = n (Duff et al., JCGT 2017). They are exact if n
+/// is an axis.
 void makeFrame(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z);
@@ -30,7 +32,7 @@ void parsePlane(Parser& parser) {
   addPlane(parser.scene, plane, parser.currentMaterial());
 }
 
-// The points with n . p + d = 0.
+// Reads the plane of all points with n . p + d = 0.
 void parseHessianPlane(Parser& parser) {
   const Position position = parser.in.here();
   const glm::dvec3 normal = parser.in.vector("the normal");
@@ -39,8 +41,9 @@ void parseHessianPlane(Parser& parser) {
   if (length == 0) StatementReader::fail(position, "the plane's normal has length 0");
   const glm::dvec3 n = normal / length;
   const glm::dvec3 origin = -d / length * n;
-  if (!(glm::length(origin) < kFarthest)) StatementReader::fail(position, "the plane lies beyond single precision");
-  const double size = std::max(1.0, glm::length(origin));  // so that rounding tilts the plane as little as possible
+  if (!(glm::length(origin) < kMaxDistance))
+    StatementReader::fail(position, "the plane is beyond the range of single precision");
+  const double size = std::max(1.0, glm::length(origin));  // reduces the tilt of the plane by rounding
   glm::dvec3 u, v;
   makeFrame(n, u, v);
   const Plane plane{{glm::vec3(origin), glm::vec3(origin + size * u), glm::vec3(origin + size * v)}};
@@ -49,8 +52,8 @@ void parseHessianPlane(Parser& parser) {
 
 void parseBox(Parser& parser) {
   Box box;
-  box.min = parser.in.vector("the least corner");
-  box.max = parser.in.vector("the greatest corner");
+  box.min = parser.in.vector("the minimum corner");
+  box.max = parser.in.vector("the maximum corner");
   const Box sorted{glm::min(box.min, box.max), glm::max(box.min, box.max)};
   if (sorted.min != box.min)
     parser.log.warn("swapped box", parser.keyword, "the box's corners are swapped to min <= max");

@@ -21,12 +21,12 @@ glm::vec3 readColour(Parser& parser) {
   return colour;
 }
 
-/// A black parallelogram whose radiance is the colour.
+/// Adds a black parallelogram whose radiance is the colour.
 void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
                   const glm::vec3& colour) {
   const glm::vec3 farCorner = corner + u + v;
   if (!std::isfinite(farCorner.x) || !std::isfinite(farCorner.y) || !std::isfinite(farCorner.z)) {
-    StatementReader::fail(parser.keyword, "the area light reaches beyond single precision");
+    StatementReader::fail(parser.keyword, "the area light reaches beyond the range of single precision");
   }
   if (glm::cross(glm::dvec3(u), glm::dvec3(v)) == glm::dvec3(0)) {
     StatementReader::fail(parser.keyword, "the area light has no area: its edges are parallel");
@@ -45,13 +45,13 @@ void parseQuad(Parser& parser) {
   const glm::vec3 colour = readColour(parser);
   const glm::vec3 u = parser.in.vector("the light's first edge");
   const glm::vec3 v = parser.in.vector("the light's second edge");
-  parser.in.numbersOnLine(1);  // a grid of samples, which other programs take
+  parser.in.numbersOnLine(1);  // the number of samples, which other programs read
   addAreaLight(parser, corner, u, v, colour);
 }
 
 }  // namespace
 
-// x y z, then nothing, a colour, or an intensity and a colour.
+// Reads x y z, then nothing, a colour, or an intensity and a colour.
 void parsePointLight(Parser& parser) {
   const glm::vec3 position = parser.in.vector("the light's position");
   const Position colourPosition = parser.in.here();
@@ -66,7 +66,8 @@ void parsePointLight(Parser& parser) {
   if (n.size() == 4) colour = n[0] * glm::vec3(n[1], n[2], n[3]);
   parser.requireNonNegative("the light's colour", colour, colourPosition);
   if (!std::isfinite(colour.x + colour.y + colour.z)) {
-    StatementReader::fail(colourPosition, "the light's intensity times its colour is beyond single precision");
+    StatementReader::fail(colourPosition,
+                          "the light's intensity times its colour is beyond the range of single precision");
   }
   parser.scene.pointLights.push_back({position, colour});
 }

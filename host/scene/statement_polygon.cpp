@@ -9,10 +9,10 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::int64_t kMostVertices = 16384;  ///< splitting takes time quadratic in it
+constexpr std::int64_t kMaxVertices = 16384;  ///< maximum number of vertices; triangulation takes quadratic time
 
 std::size_t readCount(Parser& parser, std::size_t numbersPerVertex) {
-  return parser.itemCount("the number of vertices", 3, kMostVertices, numbersPerVertex);
+  return parser.itemCount("the number of vertices", 3, kMaxVertices, numbersPerVertex);
 }
 
 glm::vec3 readNormal(Parser& parser) {
@@ -24,7 +24,7 @@ glm::vec3 readNormal(Parser& parser) {
 }
 
 Triangulation triangulateWithWarnings(Parser& parser, const std::vector<glm::vec3>& vertices) {
-  constexpr double kFlatness = 1e-2;  // of the extent: measured data bend by half of that
+  constexpr double kFlatness = 1e-2;  // as a fraction of the extent: measured data deviate by half of it
   Triangulation split = triangulate(vertices);
   if (split.planeDeviation > kFlatness) {
     parser.log.warn("not planar", parser.keyword, "the polygon is not flat; its triangles follow its vertices");

@@ -19,7 +19,7 @@ void requireValid(const Token& token, NumberStatus status) {
     case NumberStatus::notFinite:
       StatementReader::fail(token.position, text + " is not a finite number");
     case NumberStatus::overflow:
-      StatementReader::fail(token.position, text + " is beyond single precision, whose largest number is 3.4e38");
+      StatementReader::fail(token.position, text + " is beyond the range of single precision (3.4e38)");
     case NumberStatus::notANumber:
       break;
   }

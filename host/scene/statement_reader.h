@@ -1,4 +1,4 @@
-// Reads the numbers and words of one statement. Required numbers cross line ends; optional ones never do.
+// Reads the numbers and words of one statement. Required numbers may continue on later lines; optional numbers may not.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace candela::scene {
 
-/// Ends the reading of a statement. Caught by the parser, which goes on with the next one.
+/// Ends the reading of a statement. The parser catches it and continues with the next statement.
 struct StatementError {
   Position position;
   std::string message;
@@ -20,30 +20,30 @@ class StatementReader {
  public:
   explicit StatementReader(Tokenizer& tokens) : tokens_(&tokens) {}
 
-  /// Takes the keyword. `form` shows the statement's grammar in messages.
+  /// Consumes the keyword. `form` shows the syntax of the statement in messages.
   Token begin(std::string_view form);
 
-  /// A required number; `what` names it in messages: "the radius". Throws StatementError.
+  /// Reads a required number. `what` names it in messages: "the radius". Throws StatementError.
   float number(std::string_view what);
-  /// Three required numbers. Throws StatementError.
+  /// Reads three required numbers. Throws StatementError.
   glm::vec3 vector(std::string_view what);
-  /// A required whole number in [min, max]. Throws StatementError.
+  /// Reads a required whole number in [min, max]. Throws StatementError.
   std::int64_t wholeNumber(std::string_view what, std::int64_t min, std::int64_t max);
-  /// A required word, on the same line. Throws StatementError.
+  /// Reads a required word on the same line. Throws StatementError.
   Token word(std::string_view what);
 
-  /// True if the next token is a number: on this line, or anywhere.
+  /// Return whether the next token is a number: on this line, or on any line.
   bool numberOnLine() const;
   bool numberFollows() const;
-  /// The numbers left on the line, `most` of them at most.
+  /// Reads the numbers that remain on the line, at most `most`.
   std::vector<float> numbersOnLine(std::size_t most);
   std::string_view form() const { return form_; }
 
-  /// Where the last number read stands.
+  /// Returns the position of the last number that was read.
   Position lastNumber() const { return lastNumber_; }
-  /// Where the next token is if it is on this line, else just behind the last one.
+  /// Returns the position of the next token if it is on this line, else the position after the last token.
   Position here() const;
-  /// Skips to the next line that does not begin with a number: what a failed statement may have owned.
+  /// Skips to the next line that does not begin with a number, and so skips the rest of a statement that failed.
   void skipStatement();
   [[noreturn]] static void fail(Position position, std::string message);
 

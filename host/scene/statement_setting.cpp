@@ -1,4 +1,4 @@
-// `b`, `env`, `accel` and `spp`: what holds for the whole scene.
+// `b`, `env`, `accel` and `spp`: settings of the whole scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +57,8 @@ void parseSamples(Parser& parser) {
   }
   parser.log.warn(
       "spp", parser.keyword,
-      fmt::format("spp {} is read as {} samples per pixel in total; some programs took it per side", samples, samples));
+      fmt::format("spp {} is read as {} samples per pixel in total; some programs read it as samples per side", samples,
+                  samples));
 }
 
 }  // namespace candela::scene

@@ -1,4 +1,4 @@
-// `v`: the view, its entries in any order.
+// `v`: the view, with its entries in any order.
 #include <fmt/format.h>
 
 #include <array>
@@ -25,7 +25,7 @@ void readHither(Parser& p, Camera& camera) { camera.hither = p.in.number("the hi
 void readAngle(Parser& p, Camera& camera) {
   camera.angle = p.in.number("the angle");
   if (camera.angle > 0 && camera.angle < 180) return;
-  p.log.error(p.in.lastNumber(), "the angle must lie between 0 and 180 degrees, both excluded");
+  p.log.error(p.in.lastNumber(), "the angle must be greater than 0 and less than 180 degrees");
 }
 
 void readResolution(Parser& p, Camera& camera) {
@@ -62,7 +62,7 @@ constexpr std::array kEntries{
     ViewEntry{"view", "view d", readViewDistance},
 };
 
-/// `eye` and `apperture` are other names of `from` and `aperture`.
+/// `eye` and `apperture` are synonyms of `from` and `aperture`.
 std::string_view canonicalName(std::string_view name) {
   if (name == "eye") return "from";
   return name == "apperture" ? "aperture" : name;
@@ -73,7 +73,8 @@ using PositionsByName = std::map<std::string_view, Position>;
 void readEntry(Parser& parser, const ViewEntry& entry, Camera& camera, PositionsByName& seen) {
   const Position position = parser.in.begin(entry.form).position;
   if (!seen.emplace(canonicalName(entry.name), position).second) {
-    parser.log.warn("repeated view entry", position, fmt::format("\"{}\" again; the last one counts", entry.name));
+    parser.log.warn("repeated view entry", position,
+                    fmt::format("\"{}\" is repeated; the last one counts", entry.name));
   }
   try {
     entry.read(parser, camera);
@@ -130,7 +131,7 @@ bool isViewKeyword(std::string_view word) {
 void parseView(Parser& parser) {
   const std::size_t errorsBefore = parser.log.errorCount();
   const bool again = parser.scene.camera.has_value();
-  if (again) parser.log.warn("second view", parser.keyword, "another view; the last one counts");
+  if (again) parser.log.warn("second view", parser.keyword, "a second view; the last one counts");
 
   Camera camera;
   PositionsByName seen;
@@ -145,7 +146,7 @@ void parseView(Parser& parser) {
     }
   }
   parser.scene.camera = camera;
-  if (parser.log.errorCount() > errorsBefore) return;  // what is missing may be what could not be read
+  if (parser.log.errorCount() > errorsBefore) return;  // a missing entry may be one that could not be read
   requireEntries(parser, seen);
   if (seen.contains("from") && seen.contains("at")) checkDirections(parser, camera);
 }

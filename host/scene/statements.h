@@ -1,4 +1,4 @@
-// The handlers of the statements. Each reads what follows its keyword and adds to the scene; each throws
+// The handlers of the statements. Each reads a statement after its keyword, adds to the scene and throws
 // StatementError.
 #pragma once
 

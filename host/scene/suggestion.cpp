@@ -1,4 +1,4 @@
-// What a misspelt keyword may have been meant to be.
+// Computes edit distances between words.
 #include "host/scene/suggestion.h"
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::size_t kLongestWord = 24;  ///< nothing longer is a slip of the pen
+constexpr std::size_t kMaxWordLength = 24;  ///< longer words are not regarded as misspelt keywords
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
 
 }  // namespace
 
-// Optimal string alignment: the matrix of Wagner and Fischer, three rows of it, with swaps of neighbours.
+// Optimal string alignment: three rows of the matrix of Wagner and Fischer, with swaps of neighbours.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -32,9 +32,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings) {
-  if (word.size() > kLongestWord) return std::nullopt;
+  if (word.size() > kMaxWordLength) return std::nullopt;
   std::optional<std::string_view> best;
-  std::size_t limit = word.size() / 3 + 1;  // one more than what counts as near
+  std::size_t limit = word.size() / 3 + 1;  // one more than the maximum distance
   for (const Spelling& spelling : spellings) {
     const std::size_t distance = editDistance(word, spelling.word);
     if (distance >= limit) continue;

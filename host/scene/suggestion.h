@@ -1,4 +1,4 @@
-// What a misspelt keyword may have been meant to be.
+// Suggestions for misspelt keywords.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -6,17 +6,18 @@
 
 namespace candela::scene {
 
-/// A word that people write, and the keyword they would have needed.
+/// A word that people write, and the keyword that they mean.
 struct Spelling {
   std::string_view word;
   std::string_view keyword;
 };
 
-/// Edits (insert, delete, replace, swap of neighbours) that turn `a` into `b`, ignoring ASCII case.
+/// Returns the number of edits (insertion, deletion, replacement, swap of neighbours) that turn `a` into `b`, ignoring
+/// ASCII case.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The keyword of the spelling nearest to `word`, if it is near: within a third of the word's length. The first of
-/// equally near ones wins.
+/// Returns the keyword of the spelling nearest to `word`, if its distance is at most a third of the length of the word.
+/// The first of several nearest spellings is returned.
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings);
 
 }  // namespace candela::scene

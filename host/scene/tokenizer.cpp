@@ -1,4 +1,4 @@
-// Splits a scene file into words, each with its place.
+// Splits a scene file into words with their positions.
 #include "host/scene/tokenizer.h"
 
 namespace candela::scene {

@@ -1,4 +1,4 @@
-// Splits a scene file into words, each with its place, and hides comments, blanks and the three kinds of line end.
+// Splits a scene file into words with their positions. Handles comments, blanks and the three kinds of line ends.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,13 +6,13 @@
 
 namespace candela::scene {
 
-/// 1-based; columns count bytes, a tab is one.
+/// A position in the file, 1-based. Columns count bytes; a tab is one column.
 struct Position {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
 
-/// `text` points into the file. It is empty at the end of the file only.
+/// `text` refers to the file. It is empty only at the end of the file.
 struct Token {
   std::string_view text;
   Position position;
@@ -24,17 +24,18 @@ class Tokenizer {
   /// `text` must outlive the tokenizer and its tokens. A UTF-8 byte order mark is skipped.
   explicit Tokenizer(std::string_view text);
 
-  /// The next token, which stays the next one.
+  /// Returns the next token without consuming it.
   const Token& peek() const { return next_; }
   Token take();
-  /// What is left of the current line, without comment and surrounding blanks; empty (but not the end) if nothing is.
+  /// Consumes the rest of the current line and returns it without comment and surrounding blanks; empty (but not the
+  /// end) if nothing is left.
   Token takeRestOfLine();
 
-  /// Just behind the last token taken; 1:1 before the first.
+  /// Returns the position after the last token that was consumed; 1:1 before the first.
   Position end() const { return end_; }
-  /// True if the next token is on the line of the last one taken.
+  /// Returns whether the next token is on the line of the last consumed token.
   bool nextIsOnLine() const { return !next_.atEnd() && next_.position.line == end_.line; }
-  /// Bytes from the next token on: what is left can hold no more than half as many tokens.
+  /// Returns the number of bytes from the next token on. They contain at most half as many tokens.
   std::size_t bytesLeft() const;
 
  private:
@@ -44,7 +45,7 @@ class Tokenizer {
   void scan();
 
   std::string_view text_;
-  std::size_t offset_ = 0;  ///< behind next_
+  std::size_t offset_ = 0;  ///< after next_
   std::size_t lineStart_ = 0;
   std::uint32_t line_ = 1;
   Token next_;

@@ -1,4 +1,4 @@
-// Splits a polygon, concave or not, into triangles.
+// Splits a polygon, convex or concave, into triangles.
 #include "host/scene/triangulate.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace candela::scene {
 namespace {
 
-/// Newell's sum: twice the area, along the normal.
+/// Returns Newell's sum: the normal, with twice the area as its length.
 glm::dvec3 areaVector(std::span<const glm::vec3> polygon) {
   const glm::dvec3 origin = polygon[0];
   glm::dvec3 sum(0);
@@ -31,7 +31,7 @@ double largestDeviation(std::span<const glm::vec3> polygon, const glm::dvec3& no
   return extent > 0 ? deviation / extent : 0;
 }
 
-/// Drops the coordinate along which the polygon is seen largest, so that it turns counter-clockwise.
+/// Drops the coordinate along which the projected polygon is largest, such that its winding becomes counter-clockwise.
 std::vector<glm::dvec2> project(std::span<const glm::vec3> polygon, const glm::dvec3& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -52,7 +52,8 @@ bool crossProperly(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
 }
 
 bool crossesItself(const std::vector<glm::dvec2>& points) {
-  constexpr std::size_t kMaxCheckedVertices = 1024;  // beyond, only what stops the clipping is noticed
+  // In larger polygons, only crossings that stop the clipping are detected.
+  constexpr std::size_t kMaxCheckedVertices = 1024;
   const std::size_t count = points.size();
   if (count > kMaxCheckedVertices) return false;
   for (std::size_t i = 0; i < count; ++i) {
@@ -69,7 +70,7 @@ Triangulation fan(std::size_t vertexCount) {
   return split;
 }
 
-/// Of a polygon whose area vector is 0: it lies on a line, or its parts cancel each other.
+/// Handles a polygon whose area vector is 0: it lies on a line, or its parts cancel each other.
 Triangulation fanWithoutArea(std::span<const glm::vec3> polygon) {
   Triangulation split = fan(polygon.size());
   const auto isFlat = [&](const std::array<std::uint32_t, 3>& t) {

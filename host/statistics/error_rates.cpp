@@ -1,3 +1,4 @@
+// Closed-form levels and increments of the spending function.
 #include "host/statistics/error_rates.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Welch's test, with the distributions of Boost.Math.
 #include "host/statistics/welch.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace math = boost::math;
 
 namespace {
 
-// Half the variance of the squared error.
+// Returns half of the variance of the squared error.
 double uncertaintyOf(const Estimate& estimate) {
   if (estimate.squaredError == 0) return 0;
   return estimate.squaredError * estimate.squaredError / estimate.degreesOfFreedom;
@@ -21,7 +22,7 @@ double uncertaintyOf(const Estimate& estimate) {
 
 Summary summarise(std::span<const double> values) {
   Summary summary;
-  double squares = 0;  // of deviations from the mean so far (Welford 1962)
+  double squares = 0;  // sum of squared deviations from the mean so far (Welford 1962)
   for (const double value : values) {
     ++summary.count;
     const double deviation = value - summary.mean;

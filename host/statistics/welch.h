@@ -1,4 +1,4 @@
-// Welch's t-test: do two samples of unequal variance have the same mean?
+// Welch's t-test: whether two samples of unequal variance have the same mean.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -10,35 +10,36 @@ struct Summary {
   double mean = 0;
   double variance = 0;  ///< unbiased; 0 for fewer than two values
 
-  /// Of the mean.
+  /// Returns the variance of the mean.
   double squaredError() const { return count == 0 ? 0 : variance / static_cast<double>(count); }
 };
 Summary summarise(std::span<const double> values);
 
-/// A mean, and how well it is known.
+/// An estimate of a mean, with its uncertainty.
 struct Estimate {
   double mean = 0;
   double squaredError = 0;      ///< variance of the mean
-  double degreesOfFreedom = 0;  ///< of squaredError, > 0; of no meaning where that is 0
+  double degreesOfFreedom = 0;  ///< degrees of freedom of squaredError, > 0; meaningless if squaredError is 0
 };
-/// Of a sample of at least two values.
+/// Returns the estimate from a sample of at least two values.
 Estimate estimateOf(const Summary& summary);
 
 struct WelchTest {
   double difference = 0;        ///< mean of a - mean of b
-  double standardError = 0;     ///< of the difference
-  double degreesOfFreedom = 0;  ///< Welch and Satterthwaite's; 0 where neither sample varies
-  double t = 0;                 ///< (|difference| - margin, at least 0) / standardError; 0 where neither sample varies
-  double pValue = 1;            ///< two-sided; where neither sample varies 1 for a difference within the margin, else 0
+  double standardError = 0;     ///< standard error of the difference
+  double degreesOfFreedom = 0;  ///< by Welch and Satterthwaite; 0 if neither sample varies
+  double t = 0;                 ///< max(|difference| - margin, 0) / standardError; 0 if neither sample varies
+  double pValue = 1;  ///< two-sided; if neither sample varies, 1 for a difference within the margin and else 0
 };
 /// Tests whether two independent means differ by more than `margin` >= 0 (Welch, Biometrika 34, 1947).
 WelchTest welch(const Estimate& a, const Estimate& b, double margin = 0);
-/// The same of two samples, each of at least two values.
+/// Tests two samples, each of at least two values, in the same way.
 WelchTest welch(const Summary& a, const Summary& b, double margin = 0);
 
-/// The |t| that is exceeded with probability `pValue` in (0, 1] where both means are equal; `degreesOfFreedom` > 0.
+/// Returns the |t| that is exceeded with probability `pValue`, in (0, 1], if both means are equal; `degreesOfFreedom` >
+/// 0.
 double criticalT(double pValue, double degreesOfFreedom);
-/// The z that a standard normal variable stays below with `probability` in (0, 1).
+/// Returns the z that a standard normal variable does not exceed with `probability`, in (0, 1).
 double normalQuantile(double probability);
 
 }  // namespace candela::statistics

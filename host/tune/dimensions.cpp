@@ -1,3 +1,4 @@
+// The table of tuned options.
 #include "host/tune/dimensions.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ Value shape() {
 }  // namespace
 
 std::span<const Dimension> dimensionTable() {
-  // Fewer variants in a stage than PipelineStore::kCapacity: a renderer that forgets pipelines compiles all the time.
+  // The variants of a stage are fewer than PipelineStore::kCapacity: otherwise the renderer would compile pipelines
+  // again and again.
   static const std::array<Dimension, 4> table{{
       {"layout",
        0,

@@ -1,4 +1,4 @@
-// What is tuned: the options that never change the image, and the values that are tried of each.
+// The tuned options, none of which changes the image, and the values that are tried for each.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -19,14 +19,15 @@ struct Value {
 /// One option. The first of its values is the built-in one.
 struct Dimension {
   std::string option;  ///< without dashes
-  std::size_t stage;  ///< options of one stage are tried in all combinations, later stages with what earlier ones found
+  std::size_t
+      stage;  ///< options of one stage are tried in all combinations; later stages use the results of earlier ones
   std::vector<Value> values;
 };
 
-/// All that is tuned, by stage. Another option is another row.
+/// Returns all tuned options, by stage. To tune another option, add a row.
 std::span<const Dimension> dimensionTable();
 
-/// One value of each dimension, by number; all 0: what is built in.
+/// The index of the value of each dimension. All 0 is the built-in choice.
 using Candidate = std::vector<std::size_t>;
 
 Candidate builtIn();
@@ -35,7 +36,7 @@ std::string nameOf(const Candidate& candidate);
 render::AutomaticChoices choicesOf(const Candidate& candidate);
 bool isFeasible(const Candidate& candidate, const vulkan::DeviceInfo& info);
 
-/// The number of a value, if the dimension has it.
+/// Returns the index of a value, if the dimension has it.
 std::optional<std::size_t> valueNamed(const Dimension& dimension, const std::string& name);
 
 }  // namespace candela::tune

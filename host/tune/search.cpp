@@ -1,3 +1,4 @@
+// Searches stage by stage, and confirms the result in a last round.
 #include "host/tune/search.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ constexpr double kErrorOfMedian = 1.2533;
 
 double medianSeconds(const bench::SweepRow& row) { return bench::median(row.measurement.traceSeconds); }
 
-// Of the median, relative to it.
+// Returns the standard error of the median, relative to the median.
 double relativeError(const bench::SweepRow& row) {
   const double middle = medianSeconds(row);
   std::vector<double> deviations;
@@ -21,7 +22,7 @@ double relativeError(const bench::SweepRow& row) {
   return middle > 0 ? kErrorOfMedian * kMadToSigma * bench::median(deviations) / (middle * std::sqrt(runs)) : 0;
 }
 
-// The numbers of the dimensions of a stage.
+// Returns the indices of the dimensions of a stage.
 std::vector<std::size_t> dimensionsOf(std::size_t stage) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < dimensionTable().size(); ++i) {
@@ -30,7 +31,7 @@ std::vector<std::size_t> dimensionsOf(std::size_t stage) {
   return numbers;
 }
 
-// `start` with every combination of the values of these dimensions.
+// Returns `start` with every combination of the values of these dimensions.
 std::vector<Candidate> combinations(const Candidate& start, std::span<const std::size_t> dimensions) {
   std::vector<Candidate> all{start};
   for (const std::size_t dimension : dimensions) {
@@ -46,7 +47,7 @@ std::vector<Candidate> combinations(const Candidate& start, std::span<const std:
   return all;
 }
 
-// What a stage measures: what is built in, the best so far, and what else the device has.
+// Returns the candidates of a stage: the built-in choice, the best one so far, and others that the device supports.
 std::vector<Candidate> candidatesOf(std::span<const std::size_t> dimensions, const Candidate& best,
                                     const vulkan::DeviceInfo& info) {
   std::vector<Candidate> candidates{builtIn()};
@@ -69,7 +70,7 @@ const Row& rowOf(const Round& round, const Candidate& candidate) {
   return *std::ranges::find(round.rows, candidate, &Row::candidate);
 }
 
-// The one to go on with after a round that `before` took part in.
+// Returns the best candidate after a round in which `before` took part.
 Candidate bestOf(const Round& round, const Candidate& before) {
   const Row& base = rowOf(round, before);
   if (!base.agrees()) return builtIn();
@@ -117,7 +118,7 @@ double noise(const Row& base, const Row& row) {
 
 bool isClearlyFaster(const Row& base, const Row& row) {
   const double times = gain(base, row);
-  return times > kLeastGain && std::log(times) > noise(base, row);
+  return times > kMinGain && std::log(times) > noise(base, row);
 }
 
 bool SearchResult::agree() const {

@@ -1,4 +1,4 @@
-// Looks for the fastest candidate, without knowing how one is measured.
+// Searches for the fastest candidate, independently of how candidates are measured.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -11,51 +11,51 @@
 
 namespace candela::tune {
 
-/// What one candidate took on each scene, always in the same order of scenes.
+/// The measurements of one candidate on each scene. The order of scenes is always the same.
 struct Row {
   Candidate candidate;
   std::vector<bench::SweepRow> scenes;
 
-  /// Whether it gave the right image of every scene.
+  /// Returns whether the candidate gave the correct image of every scene.
   bool agrees() const;
 };
 
-/// Candidates that were measured in turn. The first is what is built in, to which the others are held.
+/// Candidates that were measured interleaved. The first is the built-in choice, with which the others are compared.
 struct Round {
   std::string purpose;  ///< e.g. "layout, loads"; the last one's is "confirmation"
   std::vector<Row> rows;
 };
 
-/// How many times as fast as `base`, as the geometric mean over the scenes of the ratios of median times; 0 if either
+/// Returns the speed relative to `base`: the geometric mean over the scenes of the ratios of median times; 0 if either
 /// image is wrong.
 double gain(const Row& base, const Row& row);
-/// Twice the standard error of the logarithm of gain(): medians of n runs with a median absolute deviation m are taken
-/// to have the error 1.2533 * 1.4826 m / sqrt(n) of a normal distribution's.
+/// Returns twice the standard error of the logarithm of gain(). The error of the median of n runs with a median
+/// absolute deviation m is taken as that of a normal distribution, 1.2533 * 1.4826 m / sqrt(n).
 double noise(const Row& base, const Row& row);
-/// Whether gain() is beyond both noise() and kLeastGain.
+/// Returns whether gain() exceeds both noise() and kMinGain.
 bool isClearlyFaster(const Row& base, const Row& row);
 
-/// Less is not worth another setting.
-inline constexpr double kLeastGain = 1.02;
+/// A smaller gain does not justify another setting.
+inline constexpr double kMinGain = 1.02;
 
 struct SearchResult {
   std::vector<Round> rounds;
   Candidate chosen;
-  double chosenGain = 1;   ///< over what is built in, as the confirmation measured it
-  double chosenNoise = 0;  ///< of it
+  double chosenGain = 1;   ///< gain over the built-in choice, as measured by the confirmation
+  double chosenNoise = 0;  ///< noise of chosenGain
   bool builtInAgrees = true;
 
-  /// Whether every candidate gave the right image.
+  /// Returns whether every candidate gave the correct image.
   bool agree() const;
 };
 
-/// Measures each candidate `repeats` times on every scene, in turn, and gives a row for each, in their order.
+/// Measures each candidate `repeats` times on every scene, interleaved, and returns a row for each, in their order.
 using Measure = std::function<std::vector<Row>(std::span<const Candidate> candidates, std::uint32_t repeats)>;
 
-/// Stage by stage the fastest candidate that the device has goes on if it is clearly faster than the one before.
-/// Whatever is found must then be clearly faster than what is built in, in a last round of 2 `repeats` + 1 runs, which
-/// it has not been chosen by. Candidates whose image differs are never chosen; if that is so of what is built in,
-/// nothing else is tried.
+/// In each stage, the fastest candidate that the device supports replaces the best one so far if it is clearly faster.
+/// The result must then be clearly faster than the built-in choice in a last round of 2 `repeats` + 1 runs, which is
+/// independent of its selection. Candidates whose image differs are never chosen; if the image of the built-in choice
+/// is wrong, nothing else is tried.
 SearchResult search(const vulkan::DeviceInfo& info, std::uint32_t repeats, const Measure& measure);
 
 }  // namespace candela::tune

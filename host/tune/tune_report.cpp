@@ -1,3 +1,4 @@
+// Formats the measurements and the result of tuning.
 #include "host/tune/tune_report.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ TextTable tableOf(const TuneReport& report) {
   TextTable table;
   table.header = {"candidate", "round"};
   for (const SweepRow& scene : firstScenes(report)) table.header.push_back(sceneTitle(scene));
-  table.header.insert(table.header.end(), {"times as fast", "noise"});
+  table.header.insert(table.header.end(), {"speedup", "noise"});
   for (const Round& round : report.result.rounds) {
     const Row& base = round.rows.front();
     for (const Row& row : round.rows) {
@@ -56,7 +57,8 @@ std::string verdict(const TuneReport& report) {
   const SearchResult& result = report.result;
   if (!result.builtInAgrees) return "nothing is chosen: the image of the built-in choice differs from the others'";
   const std::string name = nameOf(result.chosen);
-  if (result.chosen == builtIn()) return fmt::format("chosen: {}, which is built in; nothing is clearly faster", name);
+  if (result.chosen == builtIn())
+    return fmt::format("chosen: {}, the built-in choice; no other is clearly faster", name);
   return fmt::format("chosen: {}, {:.2f} times as fast as the built-in {} (noise {:.1f} %)", name, result.chosenGain,
                      nameOf(builtIn()), 100 * result.chosenNoise);
 }

@@ -1,4 +1,4 @@
-// What tuning measured and chose, as text, Markdown and JSON.
+// The measurements and the result of tuning, as text, Markdown and JSON.
 #pragma once
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -17,11 +17,11 @@ struct TuneReport {
   bool agree() const { return result.agree(); }
 };
 
-/// A row for each candidate of each round: milliseconds for each scene, and how many times as fast as what is built in.
-/// Below it the choice. A row whose image differs has the word "differs" instead of a score.
+/// Returns a row for each candidate of each round, with milliseconds for each scene and the speed relative to the
+/// built-in choice, followed by the result. A row whose image differs shows the word "differs" instead of a score.
 std::string toText(const TuneReport& report);
 std::string toMarkdown(const TuneReport& report);
-/// "schema": "candela-tune-report/1".
+/// The schema is "candela-tune-report/1".
 nlohmann::ordered_json toJson(const TuneReport& report);
 
 }  // namespace candela::tune

@@ -1,3 +1,4 @@
+// Reads and writes results of tuning.
 #include "host/tune/tuning_file.h"
 
 #include <fcntl.h>
@@ -29,7 +30,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema = "candela-tune/1";
-constexpr std::size_t kLargestFile = std::size_t{1} << 16;
+constexpr std::size_t kMaxFileSize = std::size_t{1} << 16;
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -48,7 +49,7 @@ std::string dump(const ordered_json& object, int indent = -1) {
   return object.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-// Neither devices nor pipes, which could keep a reader waiting for ever.
+// Refuses devices and pipes, which could block a reader forever.
 std::optional<std::string> readSmallFile(const fs::path& file, std::string& problem) {
   const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!descriptor.isOpen()) {
@@ -60,7 +61,7 @@ std::optional<std::string> readSmallFile(const fs::path& file, std::string& prob
     problem = "not a regular file";
     return std::nullopt;
   }
-  std::string text(kLargestFile + 1, '\0');
+  std::string text(kMaxFileSize + 1, '\0');
   std::size_t size = 0;
   while (size < text.size()) {
     const ssize_t count = ::read(descriptor.get(), text.data() + size, text.size() - size);
@@ -69,7 +70,7 @@ std::optional<std::string> readSmallFile(const fs::path& file, std::string& prob
     if (count <= 0) break;
     size += static_cast<std::size_t>(count);
   }
-  if (size > kLargestFile) problem = "too large";
+  if (size > kMaxFileSize) problem = "too large";
   text.resize(size);
   return problem.empty() ? std::optional(text) : std::nullopt;
 }
@@ -79,7 +80,7 @@ std::string textAt(const json& object, const std::string& key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-// It is shown to people, so nothing but a date passes.
+// The date is printed, so that nothing but a date is accepted.
 bool isDate(const std::string& text) {
   constexpr std::string_view kPattern = "0000-00-00T00:00:00Z";
   return text.size() == kPattern.size() && std::equal(text.begin(), text.end(), kPattern.begin(), [](char c, char p) {
@@ -87,7 +88,7 @@ bool isDate(const std::string& text) {
          });
 }
 
-// Exactly one known value of each dimension.
+// Requires exactly one known value of each dimension.
 std::optional<Candidate> candidateIn(const json& choice) {
   if (!choice.is_object() || choice.size() != dimensionTable().size()) return std::nullopt;
   Candidate candidate;
@@ -104,14 +105,14 @@ TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(probl
 TuningLookup parse(const std::string& text, const TuningKey& key, const vulkan::DeviceInfo& info) {
   const json file = json::parse(text, nullptr, false);
   if (!file.is_object()) return refuse("it is damaged");
-  if (textAt(file, "schema") != kSchema) return refuse("it is of another version of Candela");
+  if (textAt(file, "schema") != kSchema) return refuse("it was written by another version of Candela");
   if (file.value("key", json()) != json::parse(dump(toJson(key)))) {
     return refuse("it is for another device, driver or set of kernels");
   }
   const std::optional<Candidate> candidate = candidateIn(file.value("choice", json()));
   const std::string date = textAt(file, "date");
   if (!candidate || !isDate(date)) return refuse("it is damaged");
-  if (!isFeasible(*candidate, info)) return refuse("the device cannot do what it says");
+  if (!isFeasible(*candidate, info)) return refuse("the device does not support its settings");
   return {Tuning{*candidate, date}, ""};
 }
 
@@ -145,17 +146,17 @@ void requireTuningFile(const fs::path& file) {
     throw FileError(fmt::format("cannot write \"{}\": {}", file.string(), cause));
   };
   std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fail("there is something else of this name");
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fail("it is not a regular file");
   fs::path existing = fs::absolute(file, error).parent_path();
   while (!fs::exists(existing, error) && existing != existing.parent_path()) existing = existing.parent_path();
-  if (!fs::is_directory(existing, error)) fail(fmt::format("\"{}\" is no folder", existing.string()));
+  if (!fs::is_directory(existing, error)) fail(fmt::format("\"{}\" is not a folder", existing.string()));
   if (::access(existing.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
 
 void writeTuning(const fs::path& file, const TuningKey& key, const Tuning& tuning) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  if (error) throw FileError(fmt::format("cannot make \"{}\": {}", file.parent_path().string(), error.message()));
+  if (error) throw FileError(fmt::format("cannot create \"{}\": {}", file.parent_path().string(), error.message()));
   ordered_json content{{"schema", kSchema}, {"version", versionText()}, {"date", tuning.date}, {"key", toJson(key)}};
   for (std::size_t i = 0; i < tuning.candidate.size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];

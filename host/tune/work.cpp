@@ -1,3 +1,4 @@
+// Fits the work to the speed of the device, and measures candidates on it.
 #include "host/tune/work.h"
 
 #include <fmt/format.h>
@@ -13,9 +14,9 @@ namespace candela::tune {
 namespace {
 
 constexpr double kFirstPixels = 128 * 128;
-constexpr double kMostSamples = 1 << 16;
-// A first estimate from a hundredth of the work is too rough to go all the way at once.
-constexpr double kLargestStep = 32;
+constexpr double kMaxSamples = 1 << 16;
+// Maximum growth per step: an estimate from a hundredth of the work is too inaccurate for a single step.
+constexpr double kMaxStep = 32;
 
 scene::Scene generatedScene(std::uint32_t size) {
   const auto kinds = generate::kindTable();
@@ -27,7 +28,7 @@ scene::Scene generatedScene(std::uint32_t size) {
 
 double pixelsOf(const render::Extent& size) { return static_cast<double>(size.width) * size.height; }
 
-// About so many pixels in the shape of `largest`, and no more than it has.
+// Returns a size of about this many pixels with the aspect ratio of `largest`, and not larger than it.
 render::Extent shrunk(const render::Extent& largest, double pixels) {
   const double scale = std::min(1.0, std::sqrt(pixels / pixelsOf(largest)));
   const auto side = [&](std::uint32_t length) { return std::max(1u, static_cast<std::uint32_t>(length * scale)); };
@@ -40,7 +41,7 @@ double secondsOf(render::Renderer& renderer, const Work& work, const render::Ren
   return result.statistics.seconds["trace"];
 }
 
-// Multiplies the work by `factor`, in pixels as long as there are any, then in samples.
+// Multiplies the work by `factor`: first the number of pixels, up to its limit, then the number of samples.
 void grow(double factor, const render::Extent& largest, const WorkSize& asked, render::RenderSettings& settings) {
   if (!asked.size) {
     const double before = pixelsOf(settings.image.size);
@@ -53,7 +54,7 @@ void grow(double factor, const render::Extent& largest, const WorkSize& asked, r
   }
 }
 
-// What the caller sees of one of several works: its share, behind those that are over.
+// Maps the progress of one of several works to that of all works.
 render::RenderControl shareOf(const render::RenderControl& whole, std::size_t index, std::size_t count,
                               std::uint64_t samplesOver) {
   render::RenderControl part = whole;
@@ -79,11 +80,11 @@ void fitToDevice(render::Renderer& renderer, const WorkSize& asked, const render
   work.settings.image.size = asked.size.value_or(shrunk(largest, kFirstPixels));
   work.settings.image.sampleCount = asked.sampleCount.value_or(1);
   if (asked.size && asked.sampleCount) return;
-  constexpr int kMostSteps = 4;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMaxSteps = 4;
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double seconds = secondsOf(renderer, work, control);
     if (seconds > 0.5 * kRunSeconds) return;
-    grow(std::min(kLargestStep, kRunSeconds / std::max(seconds, 1e-6)), largest, asked, work.settings);
+    grow(std::min(kMaxStep, kRunSeconds / std::max(seconds, 1e-6)), largest, asked, work.settings);
   }
 }
 

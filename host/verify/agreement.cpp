@@ -1,3 +1,4 @@
+// Compares images pixel by pixel, with path records.
 #include "host/verify/agreement.h"
 
 #include <fmt/format.h>
@@ -122,14 +123,14 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
 }
 
 std::string AgreementReport::toText() const {
-  std::string text = fmt::format("{}: {} against the reference\n", scene, deviceStatistics.device);
+  std::string text = fmt::format("{}: {} compared with the reference\n", scene, deviceStatistics.device);
   text += fmt::format(
       "  1 sample: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at least {} %)\n",
       100 * pixels.share(), pixels.pixels, 100 * kRequiredShare, 100 * pixels.litShare(), pixels.lit,
       100 * kRequiredLitShare);
-  text += "  first difference of the others:" + pixels.causesText();
-  text += fmt::format("\n  {} samples: mean {:.8g} against {:.8g}, {:.2e} apart (at most {:.0e})\n", mean.samples,
-                      mean.device, mean.reference, mean.relativeDifference(), kMeanTolerance);
+  text += "  first differences of the other pixels:" + pixels.causesText();
+  text += fmt::format("\n  {} samples: mean {:.8g}, reference {:.8g}, relative difference {:.2e} (at most {:.0e})\n",
+                      mean.samples, mean.device, mean.reference, mean.relativeDifference(), kMeanTolerance);
   text += interrupted ? "  interrupted: no verdict\n" : agree() ? "  they agree\n" : "  they DIFFER\n";
   return text;
 }

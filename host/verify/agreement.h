@@ -1,4 +1,5 @@
-// Holds the device's picture against the reference's, drawn with the same random numbers, and says where they part.
+// Compares the device's image with the reference's, rendered with the same random numbers, and reports where they
+// diverge.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,45 +12,45 @@
 
 namespace candela::verify {
 
-/// Channels within kRelativeTolerance of the larger one, or kAbsoluteTolerance, count as equal.
+/// Channels are equal if they differ by at most kRelativeTolerance of the larger value, or by kAbsoluteTolerance.
 inline constexpr double kRelativeTolerance = 1e-4;
 inline constexpr double kAbsoluteTolerance = 0x1p-26;
-/// What agreement asks for at one sample: shares of all pixels and of those lit on either side.
+/// Required fractions of equal pixels at one sample: of all pixels, and of those that are lit on either side.
 inline constexpr double kRequiredShare = 0.99;
 inline constexpr double kRequiredLitShare = 0.97;
-/// And of the image means (luminance) at more samples.
+/// Maximum relative difference of the image means (luminance) at more samples.
 inline constexpr double kMeanTolerance = 1e-3;
 
-/// The first decision in which two paths differ; `rounding`: none does within the recorded vertices.
+/// The first decision in which two paths differ. `rounding`: none differs within the recorded vertices.
 enum class Cause { primitive, shadow, lobe, roulette, rounding };
 inline constexpr std::array<const char*, 5> kCauseNames{"primitive", "shadow", "lobe", "roulette", "rounding"};
 
-/// Pixels of one-sample pictures, compared one by one.
+/// The pixels of one-sample images, compared one by one.
 struct PixelAgreement {
   std::uint64_t pixels = 0;
   std::uint64_t equal = 0;
-  std::uint64_t lit = 0;  ///< not black on either side
+  std::uint64_t lit = 0;  ///< not black on at least one side
   std::uint64_t litEqual = 0;
-  std::array<std::uint64_t, 5> causes{};  ///< of the pixels that differ, by Cause
-  double worst = 0;                       ///< largest difference of a channel
+  std::array<std::uint64_t, 5> causes{};  ///< numbers of pixels that differ, by Cause
+  double worst = 0;                       ///< maximum difference of a channel
   std::uint32_t worstX = 0, worstY = 0;
 
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
   bool agree() const { return share() >= kRequiredShare && litShare() >= kRequiredLitShare; }
-  /// The causes with their counts, and where the largest difference is.
+  /// Returns the causes with their counts, and the position of the maximum difference.
   std::string causesText() const;
   nlohmann::ordered_json causesJson() const;
   nlohmann::ordered_json worstJson() const;
 };
 
-/// Means (luminance) of pictures of `samples` samples per pixel.
+/// Means (luminance) of images with `samples` samples per pixel.
 struct MeanAgreement {
   std::uint32_t samples = 0;
   double device = 0;
   double reference = 0;
 
-  /// |device - reference| / reference; 0 if both are 0.
+  /// Returns |device - reference| / reference; 0 if both are 0.
   double relativeDifference() const;
   bool agree() const { return relativeDifference() <= kMeanTolerance; }
 };
@@ -68,9 +69,9 @@ struct AgreementReport {
   nlohmann::json toJson() const;
 };
 
-/// The cause why two records of one pixel part.
+/// Returns why two records of one pixel diverge.
 Cause causeOf(const render::PathRecord& device, const render::PathRecord& reference);
-/// Compares one-sample results that carry path records.
+/// Compares results of one sample per pixel that contain path records.
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
 /// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early. Adds the bad

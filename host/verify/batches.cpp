@@ -1,3 +1,4 @@
+// Renders batches with different seeds, and adds up the means of their regions.
 #include "host/verify/batches.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// One side's batches: independent renders of one scene, of which only the means over regions are kept.
+// The batches of one side: independent renders of one scene, of which only the means over regions are stored.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,25 +15,26 @@ inline constexpr std::uint32_t kBatchCount = 32;
 
 enum class Side : std::uint32_t { device = 0, reference = 1 };
 
-/// A seed of its own for every side, batch and look of a run; by SplitMix64's finaliser (Steele et al., OOPSLA 2014).
+/// Returns a different seed for every side, batch and look of a run, by SplitMix64's finaliser (Steele et al., OOPSLA
+/// 2014).
 std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, std::uint32_t look);
 
 class Batches {
  public:
-  /// What is referred to must outlive the object.
+  /// The arguments that are references must outlive the object.
   Batches(Side side, render::Renderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings,
           std::span<const Region> regions);
 
-  /// Adds `samples` samples per pixel to every batch. False if `control` stopped it; the batches are then unequal and
-  /// of no more use. Throws what Renderer::render throws, and InternalError if work was truncated.
+  /// Adds `samples` samples per pixel to every batch. Returns false if `control` stopped it; the batches are then
+  /// unequal and useless. Throws what Renderer::render throws, and InternalError if work was truncated.
   bool render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control);
 
-  /// Samples per pixel of each batch so far.
+  /// Returns the number of samples per pixel of each batch so far.
   std::uint64_t samples() const { return samples_; }
-  /// The sum of all batches, from now on; a film of 64 bytes a pixel.
+  /// Stores the sum of all batches from now on, in a film of 64 bytes per pixel.
   void keepFilm(const render::Extent& size) { film_ = image::Film(size.width, size.height); }
   image::Film takeFilm() { return std::move(film_); }
-  /// The batches' means of one region.
+  /// Returns the batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
   /// Statistics of the last batch.
   const render::RenderStatistics& statistics() const { return statistics_; }

@@ -1,3 +1,4 @@
+// Estimates the errors of regions from the variances of pixels, and tests them.
 #include "host/verify/film_test.h"
 
 #include <fmt/format.h>
@@ -49,25 +50,22 @@ bool isUsable(const image::Image& image, std::size_t pixel) {
 
 std::optional<std::string> whyNotTestable(const std::string& name, const image::Image& image) {
   if (!carriesVariance(image))
-    return name + " has no variance and sample counts, as the EXR files of candela render have";
+    return name + " has no variances and sample counts; EXR files of candela render have them";
   if (!image.metadata.contains(kSeedMetadata)) {
-    return fmt::format("{} does not state its seed ({}), and with equal random numbers the test would mean nothing",
-                       name, kSeedMetadata);
+    return fmt::format("{} does not state its seed ({}), and the test requires images of different seeds", name,
+                       kSeedMetadata);
   }
   for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
-    if (image.sampleCounts[pixel] < 2) return name + " has pixels of fewer than two samples: render it with more";
+    if (image.sampleCounts[pixel] < 2)
+      return name + " has pixels with fewer than two samples: render it with a larger --spp";
     if (!isUsable(image, pixel)) return name + " has values that are not finite, or a negative variance";
   }
   return std::nullopt;
 }
 
-// Of the whole test, not of one region.
+// Returns the p-value of the whole test, from that of one of its regions.
 double pValueOf(const RegionResult& result, std::size_t tests) {
   return -std::expm1(static_cast<double>(tests) * std::log1p(-result.test.pValue));
-}
-
-std::string rarityText(double pValue) {
-  return pValue > 0 ? fmt::format("once in {:.1e} comparisons", 1 / pValue) : "never";
 }
 
 }  // namespace
@@ -80,9 +78,9 @@ std::optional<std::string> whyNotTestable(const image::Image& a, const image::Im
   if (const auto reason = whyNotTestable("A", a)) return reason;
   if (const auto reason = whyNotTestable("B", reference)) return reason;
   if (a.metadata.at(kSeedMetadata) != reference.metadata.at(kSeedMetadata)) return std::nullopt;
-  return "A and B have the same seed and so the same random numbers, on which the test would take chance for "
-         "agreement: "
-         "render one with another --seed";
+  return "A and B have the same seed, but the test requires independent random numbers: render one of them with "
+         "another "
+         "--seed";
 }
 
 FilmTestResult testFilms(const image::Image& a, const image::Image& reference, double alpha) {
@@ -103,14 +101,13 @@ FilmTestResult testFilms(const image::Image& a, const image::Image& reference, d
 std::string FilmTestResult::verdict() const {
   if (differs()) {
     const RegionResult& most = mostSignificant();
-    return fmt::format(
-        "A and B do NOT show the same light: the {} is {:.3f} % {} in A, which chance alone would give {}.",
-        regionText(most.region), 100 * std::abs(most.relativeDifference()),
-        most.test.difference > 0 ? "brighter" : "darker", rarityText(pValueOf(most, regions.size())));
+    return fmt::format("A and B do NOT show the same light: the {} is {:.3f} % {} in A ({} over all tests).",
+                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
+                       most.test.difference > 0 ? "brighter" : "darker", pValueText(pValueOf(most, regions.size())));
   }
   return fmt::format(
-      "A and B show the same light, as far as their noise lets see: a difference of {:.2g} % of the image mean "
-      "would have been seen with {:.0f} % probability.",
+      "A and B show the same light within their noise: a difference of {:.2g} % of the image mean would have been "
+      "detected with {:.0f} % probability.",
       100 * std::max(image().detectableBias, kRelativeTolerance), 100 * kPower);
 }
 

@@ -1,3 +1,4 @@
+// The group-sequential test: plans looks, renders batches and tests regions.
 #include "host/verify/light_test.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace {
 using statistics::estimateOf;
 using statistics::summarise;
 
-constexpr std::uint32_t kFirstSamples = 1;                      // per pixel and batch
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 24;  // per pixel and batch
+constexpr std::uint32_t kFirstSamples = 1;                     // per pixel and batch
+constexpr std::uint64_t kMaxSamples = std::uint64_t{1} << 24;  // per pixel and batch
 
 std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {
   if (watched) regions.push_back(*watched);
@@ -43,7 +44,7 @@ class LightTest {
       if (result_.information == 1 || result_.differs()) break;
       result_.outOfTime = isOutOfTime();
       if (result_.outOfTime || look + 1 == kMaxLooks) break;
-      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMostSamples);
+      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMaxSamples);
     }
     return finished();
   }
@@ -110,13 +111,13 @@ class LightTest {
 
   const LightTestOptions& options_;
   const render::RenderControl& control_;
-  std::vector<Region> regions_;  ///< those tested, then the one watched
+  std::vector<Region> regions_;  ///< the tested regions, then the watched one
   std::size_t testCount_;
   Batches device_;
   Batches reference_;
   Stopwatch watch_;
   double elapsed_ = 0;
-  double spent_ = 0;  ///< of alpha
+  double spent_ = 0;  ///< the part of alpha that has been spent
   LightTestResult result_;
 };
 
@@ -129,7 +130,7 @@ double informationShare(double standardError, double bias, double criticalT) {
 }
 
 std::uint64_t nextSamples(std::uint64_t samples, double information, std::uint32_t looksLeft) {
-  constexpr double kReserve = 1.1;  // one look less in most runs, for a tenth more samples
+  constexpr double kReserve = 1.1;  // saves one look in most runs, for a tenth more samples
   const double needed = kReserve / information;
   const double evenly = std::pow(needed, 1.0 / looksLeft);
   const double growth = std::min(needed, std::max(2.0, evenly));

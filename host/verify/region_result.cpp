@@ -1,3 +1,4 @@
+// Tests the means of one region, and formats the result.
 #include "host/verify/region_result.h"
 
 #include <fmt/format.h>
@@ -39,10 +40,12 @@ const RegionResult& mostSignificant(std::span<const RegionResult> results) {
   return least->differs ? *least : image;
 }
 
+std::string pValueText(double pValue) { return pValue > 0 ? fmt::format("p = {:.1e}", pValue) : "p < 1e-300"; }
+
 std::string differenceText(const RegionResult& result) {
   const double error = result.referenceMean == 0 ? result.test.standardError
                                                  : result.test.standardError / std::abs(result.referenceMean);
-  return fmt::format("{}: {:.6g} against {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
+  return fmt::format("{}: {:.6g}, reference {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
                      regionText(result.region), result.deviceMean, result.referenceMean,
                      100 * result.relativeDifference(), 100 * error, result.test.pValue);
 }

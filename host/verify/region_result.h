@@ -1,4 +1,4 @@
-// One region of two pictures: both means, and whether chance explains that they are not equal.
+// The comparison of one region of two images: both means, and the test of their difference.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -9,34 +9,38 @@
 
 namespace candela::verify {
 
-/// With which a bias that is called detectable is seen.
+/// Probability with which a detectable bias is detected.
 inline constexpr double kPower = 0.99;
 
-/// The device's picture, or the one in question, against the reference's.
+/// The device's image, or the image under test, compared with the reference.
 struct RegionResult {
   Region region;
   double deviceMean = 0;
   double referenceMean = 0;
   statistics::WelchTest test;
-  double detectableBias = 0;  ///< relative to the reference's mean: seen with probability kPower; 0 where that is black
+  double
+      detectableBias = 0;  ///< relative to the reference's mean, detected with probability kPower; 0 if that mean is 0
   bool differs = false;
 
-  /// Signed, of the reference's mean; the whole difference where that is black.
+  /// Returns the signed difference as a fraction of the reference's mean; the difference itself if that mean is 0.
   double relativeDifference() const;
 };
 
-/// Tests one region at `level`. What single precision rounds away (kRelativeTolerance of the mean) is no difference.
+/// Tests one region at `level`. Differences within the rounding of single precision (kRelativeTolerance of the mean) do
+/// not count.
 RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
                            const statistics::Estimate& reference, double level);
 
 bool anyDiffers(std::span<const RegionResult> results);
-/// Of results of which the first is the whole image by luminance: that one if it differs, else the region that differs
-/// most significantly, else the image again.
+/// Returns the first result (the luminance of the whole image) if it differs, else the one that differs most
+/// significantly, else the first. `results` must not be empty.
 const RegionResult& mostSignificant(std::span<const RegionResult> results);
 
-/// Both means, their difference with its standard error, and p.
+/// Returns "p = 1.2e-05", or "p < 1e-300" if `pValue` is 0.
+std::string pValueText(double pValue);
+/// Returns both means, their difference with its standard error, and p.
 std::string differenceText(const RegionResult& result);
-/// All figures; the mean of the picture in question is called `firstName`.
+/// Returns all figures. The key of the first mean is `firstName`.
 nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstName);
 
 }  // namespace candela::verify

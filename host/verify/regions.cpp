@@ -1,3 +1,4 @@
+// Lists the regions of an image, and computes their means.
 #include "host/verify/regions.h"
 
 #include <fmt/format.h>

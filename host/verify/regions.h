@@ -1,4 +1,4 @@
-// The parts of an image whose light two tracers are compared on: all of it, and tiles of three sizes.
+// The regions of an image in which the light of two tracers is compared: the whole image, and tiles of three sizes.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace candela::verify {
 
-/// Pixels x .. x + width - 1 by y .. y + height - 1, and the quantity that is averaged over them.
+/// Pixels x .. x + width - 1 and y .. y + height - 1, and the quantity that is averaged over them.
 struct Region {
   enum class Quantity : std::uint8_t { luminance, red, green, blue };
   std::uint32_t x = 0, y = 0, width = 0, height = 0;
@@ -18,16 +18,16 @@ struct Region {
   Quantity quantity = Quantity::luminance;
 };
 
-/// The whole image by luminance, first, and by channel; then its luminance in tiles of 8, 16 and 32 pixels a side, cut
-/// at the right and lower edge. Tile sizes that would have a single tile are left out.
+/// Returns the luminance of the whole image, then its channels, then the luminance of tiles of 8, 16 and 32 pixels per
+/// side, cut at the right and lower edge. Sizes that would give a single tile are omitted.
 std::vector<Region> regionsOf(const render::Extent& image);
 
-/// "image mean (luminance)" or "tile 8x8 at 16,24".
+/// Returns e.g. "image mean (luminance)" or "tile 8x8 at 16,24".
 std::string regionText(const Region& region);
-/// "luminance", "red", "green" or "blue".
+/// Returns "luminance", "red", "green" or "blue".
 const char* quantityName(Region::Quantity quantity);
 
-/// The mean over a region's pixels of the means of their samples. Every pixel has samples.
+/// Returns the mean over the pixels of a region, each of which must have samples.
 double regionMean(const image::Film& film, const Region& region);
 
 }  // namespace candela::verify

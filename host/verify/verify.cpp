@@ -1,3 +1,4 @@
+// Answers the three questions of `candela verify`.
 #include "host/verify/verify.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 using statistics::Summary;
 
-// At least one pixel, in the middle of the area.
+// Returns the pixels of the area, at least the one in its middle.
 Region regionOf(const scene::ExactMean& exact, const render::Extent& image) {
   const auto first = [](float share, std::uint32_t size) {
     return std::min(static_cast<std::uint32_t>(std::floor(share * static_cast<float>(size))), size - 1);
@@ -55,7 +56,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   if (report.interrupted) return report;
   report.paths = *paths;
 
-  // A stated answer is a test of its own: the run's false alarms are shared evenly.
+  // The stated result is a separate test, so that alpha is divided evenly.
   LightTestOptions own = options;
   own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
   if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.image.size);

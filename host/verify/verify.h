@@ -1,4 +1,4 @@
-// The verdict: do device and reference compute the same light, and is it the right one?
+// The verdict of `candela verify`: whether device and reference compute the same light, and whether it is correct.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace candela::verify {
 
-/// Both sides against what the scene states of itself.
+/// Both sides compared with the exact result that the scene states.
 struct ExactTest {
   double expected = 0;  ///< luminance of the stated mean
   double device = 0;
@@ -26,14 +26,14 @@ struct VerifyReport {
   LightTestOptions options;
   PixelAgreement paths;            ///< 1: same numbers, same paths?
   LightTestResult light;           ///< 2: same light?
-  std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their answer
+  std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their exact result
   double seconds = 0;
   render::BadSampleTallies tallies;  ///< of all renders
   bool interrupted = false;
 
   std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
   bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
-  /// One sentence that says what was found, and how sure that is.
+  /// Returns one sentence with the result and its certainty.
   std::string verdict() const;
 };
 
@@ -45,8 +45,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
 
 std::string toText(const VerifyReport& report);
 nlohmann::ordered_json toJson(const VerifyReport& report);
-/// A test suite with a case for each question, as continuous integration servers read it; `strict` adds that no sample
-/// was bad.
+/// Returns a JUnit test suite with a case for each question. `strict` adds a case for the absence of bad samples.
 std::string toJunit(const VerifyReport& report, bool strict);
 
 }  // namespace candela::verify

@@ -1,4 +1,4 @@
-// The verdict for people, for programs and for continuous integration servers.
+// Formats the verdict as text, JSON and JUnit XML.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,17 +24,18 @@ std::size_t differingTiles(const LightTestResult& light) {
 std::string pathsText(const VerifyReport& report) {
   const PixelAgreement& paths = report.paths;
   std::string text = fmt::format(
-      "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit ones (at least "
+      "1 Same numbers, same paths?  {}: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at "
+      "least "
       "{} %)\n",
       paths.agree() ? "yes" : "NO", 100 * paths.share(), paths.pixels, 100 * kRequiredShare, 100 * paths.litShare(),
       paths.lit, 100 * kRequiredLitShare);
-  return text + "                             first difference of the others:" + paths.causesText() + "\n";
+  return text + "                             first differences of the other pixels:" + paths.causesText() + "\n";
 }
 
 std::string lightText(const VerifyReport& report) {
   const LightTestResult& light = report.light;
   std::string text = fmt::format(
-      "2 Same light?                {}: {} samples per pixel a side, {} look{}, {} tests at p < {:.1e}\n",
+      "2 Same light?                {}: {} samples per pixel on each side, {} look{}, {} tests at p < {:.1e}\n",
       light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks, light.looks == 1 ? "" : "s",
       light.regions.size(), light.level);
   text += fmt::format("                             {}\n", differenceText(light.image()));
@@ -47,7 +48,7 @@ std::string lightText(const VerifyReport& report) {
 }
 
 std::string exactText(const VerifyReport& report) {
-  if (!report.exact) return "3 Right light?               the scene does not state its answer\n";
+  if (!report.exact) return "3 Right light?               the scene does not state an exact result\n";
   const ExactTest& exact = *report.exact;
   return fmt::format(
       "3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
@@ -58,18 +59,15 @@ std::string exactText(const VerifyReport& report) {
 std::string differenceVerdict(const VerifyReport& report) {
   if (report.light.differs()) {
     const RegionResult& most = report.light.mostSignificant();
-    return fmt::format(
-        "Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device, which chance "
-        "alone would give once in {:.1e} runs.",
-        regionText(most.region), 100 * std::abs(most.relativeDifference()),
-        most.test.difference > 0 ? "brighter" : "darker", most.test.pValue > 0 ? 1 / most.test.pValue : HUGE_VAL);
+    return fmt::format("Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device ({}).",
+                       regionText(most.region), 100 * std::abs(most.relativeDifference()),
+                       most.test.difference > 0 ? "brighter" : "darker", pValueText(most.test.pValue));
   }
   if (!report.paths.agree()) {
-    return "Device and reference compute the same light as far as was seen, but NOT by the same paths: equal random "
-           "numbers "
+    return "Device and reference show no difference in light, but do NOT trace the same paths: equal random numbers "
            "should give equal pixels.";
   }
-  return "Device and reference agree with each other, but NOT with the answer that the scene states.";
+  return "Device and reference agree with each other, but NOT with the exact result that the scene states.";
 }
 
 ordered_json pathsJson(const PixelAgreement& paths) {
@@ -122,16 +120,16 @@ std::string VerifyReport::verdict() const {
   if (interrupted) return "Interrupted: there is no verdict.";
   if (!agree()) return differenceVerdict(*this);
   const double seen = std::max(light.image().detectableBias, kRelativeTolerance);
-  const std::string limit = light.information < 1 ? " (the run ended before the bias that was asked for could be seen)"
-                                                  : "";
+  const std::string limit = light.information < 1 ? " (the run ended before the requested bias could be detected)" : "";
   return fmt::format(
       "Device and reference compute the same light{}: a difference of {:.2g} % of the image mean would have been "
-      "seen with {:.0f} % probability{}.",
-      exact ? ", and it is the stated answer" : "", 100 * seen, 100 * kPower, limit);
+      "detected with {:.0f} % probability{}.",
+      exact ? ", and it is the exact result" : "", 100 * seen, 100 * kPower, limit);
 }
 
 std::string toText(const VerifyReport& report) {
-  std::string text = fmt::format("{}: {} against the reference\n", report.scene, report.light.deviceStatistics.device);
+  std::string text = fmt::format("{}: {} compared with the reference\n", report.scene,
+                                 report.light.deviceStatistics.device);
   if (!report.interrupted) text += pathsText(report) + lightText(report) + exactText(report);
   return text + report.verdict() + "\n";
 }

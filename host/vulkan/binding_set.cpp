@@ -1,4 +1,4 @@
-// Writes descriptor sets, each from a pool of its own.
+// Writes descriptor sets, each from its own pool.
 #include "host/vulkan/binding_set.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ void requireFit(const std::vector<BindingKind>& kinds, const std::vector<const B
   }
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (has(buffers[i]->impl()->usage, usageFor(kinds[i]))) continue;
-    throw InternalError(fmt::format("the buffer of binding {} was not made for that use", i));
+    throw InternalError(fmt::format("the buffer of binding {} was not created for this use", i));
   }
 }
 

@@ -1,4 +1,4 @@
-// Which buffers a pipeline's bindings stand for.
+// The buffers that are bound to a pipeline.
 #pragma once
 #include <memory>
 #include <vector>
@@ -8,11 +8,11 @@ namespace candela::vulkan {
 class Buffer;
 class ComputePipeline;
 
-/// Buffers bound to set 0 of a pipeline, in the order of its bindings. Keeps them and the pipeline alive. One set
-/// serves any pipeline made with equal bindings and push constants.
+/// Buffers bound to set 0 of a pipeline, in the order of its bindings. Keeps the buffers and the pipeline alive. One
+/// set can be used with any pipeline that was created with equal bindings and push constants.
 class BindingSet {
  public:
-  /// As many buffers as the pipeline has bindings, each made for that use; throws InternalError if not.
+  /// Throws InternalError unless there are as many buffers as bindings and each was created for its use.
   BindingSet(const ComputePipeline& pipeline, const std::vector<const Buffer*>& buffers);
 
   struct Impl;

@@ -1,4 +1,4 @@
-// Buffers: limits, views, and the ways in and out of device memory.
+// Buffers: limits, views, and transfers to and from device memory.
 #include "host/vulkan/buffer.h"
 
 #include <fmt/format.h>
@@ -29,8 +29,9 @@ vk::BufferUsageFlags vulkanUsage(Usage usage) {
 
 void requireAtMost(const DeviceInfo& info, std::uint64_t bytes, std::uint64_t limitBytes, const char* kind) {
   if (bytes <= limitBytes) return;
-  throw OutOfMemoryError(fmt::format("cannot make a {} buffer of {} bytes on {}, which binds at most {} bytes at once",
-                                     kind, bytes, info.name, limitBytes));
+  throw OutOfMemoryError(
+      fmt::format("cannot create a {} buffer of {} bytes on {}, which binds at most {} bytes at once", kind, bytes,
+                  info.name, limitBytes));
 }
 
 void requireBindable(const Device::Impl& device, std::uint64_t bytes, Usage usage) {
@@ -43,7 +44,8 @@ void requireBindable(const Device::Impl& device, std::uint64_t bytes, Usage usag
   if (bytes % kTexelBytes != 0) throw InternalError(fmt::format("a texel buffer of {} bytes", bytes));
 }
 
-/// Calls f(offset, size) for consecutive chunks of at most `chunkBytes` (rounded down to whole words) of `bytes`.
+/// Calls f(offset, size) for consecutive chunks of `bytes` with at most `chunkBytes` (rounded down to whole words)
+/// each.
 template <class F>
 void forEachChunk(std::uint64_t bytes, std::uint64_t chunkBytes, F&& f) {
   for (std::uint64_t begin = 0; begin < bytes; begin += chunkBytes) f(begin, std::min(chunkBytes, bytes - begin));
@@ -57,7 +59,7 @@ Buffer::Impl::Impl(std::shared_ptr<Device::Impl> owner, std::uint64_t bytes, Usa
   const bool onHost = has(usage, Usage::readback);
   raw = device->allocate(bytes, vulkanUsage(usage), onHost ? MemoryPreference::host : MemoryPreference::device);
   if (has(usage, Usage::uniformTexel)) {
-    texelView = guarded("make a texel view", [&] {
+    texelView = guarded("create a texel view", [&] {
       return device->handle.createBufferView({{}, *raw.handle, vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE});
     });
   }

@@ -16,7 +16,7 @@ struct Buffer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// Throws InternalError unless [offset, offset + size) lies within and both are multiples of 4.
+  /// Throws InternalError unless [offset, offset + size) is within the buffer and both are multiples of 4.
   void requireRange(std::uint64_t offset, std::uint64_t size) const;
 };
 

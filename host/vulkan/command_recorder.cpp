@@ -24,7 +24,7 @@ void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
   const auto& most = limits.maxComputeWorkGroupCount;
   const bool isNone = groups.x == 0 || groups.y == 0 || groups.z == 0;
   if (!isNone && groups.x <= most[0] && groups.y <= most[1] && groups.z <= most[2]) return;
-  throw InternalError(fmt::format("a dispatch of {} x {} x {} workgroups where {} x {} x {} is the limit", groups.x,
+  throw InternalError(fmt::format("a dispatch of {} x {} x {} workgroups exceeds the limit of {} x {} x {}", groups.x,
                                   groups.y, groups.z, most[0], most[1], most[2]));
 }
 
@@ -50,7 +50,7 @@ void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const Bin
                                       std::span<const std::byte> pushConstants) {
   const ComputePipeline::Impl& shader = *pipeline.impl();
   if (pushConstants.size() != shader.pushConstantBytes) {
-    throw InternalError(fmt::format("{} bytes of push constants for a pipeline made with {}", pushConstants.size(),
+    throw InternalError(fmt::format("{} bytes of push constants for a pipeline created with {}", pushConstants.size(),
                                     shader.pushConstantBytes));
   }
   const vk::raii::CommandBuffer& commands = impl_.device.commands;

@@ -8,9 +8,10 @@ namespace candela::vulkan {
 struct CommandRecorder::Impl {
   Device::Impl& device;
 
-  /// Makes what earlier commands wrote, in this submission and before it, visible to the next. Before every command.
+  /// Makes the writes of earlier commands, in this submission and before it, visible to the next. Called before every
+  /// command.
   void makeVisibleToNext() const;
-  /// Makes what the commands wrote visible to the host. After the last.
+  /// Makes the writes of the commands visible to the host. Called after the last command.
   void makeVisibleToHost() const;
   void copy(vk::Buffer from, std::uint64_t fromOffset, vk::Buffer to, std::uint64_t toOffset,
             std::uint64_t bytes) const;

@@ -1,4 +1,4 @@
-// Makes compute pipelines out of SPIR-V.
+// Creates compute pipelines from SPIR-V.
 #include "host/vulkan/compute_pipeline.h"
 
 #include "host/vulkan/compute_pipeline_impl.h"
@@ -59,7 +59,7 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
   impl_->device = device.impl();
   impl_->bindings = options.bindings;
   impl_->pushConstantBytes = options.pushConstantBytes;
-  guarded("make a compute pipeline", [&] {
+  guarded("create a compute pipeline", [&] {
     const vk::raii::Device& handle = device.impl()->handle;
     impl_->setLayout = makeSetLayout(handle, options.bindings);
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);

@@ -1,4 +1,4 @@
-// A compute shader made ready to run: bindings of set 0, push constants and specialisation constants.
+// A compute pipeline: a shader with its bindings of set 0, push constants and specialisation constants.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -27,10 +27,10 @@ struct PipelineOptions {
   bool operator==(const PipelineOptions&) const = default;
 };
 
-/// A pipeline of one compute shader. Some drivers compile here, some (lavapipe) at the first dispatch.
+/// A pipeline with one compute shader. Some drivers compile at construction, others (lavapipe) at the first dispatch.
 class ComputePipeline {
  public:
-  /// `spirv`: a SPIR-V module for Vulkan 1.2. Throws OutOfMemoryError, or InternalError if the driver refuses it.
+  /// `spirv` is a SPIR-V module for Vulkan 1.2. Throws OutOfMemoryError, or InternalError if the driver refuses it.
   ComputePipeline(Device& device, std::span<const std::uint32_t> spirv, const PipelineOptions& options);
 
   struct Impl;

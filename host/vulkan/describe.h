@@ -1,4 +1,4 @@
-// DeviceInfo of Vulkan's physical devices.
+// Converts properties of Vulkan physical devices to DeviceInfo.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace candela::vulkan {
 
-/// The first queue family that computes.
+/// Returns the index of the first queue family that supports compute.
 std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device);
 
 DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index);

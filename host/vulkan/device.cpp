@@ -1,4 +1,4 @@
-// Opens devices and runs what is recorded on them.
+// Opens devices and runs recorded commands.
 #include "host/vulkan/device.h"
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@
 namespace candela::vulkan {
 namespace {
 
-// A device that implements a subset of Vulkan says so by this extension, which must then be enabled. Its name is in a
-// beta header only.
+// A device that implements a subset of Vulkan reports this extension, which must then be enabled. Its name is only in a
+// beta header.
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
 
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {

@@ -1,4 +1,4 @@
-// Which of several devices a selector means.
+// Selects one of several devices.
 #include "host/vulkan/device_choice.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace candela::vulkan {
 namespace {
 
 constexpr const char*
-    kHowToInstall = "a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
+    kHowToInstall = "install a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -23,8 +23,8 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// The selector as an index into the list, if it is one. "3060" is none where there are two devices, but may be in a
-/// name.
+/// Returns the selector as an index into the list, if it is one. "3060" is not an index if there are two devices, but
+/// may be part of a name.
 std::optional<std::size_t> asIndex(const std::string& selector, std::size_t count) {
   std::size_t index = 0;
   const char* end = selector.data() + selector.size();
@@ -33,7 +33,7 @@ std::optional<std::size_t> asIndex(const std::string& selector, std::size_t coun
   return index;
 }
 
-/// Position in the order of preference; lower is better.
+/// Returns the position in the order of preference; lower is better.
 std::size_t rank(const DeviceInfo& device) {
   static const std::array<std::string, 4> kOrder{"discrete GPU", "integrated GPU", "virtual GPU", "CPU"};
   return static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), device.type) - kOrder.begin());
@@ -47,7 +47,7 @@ const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices) {
   return best;
 }
 
-/// The first usable device that the selector names, else the first that it names at all, else null.
+/// Returns the first usable device that matches the selector, else the first that matches, else null.
 const DeviceInfo* namedDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
   if (const auto index = asIndex(selector, devices.size())) return &devices[*index];
   const DeviceInfo* named = nullptr;
@@ -74,14 +74,15 @@ const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::s
   const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);
   if (device == nullptr && selector.empty()) {
     throw NoDeviceError(
-        fmt::format("no usable Vulkan device; {}; there is:{}", kHowToInstall, describeDevices(devices)));
+        fmt::format("no usable Vulkan device; {}; available devices:{}", kHowToInstall, describeDevices(devices)));
   }
   if (device == nullptr) {
-    throw NoDeviceError(fmt::format("no Vulkan device \"{}\"; there is:{}", selector, describeDevices(devices)));
+    throw NoDeviceError(
+        fmt::format("no Vulkan device \"{}\"; available devices:{}", selector, describeDevices(devices)));
   }
   if (!device->usable) {
-    throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; there is:{}", device->index, device->name,
-                                    device->whyNot, describeDevices(devices)));
+    throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; available devices:{}", device->index,
+                                    device->name, device->whyNot, describeDevices(devices)));
   }
   return *device;
 }

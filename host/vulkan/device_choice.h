@@ -1,4 +1,4 @@
-// Which of several devices a selector means.
+// Selects one of several devices.
 #pragma once
 #include <span>
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace candela::vulkan {
 
-/// The rule of selectDevice() on a given list. Throws NoDeviceError.
+/// Applies the rule of selectDevice() to a list. Throws NoDeviceError.
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector);
 
-/// One line for each device, indented, with the reason if it is not usable.
+/// Returns one indented line per device, with the reason if it is not usable.
 std::string describeDevices(std::span<const DeviceInfo> devices);
 
 }  // namespace candela::vulkan

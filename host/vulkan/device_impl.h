@@ -1,4 +1,4 @@
-// The Vulkan handles behind a Device, and raw buffers, which staging and Buffer share.
+// The Vulkan handles behind a Device, and raw buffers, which Buffer and staging share.
 #pragma once
 #include <functional>
 #include <optional>
@@ -10,16 +10,16 @@
 namespace candela::vulkan {
 
 enum class MemoryPreference {
-  device,  ///< quick for the device
-  host,    ///< mapped, and quick for the host to read
+  device,  ///< fast for the device
+  host,    ///< mapped, and fast for the host to read
 };
 
-/// A buffer with memory of its own. The order of members is the order of making: the buffer goes before its memory.
+/// A buffer with its own memory. The order of the members matters: the buffer is destroyed before its memory.
 struct RawBuffer {
   vk::raii::DeviceMemory memory{nullptr};
   vk::raii::Buffer handle{nullptr};
   std::uint64_t bytes = 0;
-  std::byte* mapped = nullptr;  ///< null if the host cannot map it, or should not
+  std::byte* mapped = nullptr;  ///< null if the host cannot or should not map it
 };
 
 struct Device::Impl {
@@ -34,17 +34,17 @@ struct Device::Impl {
   vk::raii::CommandPool commandPool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
   vk::raii::Fence fence{nullptr};
-  std::optional<RawBuffer> stagingBuffer;  ///< made when first needed
+  std::optional<RawBuffer> stagingBuffer;  ///< created when it is first needed
   MemoryUse memoryUse;
 
   Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
        const DeviceOptions& deviceOptions);
 
-  /// Tries the memory types that suit in the order of `preference`. Throws OutOfMemoryError.
+  /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
   RawBuffer allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference);
   RawBuffer& staging();
 
-  /// Records, submits and waits; returns seconds. The body of Device::run.
+  /// Implements Device::run: records, submits and waits. Returns seconds.
   double run(const std::function<void(const CommandRecorder::Impl&)>& record);
 
  private:

@@ -1,4 +1,4 @@
-// Asks Vulkan what devices there are and what they can do.
+// Queries the properties of Vulkan devices.
 #include "host/vulkan/device_info.h"
 
 #include <fmt/format.h>
@@ -46,8 +46,8 @@ void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
   for (std::size_t axis = 0; axis < 3; ++axis) info.maxWorkgroupSize[axis] = limits.maxComputeWorkGroupSize[axis];
 }
 
-/// What only Vulkan 1.2 tells. These two structures alone: SwiftShader prints a warning about any that it does not
-/// know.
+/// Queries the properties of Vulkan 1.2. There are only these two structures, because SwiftShader prints a warning
+/// about any that it does not know.
 void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
                                            vk::PhysicalDeviceSubgroupProperties>();
@@ -79,12 +79,12 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
   info.memoryBytes = deviceLocalBytes(device);
   fillLimits(info, properties.limits);
   if (properties.apiVersion < VK_API_VERSION_1_2) {
-    info.whyNot = fmt::format("Vulkan {} only, 1.2 is needed", info.apiVersion);
+    info.whyNot = fmt::format("it supports only Vulkan {}; 1.2 is required", info.apiVersion);
     return info;
   }
   fillDriver(info, device);
   if (!findComputeQueue(device)) {
-    info.whyNot = "no compute queue";
+    info.whyNot = "it has no compute queue";
     return info;
   }
   info.usable = true;

@@ -19,12 +19,12 @@ constexpr std::array kValidationFeatures{vk::ValidationFeatureEnableEXT::eSynchr
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collectMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                               const VkDebugUtilsMessengerCallbackDataEXT* data, void*) noexcept {
-  addValidationMessage(data->pMessage != nullptr ? data->pMessage : "message without text");
+  addValidationMessage(data->pMessage != nullptr ? data->pMessage : "a message without text");
   return VK_FALSE;
 }
 
-/// Warnings and errors of the layer; the loader's own chatter is of type "general". As a struct
-/// of C, since the type of the callback differs between versions of vulkan.hpp.
+/// Requests warnings and errors of the layer. Messages of the loader have the type "general" and are ignored. The
+/// result is a C structure, because the type of the callback differs between versions of vulkan.hpp.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
   VkDebugUtilsMessengerCreateInfoEXT info{};
   info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
@@ -44,7 +44,7 @@ void requireValidationLayer(const vk::raii::Context& context) {
   for (const vk::LayerProperties& layer : context.enumerateInstanceLayerProperties()) {
     if (std::strcmp(layer.layerName, kValidationLayer) == 0) return;
   }
-  throw NoDeviceError(std::string("CANDELA_VALIDATION asks for the Vulkan layer ") + kValidationLayer +
+  throw NoDeviceError(std::string("CANDELA_VALIDATION requires the Vulkan layer ") + kValidationLayer +
                       ", which is not installed; on Debian: apt-get install vulkan-validationlayers");
 }
 
@@ -85,7 +85,7 @@ std::optional<vk::raii::Context> openLoader() {
 std::vector<vk::raii::PhysicalDevice> Instance::physicalDevices() const {
   try {
     return handle.enumeratePhysicalDevices();
-  } catch (const vk::InitializationFailedError&) {  // the loader's answer if no driver has a device
+  } catch (const vk::InitializationFailedError&) {  // result of the loader if no driver has a device
     return {};
   } catch (const vk::SystemError& error) {
     throwTranslated(error, "list Vulkan devices");

@@ -1,4 +1,4 @@
-// A Vulkan instance, with the validation layer if the environment asks for it.
+// A Vulkan instance, with the validation layer if the environment requests it.
 #pragma once
 #include <optional>
 #include <vector>
@@ -11,11 +11,11 @@ struct Instance {
   vk::raii::Instance handle{nullptr};
   vk::raii::DebugUtilsMessengerEXT messenger{nullptr};  ///< null without validation
 
-  /// In the loader's order; empty if no driver has a device.
+  /// In the order of the loader; empty if no driver has a device.
   std::vector<vk::raii::PhysicalDevice> physicalDevices() const;
 };
 
-/// Nothing if there is no Vulkan loader or no driver. Throws NoDeviceError if validation is asked for and not
+/// Returns nothing if there is no Vulkan loader or no driver. Throws NoDeviceError if validation is requested but not
 /// installed.
 std::optional<Instance> openInstance();
 

@@ -1,4 +1,4 @@
-// Measures how many loop turns a device grants an invocation.
+// Measures the number of loop iterations after which a device stops an invocation.
 #include "host/vulkan/loop_limit.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// How many loop turns a device grants one shader invocation before it stops the loop without a word.
+// The number of loop iterations after which a device silently stops the loop of an invocation.
 #pragma once
 #include <cstdint>
 
@@ -8,9 +8,10 @@ class Device;
 
 inline constexpr std::uint32_t kUnlimitedTurns = 0xffffffffu;
 
-/// Runs a loop of 2^20 turns in one invocation: kUnlimitedTurns if all of them ran, else how many did. lavapipe stops
-/// at about 65,535 turns of all loops of an invocation together, and counts a turn if any lane of its group of 4 to 16
-/// is active, so a lane's own budget is this number divided by the subgroup's size if lanes diverge.
+/// Runs a loop of 2^20 iterations in one invocation. Returns kUnlimitedTurns if all of them ran, else their number.
+/// lavapipe stops after about 65,535 iterations of all loops of an invocation together. It counts an iteration if any
+/// lane of its group of 4 to 16 lanes is active, so that the budget of one lane is this number divided by the subgroup
+/// size if lanes diverge.
 std::uint32_t probeLoopLimit(Device& device);
 
 }  // namespace candela::vulkan

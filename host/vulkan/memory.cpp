@@ -1,4 +1,4 @@
-// Chooses memory for buffers: which of a device's memory types, in which order.
+// Chooses memory for buffers: the memory types of a device and their order.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,13 +15,13 @@ using Flag = vk::MemoryPropertyFlagBits;
 
 bool contains(vk::MemoryPropertyFlags set, vk::MemoryPropertyFlags flags) { return (set & flags) == flags; }
 
-/// Memory that both sides reach at full speed. Device memory that the host maps but does not cache (a discrete GPU's
-/// behind its bus) is a hundred times slower to read than a copy through staging.
+/// Memory that host and device access at full speed. Device memory that the host maps without a cache (that of a
+/// discrete GPU across the bus) is a hundred times slower to read than a copy through staging.
 bool isUnified(vk::MemoryPropertyFlags flags) {
   return contains(flags, Flag::eDeviceLocal | Flag::eHostVisible | Flag::eHostCoherent | Flag::eHostCached);
 }
 
-/// How well a memory type suits; higher is better, 0 is not at all.
+/// Rates the suitability of a memory type; higher is better, 0 is unsuitable.
 int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
   const bool isMappable = contains(flags, Flag::eHostVisible | Flag::eHostCoherent);
   if (flags & (Flag::eLazilyAllocated | Flag::eProtected)) return 0;
@@ -34,7 +34,7 @@ int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
   return 1;
 }
 
-/// Indices of the memory types among `allowedTypes` (a bit mask) that suit, best first.
+/// Returns the indices of the suitable memory types among `allowedTypes` (a bit mask), best first.
 std::vector<std::uint32_t> suitableTypes(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowedTypes,
                                          MemoryPreference preference) {
   std::vector<std::uint32_t> types;
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> suitableTypes(const vk::PhysicalDeviceMemoryPropertie
   return types;
 }
 
-/// Null if the type's heap has no room.
+/// Returns null if the heap of the type has no room.
 vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t bytes, std::uint32_t type) {
   const vk::MemoryHeap& heap = device.memoryProperties.memoryHeaps[device.memoryProperties.memoryTypes[type].heapIndex];
   if (bytes > heap.size) return nullptr;
@@ -60,7 +60,7 @@ vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t byt
 }  // namespace
 
 RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference) {
-  const std::string doing = fmt::format("make a buffer of {} bytes on {}", bytes, info.name);
+  const std::string doing = fmt::format("create a buffer of {} bytes on {}", bytes, info.name);
   try {
     RawBuffer buffer;
     buffer.bytes = bytes;
@@ -78,7 +78,7 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
   } catch (const vk::SystemError& error) {
     throwTranslated(error, doing);
   }
-  throw OutOfMemoryError(fmt::format("cannot {}, which holds {} bytes in buffers already and has {} in all", doing,
+  throw OutOfMemoryError(fmt::format("cannot {}, whose buffers already occupy {} of its {} bytes", doing,
                                      memoryUse.currentBytes, info.memoryBytes));
 }
 

@@ -1,4 +1,5 @@
-// The precompiled header of host/vulkan, the only folder that sees Vulkan: vulkan_raii.hpp alone takes 10 s to compile.
+// The precompiled header of host/vulkan, the only folder that includes Vulkan headers: vulkan_raii.hpp alone takes 10 s
+// to compile.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The process-wide log that the validation layer's messages go to.
+// The log of the validation layer's messages, one per process.
 #include "host/vulkan/validation.h"
 
 #include <cstdlib>

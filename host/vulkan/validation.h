@@ -5,12 +5,13 @@
 
 namespace candela::vulkan {
 
-/// Whether the environment asks for validation: CANDELA_VALIDATION is set, not empty and not "0". Instances then load
-/// VK_LAYER_KHRONOS_validation with synchronisation validation, or throw NoDeviceError if it is not installed.
+/// Returns whether the environment requests validation: CANDELA_VALIDATION is set, not empty and not "0". Instances
+/// then load VK_LAYER_KHRONOS_validation with synchronisation validation, or throw NoDeviceError if it is not
+/// installed.
 bool validationRequested();
 
-/// Every warning and error that the layer has given since the start or the last clear, oldest first. Any is a
-/// programming error. Thread-safe.
+/// Returns every warning and error of the layer since the start or the last clear, oldest first. Each is a programming
+/// error. Thread-safe.
 std::vector<std::string> validationMessages();
 void clearValidationMessages();
 

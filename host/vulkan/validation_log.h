@@ -1,10 +1,10 @@
-// The writing side of the validation log.
+// Write access to the validation log.
 #pragma once
 #include <string>
 
 namespace candela::vulkan {
 
-/// Adds one message to what validationMessages() gives. Thread-safe.
+/// Adds a message to the result of validationMessages(). Thread-safe.
 void addValidationMessage(const std::string& message);
 
 }  // namespace candela::vulkan

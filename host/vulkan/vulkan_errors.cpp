@@ -1,4 +1,4 @@
-// Turns Vulkan-Hpp's exceptions into Candela's.
+// Converts exceptions of Vulkan-Hpp to those of Candela.
 #include "host/vulkan/vulkan_errors.h"
 
 #include <fmt/format.h>

@@ -1,14 +1,15 @@
-// Turns Vulkan-Hpp's exceptions into Candela's.
+// Converts exceptions of Vulkan-Hpp to those of Candela.
 #pragma once
 #include <string>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace candela::vulkan {
 
-/// DeviceLostError, OutOfMemoryError, or InternalError with the result's name. `doing` completes "cannot ...".
+/// Throws DeviceLostError, OutOfMemoryError, or InternalError with the name of the result. `doing` completes "cannot
+/// ...".
 [[noreturn]] void throwTranslated(const vk::SystemError& error, const std::string& doing);
 
-/// Calls `f`, whose Vulkan errors leave as Candela's.
+/// Calls `f` and converts its Vulkan errors.
 template <class F>
 decltype(auto) guarded(const char* doing, F&& f) {
   try {

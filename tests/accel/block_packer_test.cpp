@@ -27,7 +27,7 @@ TEST_CASE("blocks lie in each other's gaps, and no slot is taken twice") {
   CHECK(4 * packer.end() < 5 * used);
 }
 
-TEST_CASE("full blocks stand one behind another, and single slots fill what is left from the front") {
+TEST_CASE("full blocks are consecutive, and single slots fill the gaps from the front") {
   BlockPacker packer;
   CHECK(packer.place(0xff) == 1);
   CHECK(packer.place(0xff) == 9);

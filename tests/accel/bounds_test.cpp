@@ -12,7 +12,7 @@ TEST_CASE("a box starts empty, without area, and inside every other") {
   CHECK(Aabb{{0, 0, 0}, {1, 1, 1}}.contains(empty));
 }
 
-TEST_CASE("a box grows to hold what it is given") {
+TEST_CASE("a box grows to contain points and boxes") {
   Aabb box;
   box.extend(glm::vec3(1, 2, 3));
   CHECK(box == Aabb{{1, 2, 3}, {1, 2, 3}});

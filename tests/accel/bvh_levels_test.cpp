@@ -10,7 +10,7 @@ using namespace candela;
 using namespace candela::accel;
 using namespace candela::test;
 
-TEST_CASE("without a level all boxes come, each after the one that holds it") {
+TEST_CASE("without a level all boxes are returned, each after the box that contains it") {
   for (const auto& [name, inputs] : builderInputs()) {
     INFO(name);
     const Bvh bvh = buildBvh(inputs);
@@ -22,7 +22,7 @@ TEST_CASE("without a level all boxes come, each after the one that holds it") {
   }
 }
 
-TEST_CASE("every level holds all that the scene has") {
+TEST_CASE("every level contains every primitive of the scene once") {
   const std::vector<Aabb> inputs = randomBoxes(200);
   const Bvh bvh = buildBvh(inputs);
   for (std::uint32_t level = 0; level <= quality(bvh).depth; ++level) {
@@ -49,4 +49,4 @@ TEST_CASE("a level has its own nodes and the leaves above it") {
   CHECK(levelBoxes(bvh, 60).size() == 6);
 }
 
-TEST_CASE("no tree has no boxes") { CHECK(levelBoxes({}, std::nullopt).empty()); }
+TEST_CASE("an empty BVH has no boxes") { CHECK(levelBoxes({}, std::nullopt).empty()); }

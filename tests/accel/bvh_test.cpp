@@ -37,7 +37,7 @@ Aabb unionOf(const std::vector<Aabb>& boxes) {
 
 }  // namespace
 
-TEST_CASE("every input becomes a valid tree, whatever the rule, the leaf size and the depth limit") {
+TEST_CASE("every input gives a valid BVH for any rule, leaf size and depth limit") {
   for (const auto& [name, boxes] : builderInputs()) {
     for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
       for (std::uint32_t leafSize : {1u, 2u, 4u, 8u}) {
@@ -54,7 +54,7 @@ TEST_CASE("every input becomes a valid tree, whatever the rule, the leaf size an
   }
 }
 
-TEST_CASE("no primitives give no nodes") {
+TEST_CASE("a BVH without primitives has no nodes") {
   const Bvh bvh = buildBvh({});
   CHECK(bvh.nodes.empty());
   CHECK(bvh.primitiveIndices.empty());
@@ -151,7 +151,7 @@ TEST_CASE("boxes and options that are out of range are refused by value") {
   CHECK_THROWS_AS(buildBvh(boxes, {.intersectionCost = nan}), InternalError);
 }
 
-TEST_CASE("validate names what is wrong with a tree") {
+TEST_CASE("validate reports the errors of a BVH") {
   const std::vector<Aabb> boxes = randomBoxes(40);
   const BvhOptions options{.maxLeafSize = 2, .maxDepth = 10, .traversalCost = 1000};
   const Bvh good = buildBvh(boxes, options);

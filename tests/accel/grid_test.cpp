@@ -64,8 +64,8 @@ TEST_CASE("every input becomes a valid grid within its bounds of memory, whateve
       CHECK(validate(grid, boxes).value_or("") == "");
       CHECK(grid.density <= density);
       const GridQuality q = quality(grid);
-      CHECK(q.cellCount <= mostGridCells(boxes.size()));
-      CHECK(q.referenceCount <= mostGridReferences(boxes.size()));
+      CHECK(q.cellCount <= maxGridCells(boxes.size()));
+      CHECK(q.referenceCount <= maxGridReferences(boxes.size()));
     }
   }
 }
@@ -82,11 +82,11 @@ TEST_CASE("overlapping boxes make the grid coarser instead of filling memory") {
 TEST_CASE("a needle of a box around few primitives does not get cells without number") {
   const std::vector<Aabb> boxes{boxAround({0, 0, 0}, {5000, 1, 1})};
   const Grid grid = buildGrid(boxes, {.density = 64});
-  CHECK(quality(grid).cellCount <= mostGridCells(1));
+  CHECK(quality(grid).cellCount <= maxGridCells(1));
   CHECK(grid.shape.sides.x > 100);
 }
 
-TEST_CASE("no primitives give no cells") {
+TEST_CASE("a grid without primitives has no cells") {
   const Grid grid = buildGrid({});
   CHECK(grid.starts.empty());
   CHECK(grid.items.empty());

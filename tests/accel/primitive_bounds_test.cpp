@@ -89,7 +89,7 @@ TEST_CASE("random cones touch every face of their boxes and never leave them") {
   }
 }
 
-TEST_CASE("planes are kept apart, and boxes remember their primitives") {
+TEST_CASE("infinite planes are separate, and boxes refer to their primitives") {
   scene::Scene scene;
   scene.spheres = {{{0, 0, 0}, 1}, {{5, 0, 0}, 1}};
   scene.planes.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});

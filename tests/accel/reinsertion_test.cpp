@@ -52,7 +52,7 @@ double largestGain(const LinkedTree& tree) {
 
 }  // namespace
 
-TEST_CASE("reinsertion keeps every tree valid, within the depth limit, and never makes it cost more") {
+TEST_CASE("reinsertion keeps every BVH valid, within the depth limit, and never increases its cost") {
   for (const auto& [name, boxes] : builderInputs()) {
     for (const std::uint32_t depth : {60u, 16u}) {
       INFO(name << ", depth " << depth);
@@ -84,7 +84,7 @@ TEST_CASE("after reinsertion of all no single move is left that gains much") {
   CHECK(largestGain(after) < 0.001 * after.innerHalfArea());
 }
 
-TEST_CASE("a depth limit on the very edge leaves no move that would break it") {
+TEST_CASE("no reinsertion exceeds a depth limit that the tree just meets") {
   const std::vector<Aabb> boxes = randomBoxes(128);
   const BvhOptions tight{.reinsertion = Reinsertion::all, .maxLeafSize = 1, .maxDepth = 7};
   CHECK(validate(buildBvh(boxes, tight), boxes, tight).value_or("") == "");
@@ -107,7 +107,7 @@ TEST_CASE("a reinserted tree is the same for any number of threads") {
   CHECK_FALSE(buildBvh(boxes, reinserting(Reinsertion::all)) == buildBvh(boxes));
 }
 
-TEST_CASE("a trunk lays the whole tree out again as it was, wherever it ends") {
+TEST_CASE("a trunk of any size reproduces the whole tree") {
   const std::vector<Aabb> boxes = randomBoxes(3000);
   const Bvh bvh = buildBvh(boxes);
   for (const std::size_t limit : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{100}, kEverything}) {
@@ -117,7 +117,7 @@ TEST_CASE("a trunk lays the whole tree out again as it was, wherever it ends") {
   }
 }
 
-TEST_CASE("a subtree may go to its grandparent's place and to far away, but never into itself") {
+TEST_CASE("a subtree can move next to its grandparent or to distant nodes, but never into itself") {
   // Leaves at 0, 1, 10 and 11 on a line, joined in this order two by two.
   std::vector<Aabb> boxes;
   for (const double x : {0.0, 1.0, 10.0, 11.0}) boxes.push_back(boxAround({x, 0, 0}, glm::dvec3(0.25)));

@@ -77,7 +77,7 @@ TEST_CASE("trees and grids find what brute force finds, on the edges of what sce
   for (const NamedScene& named : edgeScenes()) requireEqual(named, 10000, 2);
 }
 
-TEST_CASE("of equal distances the lower primitive index wins in every structure") {
+TEST_CASE("at equal distances the lower primitive index is hit in every structure") {
   for (const NamedScene& named : edgeScenes()) {
     if (named.name != "mixed") continue;  // half of everything stands there twice
     constexpr int kRays = 5000;

@@ -24,7 +24,7 @@ TEST_CASE("wait returns after every task, and those that tasks submitted") {
   }
 }
 
-TEST_CASE("a task's exception comes out of wait, and the pool goes on") {
+TEST_CASE("wait() rethrows a task's exception, and the pool can be used again") {
   for (std::uint32_t threadCount : {1u, 3u}) {
     TaskPool pool(threadCount);
     for (int i = 0; i < 20; ++i) pool.submit([] { throw std::runtime_error("no"); });
@@ -36,7 +36,7 @@ TEST_CASE("a task's exception comes out of wait, and the pool goes on") {
   }
 }
 
-TEST_CASE("a pool without tasks ends") {
+TEST_CASE("a pool without tasks terminates") {
   TaskPool pool(4);
   pool.wait();
 }

@@ -29,7 +29,7 @@ double centre(const QuantisedBoxes& boxes, int axis, std::uint32_t child) {
 
 }  // namespace
 
-TEST_CASE("every input collapses to a valid wide tree, whatever the rule") {
+TEST_CASE("every input gives a valid 8-wide BVH for any rule") {
   for (const auto& [name, boxes] : builderInputs()) {
     for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
       INFO(name << ", rule " << static_cast<int>(rule));
@@ -38,12 +38,12 @@ TEST_CASE("every input collapses to a valid wide tree, whatever the rule") {
   }
 }
 
-TEST_CASE("no primitives give no wide nodes") {
+TEST_CASE("an 8-wide BVH without primitives has no nodes") {
   CHECK(collapse(Bvh{}).nodes.empty());
   CHECK_FALSE(validate(WideBvh{}, {}, kDepth).has_value());
 }
 
-TEST_CASE("a wide tree has a third of the nodes and half of the depth at most, and few gaps") {
+TEST_CASE("an 8-wide BVH has at most a third of the nodes and half of the depth, and few gaps") {
   const std::vector<Aabb> boxes = randomBoxes(20000);
   const Bvh bvh = buildBvh(boxes, {.maxLeafSize = kMaxWideLeaf});
   const WideBvh wide = collapse(bvh);
@@ -53,7 +53,7 @@ TEST_CASE("a wide tree has a third of the nodes and half of the depth at most, a
   CHECK(10 * wide.nodes.size() < 11 * wide.nodeCount);
 }
 
-TEST_CASE("children lie on the sides that their numbers say, for most pairs that differ in one bit") {
+TEST_CASE("most pairs of children whose indices differ in one bit lie on the sides that the bit states") {
   const WideBvh wide = wideOver(randomBoxes(20000));
   int right = 0, all = 0;
   for (const WideNode& node : wide.nodes) {
@@ -95,7 +95,7 @@ TEST_CASE("quantised boxes lie around the boxes by the margin, and by little mor
 }
 
 // A primitive test may report a hit so far from its primitive, to any side: also before it.
-TEST_CASE("a ray with a hit at the limit of what a primitive test errs meets the quantised box") {
+TEST_CASE("a ray with a hit at the error bound of a primitive test intersects the quantised box") {
   constexpr double kPrimitiveError = 20 * 0x1p-24;
   Random random(4);
   for (int i = 0; i < 300000; ++i) {
@@ -123,7 +123,7 @@ TEST_CASE("a leaf too large for a wide node is refused") {
   CHECK_THROWS_AS(collapse(buildBvh(boxes, {.maxLeafSize = 8, .traversalCost = 1000})), InternalError);
 }
 
-TEST_CASE("validate names what is wrong with a wide tree") {
+TEST_CASE("validate reports the errors of an 8-wide BVH") {
   const std::vector<Aabb> boxes = randomBoxes(400);
   const WideBvh good = collapse(buildBvh(boxes, {.maxLeafSize = kMaxWideLeaf, .traversalCost = 4}));
   REQUIRE_FALSE(validate(good, boxes, kDepth).has_value());

@@ -26,40 +26,40 @@ double chosenCost(const Bvh& bvh, const WideFamilies& families, std::uint32_t no
   return cost;
 }
 
-double leastCost(const Bvh& bvh, std::uint32_t node);
+double minCost(const Bvh& bvh, std::uint32_t node);
 
 // Tries all families whose first `fixedCount` members are decided.
-double leastCostOfFamilies(const Bvh& bvh, std::vector<std::uint32_t> members, std::size_t fixedCount) {
+double minCostOfFamilies(const Bvh& bvh, std::vector<std::uint32_t> members, std::size_t fixedCount) {
   if (members.size() > kWideChildren) return std::numeric_limits<double>::infinity();
   if (fixedCount == members.size()) {
     double cost = 0;
-    for (const std::uint32_t member : members) cost += leastCost(bvh, member);
+    for (const std::uint32_t member : members) cost += minCost(bvh, member);
     return cost;
   }
-  double least = leastCostOfFamilies(bvh, members, fixedCount + 1);
+  double least = minCostOfFamilies(bvh, members, fixedCount + 1);
   const BvhNode& open = bvh.nodes[members[fixedCount]];
   if (open.isLeaf()) return least;
   members[fixedCount] = open.first;
   members.push_back(open.first + 1);
-  return std::min(least, leastCostOfFamilies(bvh, std::move(members), fixedCount));
+  return std::min(least, minCostOfFamilies(bvh, std::move(members), fixedCount));
 }
 
-double leastCost(const Bvh& bvh, std::uint32_t node) {
+double minCost(const Bvh& bvh, std::uint32_t node) {
   const BvhNode& inner = bvh.nodes[node];
   if (inner.isLeaf()) return 0;
-  return chanceOf(bvh, node) + leastCostOfFamilies(bvh, {inner.first, inner.first + 1}, 0);
+  return chanceOf(bvh, node) + minCostOfFamilies(bvh, {inner.first, inner.first + 1}, 0);
 }
 
 }  // namespace
 
-TEST_CASE("no other choice of children meets fewer wide nodes") {
+TEST_CASE("no other choice of children visits fewer 8-wide nodes") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Bvh bvh = buildBvh(randomBoxes(13, seed), {.maxLeafSize = 1});
-    CHECK(chosenCost(bvh, WideFamilies(bvh), 0) == Approx(leastCost(bvh, 0)).epsilon(1e-5));
+    CHECK(chosenCost(bvh, WideFamilies(bvh), 0) == Approx(minCost(bvh, 0)).epsilon(1e-5));
   }
 }
 
-TEST_CASE("a family has two to eight members that hold all leaves below its node") {
+TEST_CASE("a family has two to eight members that contain all leaves below its node") {
   const Bvh bvh = buildBvh(randomBoxes(5000), {.maxLeafSize = 3});
   const WideFamilies families(bvh);
   std::vector<std::uint32_t> stack{0};

@@ -70,7 +70,7 @@ TEST_CASE("each tracer warms up, then all run once before any runs twice, kind b
   CHECK(measurements[3].rayCount == 2);
 }
 
-TEST_CASE("a kind without rays is left out, and a stop leaves nothing") {
+TEST_CASE("a kind without rays is omitted, and a stop gives no measurements") {
   std::vector<std::string> log;
   FakeTracer a("a", log);
   RayTracer* const tracers[]{&a};

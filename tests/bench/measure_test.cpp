@@ -114,7 +114,7 @@ TEST_CASE("an interrupted benchmark has no measurements") {
   CHECK(measure({{1}, {.interrupted = true}, {1}}, 1).empty());
 }
 
-TEST_CASE("progress goes from the first run's share to all") {
+TEST_CASE("progress covers all runs") {
   std::vector<double> fractions;
   std::vector<std::uint64_t> samples;
   render::RenderControl control;

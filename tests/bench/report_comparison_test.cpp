@@ -49,7 +49,7 @@ TEST_CASE("a report regresses where a row is slower, missing or without its scor
   CHECK_FALSE(compare(reportOf({without, row("y", 10)}), before).regressed());
 }
 
-TEST_CASE("rows are found by what was measured, wherever they stand and however many segments were chosen") {
+TEST_CASE("rows are matched by their identity, regardless of their order and of the chosen number of segments") {
   json other = row("x", 10);
   other["segmentsPerDispatch"] = 64;
   const ReportComparison comparison = compare(reportOf({row("x", 10), row("y", 5)}), reportOf({row("y", 5), other}));
@@ -58,7 +58,7 @@ TEST_CASE("rows are found by what was measured, wherever they stand and however 
   CHECK(comparison.rows[1].verdict == RowVerdict::alike);
 }
 
-TEST_CASE("another scene under the same name is no regression, but is said") {
+TEST_CASE("another scene under the same name is reported, but is not a regression") {
   json changed = row("x", 1);
   changed["sceneHash"] = "2";
   const ReportComparison comparison = compare(reportOf({row("x", 10)}), reportOf({changed}));

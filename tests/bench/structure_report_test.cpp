@@ -41,7 +41,7 @@ TEST_CASE("a structure with another image has no figures") {
   CHECK_THAT(toText(report), Contains("differs") && Contains("2.00") && !Contains("0.50"));
 }
 
-TEST_CASE("published seconds stand beside the measured ones, where there are any") {
+TEST_CASE("published seconds are shown beside measured ones, if there are any") {
   StructureReport report = structureReportOf({{1}, {1}, {1}});
   CHECK(report.agree());
   CHECK_THAT(toText(report), !Contains("report's"));
@@ -51,7 +51,7 @@ TEST_CASE("published seconds stand beside the measured ones, where there are any
   CHECK(toJson(report)["rows"][0]["publishedSeconds"] == 361.0);
 }
 
-TEST_CASE("the JSON says its schema, and of each row scene, images and rates") {
+TEST_CASE("the JSON has a schema, and scene, images and rates for each row") {
   const auto json = toJson(structureReportOf({{1}, {1}, {1}}));
   CHECK(json["schema"] == "candela-bench/1");
   const auto& row = json["rows"][0];

@@ -61,7 +61,7 @@ TEST_CASE("a variant whose film differs has no figures, and the report does not 
   CHECK_THAT(toText(bad), Contains("differs"));
 }
 
-TEST_CASE("of each scene that has a score the fastest variant makes a line to paste") {
+TEST_CASE("each scene with a score has a line with its fastest variant") {
   const std::string text = toText(report());
   const std::string lines = text.substr(text.rfind("\n\n") + 2);
   CHECK_THAT(lines, Contains("some driver 1.2 | a.p3f 10x10 x 16 spp | workgroup=<16> | 1.000 Msamples/s, 4.00 Mrays/s "

@@ -14,7 +14,7 @@ TEST_CASE("text columns line up, names to the left and figures to the right") {
         "long name     3\n");
 }
 
-TEST_CASE("Markdown escapes what would end a cell") {
+TEST_CASE("Markdown tables escape the cell separator") {
   CHECK(toMarkdown({{"a|b", "c"}, {{"1", "2"}}}) ==
         "| a\\|b | c |\n"
         "|---|---:|\n"

@@ -49,7 +49,7 @@ TEST_CASE("a sample of the reference is explained on the default device beside i
   CHECK_THAT(replayCommand(kPixel, job), Catch::Contains("--device llvmpipe"));
 }
 
-TEST_CASE("what is no path is rendered again as far as the bad sample, and jittered as it was") {
+TEST_CASE("without paths the image is rendered again up to the bad sample, with the same jitter") {
   for (const auto& [integrator, name] :
        {std::pair(render::Integrator::whitted, "whitted"), {render::Integrator::depth, "depth"}}) {
     const RenderJob job = jobWith(integrator, render::SamplerKind::sobol);
@@ -65,7 +65,7 @@ TEST_CASE("what is no path is rendered again as far as the bad sample, and jitte
   }
 }
 
-TEST_CASE("bad samples are told with their number, their pixels and a replay") {
+TEST_CASE("bad samples are reported with their number, their pixels and a replay") {
   const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(badSampleLines({}, job).empty());
   const std::vector<std::string> lines = badSampleLines(tallyOfOne(), job);
@@ -83,7 +83,7 @@ TEST_CASE("bad samples are told with their number, their pixels and a replay") {
   CHECK(json["reference"]["firstPixels"].empty());
 }
 
-TEST_CASE("the option --strict turns success with bad samples into a difference, and leaves other ends as they are") {
+TEST_CASE("the option --strict turns success with bad samples into exit code 3 and no other code") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::quiet);
   Arguments arguments;
@@ -92,7 +92,7 @@ TEST_CASE("the option --strict turns success with bad samples into a difference,
   CHECK(strictly(ExitCode::done, 0, arguments, log) == ExitCode::done);
   CHECK(sink.str().empty());
   CHECK(strictly(ExitCode::done, 4, arguments, log) == ExitCode::differ);
-  CHECK(sink.str() == "candela: --strict: 4 bad samples, so this run has failed; what it wrote shows where they are\n");
+  CHECK(sink.str() == "candela: --strict: the run fails because of 4 bad samples; its files are still written\n");
   CHECK(strictly(ExitCode::interrupted, 4, arguments, log) == ExitCode::interrupted);
 }
 

@@ -58,15 +58,15 @@ TEST_CASE("bench SCENE without a sweep measures the options as they are given") 
   CHECK_THAT(result.out, Contains("as given") && Contains("Msamples/s") && Contains("a.p3f 16x12 x 1 spp"));
 }
 
-TEST_CASE("a sweep that cannot be says why") {
+TEST_CASE("an invalid sweep is refused with the reason") {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--sweep", "workgroup"}, "expected an option and its values"},
       {{"--sweep", "wrkgroup=8x8"}, "did you mean workgroup?"},
-      {{"--sweep", "workgroup=8x8,"}, "'' is no value"},
-      {{"--sweep", "workgroup=8"}, "'8' is no value, expected XxY"},
-      {{"--sweep", "device=cpu,0"}, "no option that can be swept"},
-      {{"--sweep", "one-sided=on"}, "no option that can be swept"},
+      {{"--sweep", "workgroup=8x8,"}, "got \"\""},
+      {{"--sweep", "workgroup=8"}, "--sweep workgroup: expected XxY"},
+      {{"--sweep", "device=cpu,0"}, "not an option that can be swept"},
+      {{"--sweep", "one-sided=on"}, "not an option that can be swept"},
       {{"--sweep", "threads=1", "--sweep", "threads=2"}, "swept twice"}};
   for (const auto& [words, message] : cases) {
     const ProgramResult result = benchScene(folder, words);
@@ -102,11 +102,11 @@ TEST_CASE("bench compare refuses what is no report, by its name") {
   CHECK_THAT(runCandela({"bench", "compare", text, text, text}).err, Contains("expected two reports"));
 }
 
-TEST_CASE("what only bench SCENE has is refused by the other benchmarks") {
+TEST_CASE("options of bench SCENE are refused by the other benchmarks") {
   for (const std::string option : {"--sweep", "--svg"}) {
     const ProgramResult result = runCandela({"bench", "table1", option, "x"});
     CHECK(result.exitCode == 1);
-    CHECK_THAT(result.err, Contains("is for bench SCENE alone"));
+    CHECK_THAT(result.err, Contains("this option applies only to bench SCENE"));
   }
 }
 

@@ -32,7 +32,7 @@ std::string row() {
 
 }  // namespace
 
-TEST_CASE("the edges of a box end in its corners, to the bit") {
+TEST_CASE("the edges of a box end exactly at its corners") {
   const std::string text = kView + "s 0.3 -0.7 123.4 0.125\n";
   const accel::Aabb box = accel::boundPrimitives(scene::parseScene(text, "a", ".").scene).bounds.front();
   const scene::Scene drawn = boxesOf(text);
@@ -56,7 +56,7 @@ TEST_CASE("a flat box has no edges across") {
   CHECK(boxesOf(kView + "pl 0 0 0  1 0 0  0 1 0\n").cones.empty());
 }
 
-TEST_CASE("the boxes are those of the tree that the renderer builds") {
+TEST_CASE("the boxes are those of the BVH that the renderer builds") {
   const std::vector<accel::Aabb> bounds = accel::boundPrimitives(scene::parseScene(row(), "a", ".").scene).bounds;
   const auto nodesBy = [&](render::BvhSplit split) {
     return flatten::buildHierarchy(bounds, split, render::BuildQuality::standard).nodes.size();
@@ -102,13 +102,13 @@ TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") 
   const std::string scene = folder.write("a.nff", row());
   const ProgramResult result = runCandela({"boxes", scene, "--depth", "1"});
   CHECK(result.exitCode == 0);
-  CHECK(contains(result.err, "a.nff: 2 boxes, of "));
+  CHECK(contains(result.err, "a.nff: 2 of "));
   CHECK(scene::parseScene(result.out, "boxes", ".").scene.cones.size() == 24);
   CHECK(runCandela({"boxes", scene, "--depth", "1", "-q"}).err.empty());
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("boxes without a scene, a view or a place to write are errors that leave nothing") {
+TEST_CASE("boxes without a scene, a view or a writable file are errors that leave no file") {
   const TemporaryFolder folder;
   CHECK(runCandela({"boxes"}).exitCode == 1);
   CHECK(runCandela({"boxes", "a.nff", "--depth", "x"}).exitCode == 1);

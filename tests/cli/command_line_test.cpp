@@ -63,7 +63,7 @@ TEST_CASE("a file whose name begins with a dash comes after two dashes") {
   CHECK(parse({"-o", "a.png", "--", "-a.p3f"}).files == std::vector<std::string>{"-a.p3f"});
 }
 
-TEST_CASE("a wrong command line says what was expected and where help is") {
+TEST_CASE("a wrong command line names the expected value and the help") {
   CHECK(messageFor({}) == "no scene given\nsee candela --help");
   CHECK(messageFor({"a.p3f", "--sp", "4"}) == "unknown option --sp; did you mean --spp?\nsee candela render --help");
   CHECK(messageFor({"a.p3f", "--size", "70000x1"}) ==
@@ -80,7 +80,8 @@ TEST_CASE("a wrong command line says what was expected and where help is") {
   CHECK(messageFor({"devices", "--spp", "4"}) ==
         "--spp is not an option of candela devices\nsee candela devices --help");
   CHECK(messageFor({"a.p3f"}) ==
-        "no output given: -o FILE writes the image, --stats or --json FILE measure alone\nsee candela render --help");
+        "no output given: write the image with -o FILE, or only measure with --stats or --json FILE\nsee candela "
+        "render --help");
   CHECK(messageFor({"a.p3f", "--stats", "--json", "-"}) ==
         "--stats and --json - both write to stdout\nsee candela render --help");
 }
@@ -106,7 +107,7 @@ TEST_CASE("a tree of rays has fewer levels than a path may have") {
   CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).maxDepth == 5000);
   CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).maxDepth == 20);
   CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
-        "--max-depth 21: the tree of --integrator whitted has at most 20 levels\nsee candela render --help");
+        "--max-depth 21: the maximum with --integrator whitted is 20\nsee candela render --help");
 }
 
 TEST_CASE("options of one comparison are refused for the other") {

@@ -24,7 +24,7 @@ std::string renderFilm(const TemporaryFolder& folder, const std::string& name, c
 
 }  // namespace
 
-TEST_CASE("films of one scene by two seeds show the same light, and both verdict and JSON say so") {
+TEST_CASE("films of one scene with two seeds show the same light in verdict and JSON") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string b = renderFilm(folder, "b.exr", "2");
@@ -37,7 +37,7 @@ TEST_CASE("films of one scene by two seeds show the same light, and both verdict
   CHECK(report["sameLight"]["regions"].size() == 5);  // the image, and tiles of 8 pixels
 }
 
-TEST_CASE("films of other light differ, with exit code 3 and the place, whatever their samplers") {
+TEST_CASE("films of different light differ, with exit code 3 and the position, for any sampler") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1", "6 6 6");
   for (const char* sampler : {"independent", "stratified", "sobol"}) {
@@ -49,7 +49,7 @@ TEST_CASE("films of other light differ, with exit code 3 and the place, whatever
   }
 }
 
-TEST_CASE("films of the same seed have no verdict, and none can be asked for") {
+TEST_CASE("films of the same seed have no verdict, and --alpha is refused") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string b = renderFilm(folder, "b.exr", "1", "6 6 6");
@@ -62,7 +62,7 @@ TEST_CASE("films of the same seed have no verdict, and none can be asked for") {
   CHECK_THAT(asked.err, Contains("--alpha: A and B have the same seed"));
 }
 
-TEST_CASE("the option --alpha asks for variance and for two samples in every pixel") {
+TEST_CASE("the option --alpha requires variance and two samples in every pixel") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string bare = renderFilm(folder, "b.pfm", "2");
@@ -70,7 +70,7 @@ TEST_CASE("the option --alpha asks for variance and for two samples in every pix
   CHECK(runCandela({"compare", a, bare}).exitCode == 0);
   CHECK_THAT(runCandela({"compare", a, bare, "--alpha", "0.01"}).err, Contains("B has no variance"));
   CHECK_THAT(runCandela({"compare", a, single, "--alpha", "0.01"}).err,
-             Contains("B has pixels of fewer than two samples"));
+             Contains("B has pixels with fewer than two samples"));
 }
 
 TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met") {

@@ -80,16 +80,16 @@ TEST_CASE("the reference cannot be verified by itself") {
   const TemporaryFolder folder;
   const ProgramResult result = runCandela({"verify", folder.write("a.p3f", smallScene()), "--device", "cpu"});
   CHECK(result.exitCode == 1);
-  CHECK_THAT(result.err, Catch::Contains("the reference would be verified by itself"));
+  CHECK_THAT(result.err, Catch::Contains("the reference tracer cannot verify itself"));
 }
 
-TEST_CASE("shares are read as numbers and in percent") {
+TEST_CASE("fractions are parsed as numbers and as percentages") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const char* bias : {"5 %", "%", "-1%", "200%", "0"}) {
     const ProgramResult result = runCandela({"verify", scene, "--bias", bias});
     CHECK(result.exitCode == 1);
-    CHECK_THAT(result.err, Catch::Contains("--bias: expected a share from"));
+    CHECK_THAT(result.err, Catch::Contains("--bias: expected a fraction from"));
   }
 }
 

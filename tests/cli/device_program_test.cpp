@@ -51,7 +51,7 @@ TEST_CASE("a render on a device writes an image that names device and driver") {
   CHECK_FALSE(image.metadata.at("candela.driver").empty());
 }
 
-TEST_CASE("what was asked for is in use, and changes no bit of the film", "[swiftshader-slow]") {
+TEST_CASE("requested settings are used and change no bit of the film", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const json plain = reportOf(scene, {});
@@ -145,7 +145,7 @@ TEST_CASE("compare SCENE finds both tracers' normals in agreement") {
   CHECK(contains(result.out, "3072 pixels equal"));
 }
 
-TEST_CASE("verify finds the same light on both sides, and says so to people, programs and CI servers") {
+TEST_CASE("verify finds the same light on both sides and writes text, JSON and JUnit") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string junit = folder.path("verdict.xml");
@@ -185,7 +185,7 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
   const ProgramResult result = runOnDevice({"verify", scene, "--bias", "10%"});
   INFO(result.out << result.err);
   CHECK(result.exitCode == 3);
-  CHECK(contains(result.out, "NOT with the answer that the scene states"));
+  CHECK(contains(result.out, "NOT with the exact result that the scene states"));
 }
 
 TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same", "[swiftshader-slow]") {

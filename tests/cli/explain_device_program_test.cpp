@@ -34,7 +34,7 @@ TEST_CASE("explain prints two equal paths, and the same as JSON") {
   CHECK(report["stages"].size() == 2 + report["vertexCount"]["device"].get<std::size_t>());
 }
 
-TEST_CASE("explain without a place takes the pixel that differs most, or says that none does") {
+TEST_CASE("explain without --pixel explains the pixel that differs most, or reports that none differs") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult few = explainOnDevice({"explain", scene, "--size", "8x8", "--json", "-"});
@@ -45,7 +45,7 @@ TEST_CASE("explain without a place takes the pixel that differs most, or says th
              Contains("Nothing to explain: at one sample all 64 pixels are equal."));
 }
 
-TEST_CASE("verify --explain says that nothing is to be explained where all pixels are equal") {
+TEST_CASE("verify --explain reports that there is nothing to explain if all pixels are equal") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult result = explainOnDevice({"verify", scene, "--size", "8x8", "--bias", "20%", "--explain"});

@@ -5,7 +5,7 @@
 #include "tests/cli/run_program.h"
 
 namespace candela {
-TEST_CASE("a scene goes to the file that -o names, or else to stdout") {
+TEST_CASE("a scene is written to the file of -o, or to stdout") {
   const TemporaryFolder folder;
   const ProgramResult toFile = runCandela({"generate", "balls", "--size", "2", "-o", folder.path("balls.nff")});
   CHECK(toFile.exitCode == 0);
@@ -41,7 +41,7 @@ TEST_CASE("an unknown kind is named with the nearest one, or with all") {
   CHECK(near.err == "candela: unknown kind mout; did you mean mount?\ncandela: see candela generate --help\n");
   const ProgramResult far = runCandela({"generate", "cathedral"});
   CHECK(far.exitCode == 1);
-  CHECK(contains(far.err, "unknown kind cathedral; there are balls, mount, "));
+  CHECK(contains(far.err, "unknown kind cathedral; expected balls, mount, "));
   CHECK(contains(far.err, " or cornell\n"));
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("a size out of the kind's range is refused with the range and the reas
   CHECK(folder.fileCount() == 0);
 }
 
-TEST_CASE("a scene that cannot be written is an error, and leaves nothing") {
+TEST_CASE("a scene that cannot be written is an error and leaves no file") {
   const TemporaryFolder folder;
   CHECK(runCandela({"generate", "tetra", "-o", folder.path("none/tetra.nff")}).exitCode == 2);
   const ProgramResult onFolder = runCandela({"generate", "tetra", "-o", folder.path("")});
@@ -70,7 +70,7 @@ TEST_CASE("a scene that cannot be written is an error, and leaves nothing") {
   CHECK(folder.fileCount() == 0);
 }
 
-TEST_CASE("Ctrl-C leaves the old file and no half of the new one") {
+TEST_CASE("Ctrl-C leaves the old file unchanged and no partial new file") {
   const TemporaryFolder folder;
   const std::string file = folder.write("lattice.nff", "old");
   Surroundings interrupted;

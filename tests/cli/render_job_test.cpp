@@ -76,7 +76,7 @@ TEST_CASE("a structure that only the scene asks for is a preference") {
   CHECK_FALSE(byOption.settings.structure.accelIsPreference);
 }
 
-TEST_CASE("the longest path is the integrator's unless the command line says") {
+TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::normal);
   Arguments path;

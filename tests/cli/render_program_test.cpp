@@ -13,7 +13,7 @@ using nlohmann::json;
 
 }  // namespace
 
-TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through the display transform") {
+TEST_CASE("a render writes all requested images, and PNG is EXR through the display transform") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");
@@ -34,7 +34,7 @@ TEST_CASE("a scene becomes the images that were asked for, PNG being EXR through
   CHECK(*std::max_element(pixels.rgb.begin(), pixels.rgb.end()) > 0);
 }
 
-TEST_CASE("an EXR file says how it was made") {
+TEST_CASE("an EXR file describes how it was rendered") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
   const std::string exr = folder.path("a.exr");
@@ -84,7 +84,7 @@ TEST_CASE("the report has every promised figure") {
   CHECK(report["badSamples"] == 0);
 }
 
-TEST_CASE("a quality that no BVH reads is said to change nothing") {
+TEST_CASE("a note says that --bvh-quality has no effect without a SAH BVH") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto saysSo = [&](std::vector<std::string> options) {
@@ -93,7 +93,7 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
     const ProgramResult result = runCandela(words);
     INFO(result.err);
     REQUIRE(result.exitCode == 0);
-    return result.err.find("--bvh-quality changes nothing here: it is for --accel bvh with --bvh-split sah") !=
+    return result.err.find("--bvh-quality has no effect here; it applies to --accel bvh with --bvh-split sah") !=
            std::string::npos;
   };
   CHECK(saysSo({"--bvh-split", "midpoint"}));
@@ -101,14 +101,14 @@ TEST_CASE("a quality that no BVH reads is said to change nothing") {
   CHECK_FALSE(saysSo({}));
 }
 
-TEST_CASE("Whitted's tracer tells its rays by kind, and which options are not for it") {
+TEST_CASE("the Whitted integrator reports rays by kind and options without effect") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
   const ProgramResult result = runCandela(
       {scene, "--json", "-", "--device", "cpu", "--integrator", "whitted", "--nee", "off"});
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  CHECK(result.err.find("--nee changes nothing here: it is for --integrator path") != std::string::npos);
+  CHECK(result.err.find("--nee has no effect here; it applies to --integrator path") != std::string::npos);
   const json report = json::parse(result.out);
   CHECK(report["settings"]["maxDepth"] == 4);
   CHECK(report["rays"]["cameraHits"] > 0);
@@ -145,7 +145,7 @@ TEST_CASE("a file's request for samples counts unless the command line has its o
   };
   const ProgramResult asked = run({});
   CHECK(json::parse(asked.out)["samples"] == 3 * 16 * 12);
-  CHECK(contains(asked.err, "3 samples per pixel in total, as the file asks"));
+  CHECK(contains(asked.err, "3 samples per pixel, as requested by the scene"));
   CHECK(json::parse(run({"--spp", "1"}).out)["samples"] == 1 * 16 * 12);
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("quiet is silent, --stats prints a table") {
   CHECK(contains(table.out, "\nmraysPerSecond "));
 }
 
-TEST_CASE("what cannot be written is refused before any work, and nothing is left behind") {
+TEST_CASE("an output that cannot be written is refused before any work, and no file is left") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   struct Case {
@@ -192,7 +192,7 @@ TEST_CASE("what cannot be written is refused before any work, and nothing is lef
   }
 }
 
-TEST_CASE("a broken scene leaves no image and names every broken line") {
+TEST_CASE("an invalid scene gives no image and a message for every invalid line") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0\n"));
   const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});
@@ -246,7 +246,7 @@ TEST_CASE("the wavefront is refused where no paths are traced") {
     const ProgramResult result = runCandela(
         {scene, "-o", folder.path("a.png"), "--device", "cpu", "--integrator", integrator, "--kernel", "wavefront"});
     CHECK(result.exitCode == 1);
-    CHECK(contains(result.err, "--kernel wavefront: is for --integrator path alone"));
+    CHECK(contains(result.err, "--kernel wavefront applies only to --integrator path"));
   }
   CHECK(folder.fileCount() == 1);
 }

@@ -14,7 +14,7 @@ const Surroundings kNoDriver{{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=
 
 }  // namespace
 
-TEST_CASE("check says what a scene contains") {
+TEST_CASE("check describes the content of a scene") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult text = runCandela({"check", scene});
@@ -28,7 +28,7 @@ TEST_CASE("check says what a scene contains") {
   CHECK(entry["report"]["primitives"]["spheres"] == 2);
 }
 
-TEST_CASE("check looks at every file, tells all errors, and exits with 2") {
+TEST_CASE("check reads every file, lists all errors, and exits with 2") {
   const TemporaryFolder folder;
   const std::string broken = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0 x 1\n"));
   const std::string whole = folder.write("whole.p3f", smallScene());

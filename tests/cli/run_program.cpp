@@ -19,7 +19,7 @@ namespace candela {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::minutes kLongestRun{5};
+constexpr std::chrono::minutes kMaxRunTime{5};
 
 // posix_spawn takes char*, and changes nothing.
 void append(std::vector<char*>& pointers, const std::vector<std::string>& words) {
@@ -58,7 +58,7 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
       kill(child, SIGINT);
       interrupted = true;
     }
-    if (elapsed > kLongestRun) {
+    if (elapsed > kMaxRunTime) {
       kill(child, SIGKILL);
       waitpid(child, &status, 0);
       throw std::runtime_error("a program took too long");

@@ -40,7 +40,7 @@ TEST_CASE("rates are per second of tracing") {
   CHECK(json["auto"] == "tuned");
 }
 
-TEST_CASE("rays of a tree are told by kind, those of a path are not") {
+TEST_CASE("rays of a Whitted tree are reported by kind, those of a path are not") {
   render::RenderResult result = exampleResult();
   CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));
   result.statistics.treeRays = {.cameraHits = 3, .reflected = 4, .refracted = 1};

@@ -20,7 +20,7 @@ std::string tooBrightScene() {
 
 }  // namespace
 
-TEST_CASE("a render with bad samples says how many, where and how to see them, and succeeds") {
+TEST_CASE("a render with bad samples reports their number, positions and replays, and succeeds") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
@@ -47,20 +47,20 @@ TEST_CASE("a render with bad samples says how many, where and how to see them, a
   CHECK_THAT(result.err, Contains(first["replay"].get<std::string>()));
 }
 
-TEST_CASE("the option --strict ends a render that had bad samples with 3, and leaves its files as evidence") {
+TEST_CASE("the option --strict exits with 3 after bad samples and still writes the files") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
   const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "4", "--strict", "-q"});
   CHECK(result.exitCode == 3);
-  CHECK_THAT(result.err, Contains("--strict: ") && Contains("this run has failed"));
+  CHECK_THAT(result.err, Contains("--strict: ") && Contains("the run fails"));
   CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 
   // Files remember what they were made of.
   const ProgramResult plain = runCandela({"compare", exr, exr, "--tolerance", "0", "--json", "-"});
   CHECK(plain.exitCode == 0);
   CHECK(json::parse(plain.out)["badSamples"] == 2 * image::badSampleCount(image::readImage(exr)));
-  CHECK_THAT(plain.err, Contains("the files tell of"));
+  CHECK_THAT(plain.err, Contains("the files contain"));
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }
 

@@ -77,7 +77,7 @@ class Home {
 
 }  // namespace
 
-TEST_CASE("tune keeps what it found for this device, and tells what it measured", "[swiftshader-slow]") {
+TEST_CASE("tune stores its result for this device and reports its measurements", "[swiftshader-slow]") {
   const Home home;
   const ProgramResult tuned = home.tune({"--json", home.path("report.json")});
   INFO(tuned.out << tuned.err);
@@ -93,7 +93,7 @@ TEST_CASE("tune keeps what it found for this device, and tells what it measured"
   CHECK(home.kept().size() == 1);
 }
 
-TEST_CASE("a dry run keeps nothing", "[slow]") {
+TEST_CASE("a dry run stores nothing", "[slow]") {
   const Home home;
   const ProgramResult result = home.tune({"--dry-run", "--json", "-"});
   INFO(result.err);
@@ -102,7 +102,7 @@ TEST_CASE("a dry run keeps nothing", "[slow]") {
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("what was tuned is in use wherever an option is auto, says so, and changes no bit of the film",
+TEST_CASE("tuned values are used and reported where an option is auto, and change no bit of the film",
           "[swiftshader-slow]") {
   const Home home;
   const json plain = home.render();
@@ -126,7 +126,7 @@ TEST_CASE("what was tuned is in use wherever an option is auto, says so, and cha
   for (const char* key : {"layout", "sceneLoads", "workgroup", "auto", "filmHash"}) CHECK(untuned[key] == plain[key]);
 }
 
-TEST_CASE("devices say whether they are tuned, and benchmarks use it", "[swiftshader-slow]") {
+TEST_CASE("candela devices lists stored tuning, and benchmarks use it", "[swiftshader-slow]") {
   const Home home;
   const Surroundings surroundings = inside({"CANDELA_CACHE_DIR=" + home.cache()});
   const auto isTuned = [](const json& device) { return device["tuned"].is_object(); };
@@ -145,7 +145,7 @@ TEST_CASE("devices say whether they are tuned, and benchmarks use it", "[swiftsh
   CHECK(json::parse(rays.out)["rows"][0]["workgroup"] == "16x8");
 }
 
-TEST_CASE("a kept file that is damaged is ignored with one warning, which --quiet hides") {
+TEST_CASE("a damaged tuning file is ignored with one warning, which --quiet hides") {
   const Home home;
   const std::string file = home.keep(tune::candidateWith({{"workgroup", "16x8"}}));
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
@@ -158,12 +158,12 @@ TEST_CASE("a kept file that is damaged is ignored with one warning, which --quie
   CHECK(home.run({home.scene(), "--spp", "2", "--stats", "-q"}).err.empty());
 }
 
-TEST_CASE("where nothing can be kept tune says so at once, and renders do as before") {
+TEST_CASE("tune fails at once if nothing can be stored, and renders work as before") {
   const Home home;
   const std::string file = home.scene();
   const std::vector<std::pair<std::vector<std::string>, std::string>> places{
-      {{"CANDELA_CACHE_DIR=" + file + "/cache"}, "is no folder"},
-      {{"CANDELA_CACHE_DIR=", "XDG_CACHE_HOME=", "HOME="}, "nowhere to keep"}};
+      {{"CANDELA_CACHE_DIR=" + file + "/cache"}, "is not a folder"},
+      {{"CANDELA_CACHE_DIR=", "XDG_CACHE_HOME=", "HOME="}, "no folder for the result"}};
   for (const auto& [environment, message] : places) {
     const ProgramResult tuned = home.tune({"--spp", "1000000"}, inside(environment));
     CHECK(tuned.exitCode == 2);
@@ -175,14 +175,14 @@ TEST_CASE("where nothing can be kept tune says so at once, and renders do as bef
   }
 }
 
-TEST_CASE("the reference cannot be tuned, and a scene that is wrong is told as ever") {
+TEST_CASE("the reference cannot be tuned, and an invalid scene is reported") {
   const Home home;
   CHECK(runCandela({"tune", "--device", "cpu"}).exitCode == 1);
   CHECK(home.run({"tune", home.path("absent.p3f")}).exitCode == 2);
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("Ctrl-C during tuning keeps nothing and exits with 7") {
+TEST_CASE("Ctrl-C during tuning stores nothing and exits with 7") {
   const Home home;
   Surroundings surroundings;
   surroundings.interruptAfter = std::chrono::milliseconds(3000);

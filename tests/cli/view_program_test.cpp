@@ -30,7 +30,7 @@ float scaleIn(const std::string& metadata) { return std::stof(metadata.substr(me
 
 }  // namespace
 
-TEST_CASE("depth and cost are shown in false colours, whose scale the file and the terminal tell") {
+TEST_CASE("depth and cost are shown in false colours, with their scale in the file and on the terminal") {
   const Rendered depth = renderView({"--integrator", "depth", "--exposure", "0.5"});
   const std::string depthText = depth.linear.metadata.at("candela.falseColour");
   CHECK(contains(depthText, "depth, scale "));
@@ -45,7 +45,7 @@ TEST_CASE("depth and cost are shown in false colours, whose scale the file and t
   CHECK(contains(cost.result.err, "candela: cost: the palest colour stands for 4 steps\n"));
 }
 
-TEST_CASE("a tone curve that is asked for goes before false colours") {
+TEST_CASE("a requested tone curve takes precedence over false colours") {
   const Rendered depth = renderView({"--integrator", "depth", "--tonemap", "srgb", "--exposure", "-3"});
   CHECK(depth.linear.metadata.count("candela.falseColour") == 0);
   CHECK(depth.shown.rgb == toPixels8(depth.linear, {image::ToneMap::srgb, -3}).rgb);
@@ -74,12 +74,12 @@ TEST_CASE("the reach of ambient occlusion changes its image") {
   CHECK(nearSum > farSum);
 }
 
-TEST_CASE("costs of two tracers are not compared, and the program says why") {
+TEST_CASE("comparing the costs of two tracers is refused with the reason") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult result = runCandela({"compare", scene, "--integrator", "cost"});
   CHECK(result.exitCode == 1);
-  CHECK(contains(result.err, "--integrator cost: each tracer has its own search structure"));
+  CHECK(contains(result.err, "--integrator cost: the two tracers have different acceleration structures"));
 }
 
 }  // namespace candela

@@ -20,7 +20,7 @@ std::size_t fileCount(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("an atomic write creates and replaces a file and leaves nothing beside it") {
+TEST_CASE("an atomic write creates and replaces a file and leaves no temporary file") {
   TemporaryFolder folder;
   writeFileAtomically(folder / "a.txt", toBytes("first"));
   CHECK(readText(folder / "a.txt") == "first");
@@ -50,7 +50,7 @@ TEST_CASE("an atomic write that fails names the file and leaves no trace") {
   CHECK(fileCount(folder.path()) == 1);
 }
 
-TEST_CASE("an atomic write goes through a symbolic link and keeps it") {
+TEST_CASE("an atomic write follows a symbolic link and preserves it") {
   TemporaryFolder folder;
   writeText(folder / "target", "old");
   fs::create_symlink("target", folder / "link");
@@ -83,7 +83,7 @@ TEST_CASE("a file written in pieces appears when it is committed, not before") {
   CHECK(fileCount(folder.path()) == 1);
 }
 
-TEST_CASE("a file that is never committed leaves the old one and nothing beside it") {
+TEST_CASE("a file that is never committed leaves the old file and no other") {
   TemporaryFolder folder;
   writeText(folder / "a.txt", "old");
   AtomicFile(folder / "a.txt").write(toBytes("half of"));

@@ -15,7 +15,7 @@ std::size_t count(const std::string& text, char character) {
 
 }  // namespace
 
-TEST_CASE("a quiet render says nothing about its progress") {
+TEST_CASE("a quiet render prints no progress") {
   std::ostringstream sink;
   double now = 0;
   {
@@ -59,7 +59,7 @@ TEST_CASE("a plain log has few lines: none for a render of two seconds, one per 
   CHECK(count(sink.str(), '\r') == 0);
 }
 
-TEST_CASE("a render that hardly advances still says every minute that it lives") {
+TEST_CASE("a render that hardly advances prints its progress every minute") {
   std::ostringstream sink;
   double now = 0;
   Progress progress(sink, ProgressStyle::plain, [&] { return now; });
@@ -70,7 +70,7 @@ TEST_CASE("a render that hardly advances still says every minute that it lives")
   CHECK(count(sink.str(), '\n') == 5);
 }
 
-TEST_CASE("progress tells percent, rate and the time left") {
+TEST_CASE("progress shows percentage, rate and remaining time") {
   CHECK(progressText(0.25, 5'000'000, 2) == "25 %, 2.5 Msamples/s, 6 s left");
   CHECK(progressText(0, 0, 0) == "0 %");
   CHECK(durationText(59.4) == "59 s");

@@ -84,13 +84,13 @@ TEST_CASE("every quantity that differs is named, at its vertex") {
   for (const auto& [change, named] : all) CHECK(firstIn(change) == named);
 }
 
-TEST_CASE("what is not finite differs from what is") {
+TEST_CASE("values that are not finite differ from finite ones") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK(firstIn([](render::PathTrace& p) { p.radiance.x = kNan; }) == "sample: radiance");
   CHECK(firstIn([](render::PathTrace& p) { p.vertices[0].hit->position.x = kNan; }) == "vertex 1: position");
 }
 
-TEST_CASE("an earlier number goes before a later decision, and both are told") {
+TEST_CASE("an earlier number precedes a later decision, and both are reported") {
   const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].scattering->weight *= 1.005;
     path.vertices[0].roulette->survived = false;
@@ -121,7 +121,7 @@ TEST_CASE("behind a decision that differs nothing is compared but the result") {
   CHECK_THAT(text, Contains("5.0e-01 DIFFERS\n"));
 }
 
-TEST_CASE("a path that goes on where the other ends is shown alone") {
+TEST_CASE("a path that continues after the other has ended is shown alone") {
   const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].scattering.reset();
     path.vertices[0].roulette.reset();
@@ -132,15 +132,15 @@ TEST_CASE("a path that goes on where the other ends is shown alone") {
   CHECK_THAT(toText(explanation), Contains("\nvertex 2\n") && Contains("none: the path ends"));
 }
 
-TEST_CASE("the text names scene, place, tracers and random numbers") {
+TEST_CASE("the text names scene, pixel, tracers and random numbers") {
   const std::string text = toText(explainChanged([](render::PathTrace&) {}));
-  CHECK_THAT(text, Contains("made.p3f, pixel 3,4, sample 5, seed 0: a device against the reference\n"));
+  CHECK_THAT(text, Contains("made.p3f, pixel 3,4, sample 5, seed 0: a device compared with the reference\n"));
   CHECK_THAT(text, Contains("  random  light choice 0.0625000  light u 0.1250000"));
   CHECK_THAT(text, Contains("primitive 1 sphere"));
   CHECK_THAT(text, Contains("0 diffuse"));
 }
 
-TEST_CASE("a path of more vertices than are kept says so") {
+TEST_CASE("a path with more vertices than are recorded is marked") {
   const Explanation explanation = explainMade(
       [] {
         render::PathTrace path = madePath();

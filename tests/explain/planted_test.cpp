@@ -115,7 +115,7 @@ TEST_CASE("another index of refraction is named by the direction in the glass") 
       "vertex 1", "direction");
 }
 
-TEST_CASE("a surface that is gone is named by the primitive") {
+TEST_CASE("a missing surface is reported by its primitive") {
   requireFirst(
       seesLitFloor,
       [](scene::Scene& scene, render::RenderSettings&) {
@@ -132,18 +132,18 @@ TEST_CASE("another material of a primitive is named as such") {
                "material");
 }
 
-TEST_CASE("a lamp that shines more is named where it is seen, and by the light that it adds") {
+TEST_CASE("a brighter light is reported where it is visible, and by its contribution") {
   const auto brighter = [](scene::Scene& scene, render::RenderSettings&) { scene.materials[0].emission *= 1.01f; };
   requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
 }
 
-TEST_CASE("a lamp elsewhere is named by the direction to it") {
+TEST_CASE("a light at another position is reported by the direction to it") {
   requireFirst(
       seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; },
       "vertex 1", "light direction");
 }
 
-TEST_CASE("something in the way of the light is named by the shadow ray") {
+TEST_CASE("an occluder of the light is reported by the shadow ray") {
   const auto blocked = [](scene::Scene& scene, render::RenderSettings&) {
     scene.spheres[kFarBall] = {glm::vec3(2, -1, 4.2f), 0.6f};
   };

@@ -76,7 +76,7 @@ TEST_CASE("the samples that are replayed add up to the rendered film, bit for bi
   }
 }
 
-TEST_CASE("a path of thousands of vertices is replayed over many dispatches, of which the first 64 are kept") {
+TEST_CASE("a path of thousands of vertices is replayed over many dispatches, and its first 64 vertices are recorded") {
   const scene::Scene scene = device::loadTestScene("mirrors.p3f");
   render::RenderSettings settings = device::squareSettings(4, 1);
   settings.image.maxDepth = 3000;

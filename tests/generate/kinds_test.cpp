@@ -14,19 +14,19 @@ TEST_CASE("kinds have different names, a summary, and a default within their siz
     CAPTURE(kind.name);
     CHECK(names.insert(kind.name).second);
     CHECK_FALSE(kind.summary.empty());
-    CHECK(kind.smallestSize <= kind.defaultSize);
-    CHECK(kind.defaultSize <= kind.largestSize());
+    CHECK(kind.minSize <= kind.defaultSize);
+    CHECK(kind.defaultSize <= kind.maxSize());
   }
 }
 
 TEST_CASE("the largest size of a kind is the last within the limit of primitives") {
   for (const generate::Kind& kind : generate::kindTable()) {
     CAPTURE(kind.name);
-    CHECK(kind.primitiveCount(kind.largestSize()) <= generate::kMostPrimitives);
-    CHECK(kind.primitiveCount(kind.largestSize() + 1) > generate::kMostPrimitives);
+    CHECK(kind.primitiveCount(kind.maxSize()) <= generate::kMaxPrimitives);
+    CHECK(kind.primitiveCount(kind.maxSize() + 1) > generate::kMaxPrimitives);
   }
-  CHECK(kindNamed("balls").largestSize() == 7);
-  CHECK(kindNamed("mount").largestSize() == 10);
+  CHECK(kindNamed("balls").maxSize() == 7);
+  CHECK(kindNamed("mount").maxSize() == 10);
 }
 
 TEST_CASE(
@@ -36,7 +36,7 @@ TEST_CASE(
                                                          {"jacks", "Kd + Ks + T = 1.4"}};
   for (const generate::Kind& kind : generate::kindTable()) {
     CAPTURE(kind.name);
-    const scene::LoadedScene loaded = generatedScene(std::string(kind.name), kind.smallestSize);
+    const scene::LoadedScene loaded = generatedScene(std::string(kind.name), kind.minSize);
     for (const scene::Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
     CHECK(loaded.scene.camera);
     const auto found = expected.find(kind.name);
@@ -48,8 +48,8 @@ TEST_CASE(
 TEST_CASE("the same scene is the same text every time") {
   for (const generate::Kind& kind : generate::kindTable()) {
     const std::string name(kind.name);
-    CHECK(generatedText(name, kind.smallestSize) == generatedText(name, kind.smallestSize));
-    CHECK(generatedText(name, kind.smallestSize) != generatedText(name, kind.smallestSize + 1));
+    CHECK(generatedText(name, kind.minSize) == generatedText(name, kind.minSize));
+    CHECK(generatedText(name, kind.minSize) != generatedText(name, kind.minSize + 1));
   }
 }
 

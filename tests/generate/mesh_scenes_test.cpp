@@ -111,7 +111,7 @@ TEST_CASE("the bumpy sphere is closed, faces outwards and lies within its room")
   }
 }
 
-TEST_CASE("the room with its lamp is closed and faces inwards") {
+TEST_CASE("the room with its light is closed and faces inwards") {
   const scene::Scene scene = generatedScene("sphere", 1).scene;
   const std::vector<scene::Triangle> all = trianglesOf(scene);
   const auto room = std::span(all).first(20);
@@ -158,7 +158,7 @@ TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
   CHECK(glass.dielectric->ior == 1.5f);
 }
 
-TEST_CASE("the balls' box and lamp are those of scenes/cornell.p3f, open at the front alone") {
+TEST_CASE("the box and light of the balls are those of scenes/cornell.p3f, open only at the front") {
   const scene::Scene box = generatedScene("cornell", 1).scene;
   const scene::Scene original = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
                                     .scene;

@@ -57,7 +57,7 @@ TEST_CASE("a highlight has half its strength at its half angle") {
   CHECK(sharp == "f 1 1 1 1 0 100000 0 1\n");
 }
 
-TEST_CASE("text leaves in blocks, and nothing is lost") {
+TEST_CASE("text is written in blocks without loss") {
   std::size_t blocks = 0;
   std::size_t largest = 0;
   std::string text;
@@ -73,7 +73,7 @@ TEST_CASE("text leaves in blocks, and nothing is lost") {
   CHECK(largest < 100000);
 }
 
-TEST_CASE("what the sink throws passes through") {
+TEST_CASE("exceptions of the sink are passed on") {
   NffWriter out([](std::string_view) { throw std::runtime_error("full"); });
   out.light({0, 0, 0});
   CHECK_THROWS_WITH(out.finish(), "full");

@@ -80,7 +80,7 @@ TEST_CASE("tetra's triangles are equilateral, of one size, and face outwards") {
   }
 }
 
-TEST_CASE("gears that mesh are apart, and turn in half steps") {
+TEST_CASE("meshing gears do not touch, and are offset by half a tooth") {
   const scene::Scene scene = generatedScene("gears", 2).scene;
   const std::size_t trianglesOfGear = 2 * 142 + 144 * 2;
   const std::vector<scene::Triangle> triangles = trianglesOf(scene);

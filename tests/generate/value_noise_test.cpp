@@ -6,7 +6,7 @@
 
 namespace candela::generate {
 
-TEST_CASE("value noise stays within 0 and 1 and comes close to both") {
+TEST_CASE("value noise is within 0 and 1 and approaches both") {
   double least = 1;
   double greatest = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -29,7 +29,7 @@ TEST_CASE("sRGB signals decode to the values of IEC 61966-2-1") {
   CHECK(srgbDecode(1) == 1);
 }
 
-TEST_CASE("sRGB encoding inverts decoding and is continuous where its pieces meet") {
+TEST_CASE("sRGB encoding inverts decoding and is continuous at the joint of its pieces") {
   for (int i = 0; i <= 1000; ++i) {
     const double signal = i / 1000.0;
     CHECK(srgbEncode(srgbDecode(signal)) == Approx(signal).margin(1e-7));  // the standard's pieces meet to 1e-8

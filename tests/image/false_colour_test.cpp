@@ -43,7 +43,7 @@ TEST_CASE("depth shades fall from white over middle grey at the scale to black, 
   CHECK(depthShade(kInfinity, 5) == 0);
 }
 
-TEST_CASE("heat is the colour map up to the scale, and its end beyond") {
+TEST_CASE("heat is the colour map up to the scale, and its last colour beyond") {
   for (const float share : {0.f, 0.25f, 0.5f, 1.f}) {
     const glm::ivec3 expected(glm::round(255.0 * magma(share)));
     CHECK(heat(share * 200, 200) == expected);

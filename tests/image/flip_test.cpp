@@ -88,7 +88,7 @@ TEST_CASE("FLIP error maps equal those of direct two-dimensional filters") {
   CHECK(near.mean == Approx(0.7563732552404802).margin(1e-6));
 }
 
-TEST_CASE("FLIP sees a single pixel most where it is, and not far away") {
+TEST_CASE("the FLIP error of a single pixel is largest at the pixel and zero far away") {
   Image dot = solid(glm::vec3(0), 9, 9);
   dot.at(4, 4) = glm::vec3(1);
   const FlipResult result = computeFlip(dot, solid(glm::vec3(0), 9, 9), 20);  // values as above
@@ -98,7 +98,7 @@ TEST_CASE("FLIP sees a single pixel most where it is, and not far away") {
   CHECK(result.mean == Approx(0.03589405626631754).margin(1e-6));
 }
 
-TEST_CASE("FLIP takes radiance outside the display's range for its ends") {
+TEST_CASE("FLIP clamps radiance to the range of the display") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   CHECK(solidFlip({5, infinity, 1}, {1, 1, 1}) == 0);

@@ -26,7 +26,7 @@ TEST_CASE("an image of a film has its means, variances and counts") {
   CHECK(image.badSampleCounts.empty());
 }
 
-TEST_CASE("an image of a film with bad samples says how many there are in each pixel") {
+TEST_CASE("an image of a film with bad samples has their number per pixel") {
   Film film(2, 1);
   film.addSample(0, 0, {1, 2, 4}, 0);
   film.addSample(1, 0, {-1, 0, 0}, 0);
@@ -114,7 +114,7 @@ TEST_CASE("HDR files keep colours to one part in 128 of the largest channel") {
   }
 }
 
-TEST_CASE("HDR files hold extremes without wrapping") {
+TEST_CASE("HDR files store extreme values without wrapping") {
   TemporaryFolder folder;
   Image image{8, 1, std::vector<glm::vec3>(8, glm::vec3(1)), {}, {}, {}, {}};
   image.rgb[0] = glm::vec3(-1, std::nanf(""), 0);
@@ -174,7 +174,7 @@ TEST_CASE("PNG files keep every 8-bit value") {
   CHECK(readImage(folder / "a.png").rgb == toImage(pixels).rgb);
 }
 
-TEST_CASE("JPEG files come close") {
+TEST_CASE("JPEG files preserve colours approximately") {
   TemporaryFolder folder;
   Pixels8 pixels{24, 16, {}};
   for (int y = 0; y < 16; ++y) {
@@ -201,7 +201,7 @@ TEST_CASE("equal images give equal bytes in every format") {
   }
 }
 
-TEST_CASE("image formats are told by extension when written and by content when read") {
+TEST_CASE("image formats are chosen by extension for writing and by content for reading") {
   checkImageFormat("a.png");
   checkImageFormat("folder.x/A.ExR");
   CHECK_THROWS_AS(checkImageFormat("a.bmp"), UsageError);

@@ -61,7 +61,7 @@ TEST_CASE("one sample where nothing can be is rejected") {
   CHECK(chiSquare(Counts{1000, 1000, 1}, Counts{1000, 1001, 0}).pValue == 0);
 }
 
-TEST_CASE("right densities are rejected as often as the level says") {
+TEST_CASE("correct densities are rejected with the probability of the level") {
   int rejected = 0;
   for (std::uint32_t run = 0; run < 1000; ++run) {
     std::mt19937 random(run);

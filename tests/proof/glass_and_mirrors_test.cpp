@@ -40,7 +40,7 @@ struct Slab {
 
 }  // namespace
 
-TEST_CASE("a corridor of two mirrors dims its end once for every mirror that unfolding finds on the way") {
+TEST_CASE("the end of a corridor of two mirrors is dimmed once per reflection, as unfolding predicts") {
   // Mirrors at x = 0 and x = 1, one of them of triangles, and a glowing end at y = 8. The camera looks along y.
   constexpr double kStart = 0.375, kLength = 8;
   constexpr std::uint32_t kWidth = 512, kHeight = 4;

@@ -147,7 +147,7 @@ TEST_CASE("the mean weight of samples is the albedo that quadrature finds") {
   });
 }
 
-TEST_CASE("samples carry the weight and the density that evaluation gives for them") {
+TEST_CASE("samples have the weight and the density of the evaluated BSDF") {
   const MaterialLeaves leaves(smoothMaterials());
   forEachView([&](std::uint32_t material, const dvec3& wo) {
     const std::vector<Scattered> samples = sampled(leaves, material, wo, randomNumbers(2000, 204));
@@ -222,7 +222,7 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
   }
 }
 
-TEST_CASE("lobes are chosen with their shares of the weights") {
+TEST_CASE("lobes are chosen in proportion to their weights") {
   const scene::Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);    // ior 1 reflects nothing at steep angles
   const scene::Material tooMuch = mixtureMaterial(0.8f, 0.8f, 8, 0.4f, 1.0f);  // scaled to 0.4, 0.4 and 0.2
   const MaterialLeaves leaves({three, tooMuch});
@@ -241,7 +241,7 @@ TEST_CASE("lobes are chosen with their shares of the weights") {
   }
 }
 
-TEST_CASE("glass reflects Schlick's share and refracts by Snell's law, into it and out of it") {
+TEST_CASE("glass reflects Schlick's fraction and refracts by Snell's law in both directions") {
   const double ior = 1.5;
   const MaterialLeaves leaves({glassMaterial({0.9f, 0.8f, 0.7f}, 1.5f)});
   const std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples / 4, 208);

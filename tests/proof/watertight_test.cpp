@@ -86,9 +86,11 @@ void checkWatertight(std::size_t raysPerMesh) {
 
 }  // namespace
 
-TEST_CASE("a hundred thousand rays into each closed mesh meet it but for two") { checkWatertight(100000); }
+TEST_CASE("of a hundred thousand rays into each closed mesh at most two miss it") { checkWatertight(100000); }
 
-TEST_CASE("ten million rays into each closed mesh meet it but for two hundred", "[slow]") { checkWatertight(10000000); }
+TEST_CASE("of ten million rays into each closed mesh at most two hundred miss it", "[slow]") {
+  checkWatertight(10000000);
+}
 
 TEST_CASE("an open mesh is missed: rays through the gap are counted") {
   ClosedMesh open = sphereMesh(20, 128, 64);

@@ -194,7 +194,7 @@ TEST_CASE("a mirror reflects about the normal and colours with the diffuse tripl
   CHECK(sample.weight == dvec3(glm::vec3(0.9f, 0.5f, 0.1f)));
 }
 
-TEST_CASE("a dielectric refracts by Snell's law and reflects Schlick's share") {
+TEST_CASE("a dielectric refracts by Snell's law and reflects Schlick's fraction") {
   const Bsdf glass(test::glassMaterial(glm::vec3(1), 1.5f));
   // From outside at 30 degrees: R = 0.04 + 0.96 (1 - cos 30)^5.
   const double cos1 = std::sqrt(0.75);

@@ -123,7 +123,7 @@ TEST_CASE("walls of radius 100,000 make a furnace without acne or leaks") {
   }
 }
 
-TEST_CASE("colourless glass is invisible in a furnace, whatever stands in it") {
+TEST_CASE("colourless glass is invisible in a furnace, whatever else the furnace contains") {
   SceneBuilder b = closedBox(diffuseMaterial(vec3(0.5f), vec3(1)));
   b.material(glassMaterial(vec3(1), 1.5f));
   b.sphere({-0.4f, 0, 0}, 0.3f).box({0.1f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.1f});
@@ -181,7 +181,7 @@ TEST_CASE("many point lights add up") {
   CHECK(renderScene(b.scene, onePixel(65536, 2)).film.mean(0, 0).x == Approx(4.5 + 2.0 / 144).epsilon(5e-3));
 }
 
-TEST_CASE("next-event estimation leaves the mean of a box with every kind of surface") {
+TEST_CASE("next-event estimation preserves the mean of a box with every kind of surface") {
   SceneBuilder b = closedBox(mixtureMaterial(0.5f, 0.2f, 20));
   b.scene.materials[0].diffuse->colour = {0.8f, 0.6f, 0.4f};
   b.material(diffuseMaterial(vec3(0.3f), vec3(4))).sphere({-0.4f, 0.4f, -0.3f}, 0.4f);
@@ -197,7 +197,7 @@ TEST_CASE("next-event estimation leaves the mean of a box with every kind of sur
   checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
-TEST_CASE("next-event estimation leaves the mean of a gloss under large lights, seen in one bounce") {
+TEST_CASE("next-event estimation preserves the mean of a glossy surface under large lights") {
   SceneBuilder b;
   b.material(mixtureMaterial(0.3f, 0.7f, 50)).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(diffuseMaterial(vec3(0), vec3(1)));
@@ -234,7 +234,7 @@ TEST_CASE("one-sided lights shine from their front, with next-event estimation o
   }
 }
 
-TEST_CASE("Russian roulette leaves the mean") {
+TEST_CASE("Russian roulette preserves the mean") {
   SceneBuilder b = closedBox(diffuseMaterial({0.8f, 0.7f, 0.6f}));
   b.material(diffuseMaterial(vec3(0.2f), vec3(5))).sphere({0, 0.3f, -0.3f}, 0.5f);
   render::RenderSettings settings = settingsOf(16, 16, 100);
@@ -248,7 +248,7 @@ TEST_CASE("Russian roulette leaves the mean") {
   checkEqualMeans(estimateOf(without.film), estimateOf(with.film), 0.01);
 }
 
-TEST_CASE("a path between two parallel mirrors goes on for 5000 rays") {
+TEST_CASE("a path between two parallel mirrors has 5000 rays") {
   SceneBuilder b;
   scene::Material material = mirrorMaterial(vec3(0.999f));
   material.emission = vec3(1);
@@ -278,7 +278,7 @@ TEST_CASE("emitters outside the table are found by paths, at full weight") {
   }
 }
 
-TEST_CASE("what is seen does not depend on the depth that is left once nothing more is added") {
+TEST_CASE("the image does not depend on the maximum depth once no path reaches it") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0.5f), vec3(0.25f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.scene.background = {1, 2, 3};

@@ -44,7 +44,7 @@ TEST_CASE("a sphere of negative radius is met from inside only") {
   CHECK(sphere.normal({0, 2, 0}) == dvec3(0, -1, 0));
 }
 
-TEST_CASE("a ray that leaves a sphere meets its other root alone") {
+TEST_CASE("a ray that starts on a sphere can only hit it at the other root") {
   const SphereShape sphere({vec3(0, 0, 0), 2});
   CHECK(sphere.distance(rayOf({0, 0, 2}, {0, 0, 1}), true) == kNoHit);
   CHECK(sphere.distance(rayOf({0, 0, 2}, {0, 0, -1}), true) == 4);
@@ -106,7 +106,7 @@ TEST_CASE("a triangle agrees with the plane and the sides of its edges") {
   CHECK(hits > 100);
 }
 
-TEST_CASE("a box is met where the ray enters, or leaves if it starts inside") {
+TEST_CASE("a ray hits a box where it enters, or exits if it starts inside") {
   const BoxShape box({vec3(-1, -1, -1), vec3(1, 2, 3)});
   const Ray fromAbove = rayOf({0, 0, 5}, {0, 0, -1});
   CHECK(box.distance(fromAbove, false) == 2);
@@ -121,7 +121,7 @@ TEST_CASE("a box is met where the ray enters, or leaves if it starts inside") {
   CHECK(box.normal(slanted, false) == dvec3(-1, 0, 0));
 }
 
-TEST_CASE("a ray that leaves a box meets only its far side, and only going in") {
+TEST_CASE("a ray that starts on a box hits only its far side, and only when it goes inside") {
   const BoxShape box({vec3(-1, -1, -1), vec3(1, 1, 1)});
   Ray ray = rayOf({0, 0, 1}, {0, 0, -1});
   ray.leavingNormal = {0, 0, 1};
@@ -162,7 +162,7 @@ TEST_CASE("a cone is met on its side alone, not on its mirror image beyond the t
   CHECK(cone.distance(rayOf({0, 0, 0}, {1, 0, 1}), false) == Approx(std::sqrt(2)));
 }
 
-TEST_CASE("a ray that leaves a cone meets its other root alone") {
+TEST_CASE("a ray that starts on a cone can only hit it at the other root") {
   const ConeShape cylinder({vec3(0, 0, 0), 1, vec3(0, 0, 4), 1});
   CHECK(cylinder.distance(rayOf({1, 0, 2}, {-1, 0, 0}), true) == Approx(2));
   CHECK(cylinder.distance(rayOf({1, 0, 2}, {1, 0, 0}), true) == kNoHit);
@@ -229,7 +229,7 @@ TEST_CASE("a patch's shading normal is interpolated, faces the ray, and gives wa
   CHECK(surfaceAt(b.scene, grazing, {t, 0}).shadingNormal == dvec3(0, 0, 1));
 }
 
-TEST_CASE("a surface knows from which side it is seen") {
+TEST_CASE("a hit records the side from which the surface is seen") {
   test::SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).sphere({0, 0, 0}, 1);
   const Surface outside = surfaceAt(b.scene, {{0, 0, 3}, {0, 0, -1}}, {2, 0});

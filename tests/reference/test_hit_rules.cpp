@@ -15,7 +15,7 @@ TEST_CASE("a scene without primitives is traced, and few primitives need no hier
   CHECK_FALSE(Tracing(test::cornellBox().scene, {}).hasHierarchy());
 }
 
-TEST_CASE("of equal distances the lower primitive index wins") {
+TEST_CASE("at equal distances the lower primitive index is hit") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1)));
   b.box({-1, -1, -1}, {1, 1, 1}).quad({-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1});
@@ -55,7 +55,7 @@ TEST_CASE("one-sided rendering drops the backs of opaque triangles and planes, a
   CHECK_FALSE(oneSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, 8, kNoPrimitive, counters));
 }
 
-TEST_CASE("shadow rays see neither their light nor what lies at its distance or behind") {
+TEST_CASE("shadow rays ignore their light and everything at its distance or beyond") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).sphere({0, 0, 3}, 1).plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});
   const Tracing tracing(b.scene, {});

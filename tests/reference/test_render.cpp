@@ -135,7 +135,7 @@ TEST_CASE("samples that are too bright are counted") {
   CHECK(renderScene(b.scene, settingsOf(2, 2, 3)).statistics.badSamples == 12);
 }
 
-TEST_CASE("a record tells what a path decided") {
+TEST_CASE("a record contains the decisions of a path") {
   scene::Scene scene = mirroredFloor().scene;
   const render::PathRecord open = recordOf(scene, 64);
   REQUIRE(open.vertexCount >= 3);
@@ -171,7 +171,7 @@ TEST_CASE("a record ends with the miss, or where roulette ended the path") {
   CHECK(ended.vertices[0] == render::VertexRecord{0, render::Lobe::mirror, render::ShadowOutcome::notTraced, false});
 }
 
-TEST_CASE("a record keeps the first 32 vertices") {
+TEST_CASE("a record contains the first 32 vertices") {
   SceneBuilder b;
   b.material(mirrorMaterial(vec3(1))).sphere({0, 0, 0}, 3);
   const render::PathRecord record = recordOf(b.scene, 100);
@@ -196,7 +196,7 @@ TEST_CASE("progress reaches the end, on the calling thread") {
   CHECK(samples == 3200);
 }
 
-TEST_CASE("a render that is stopped says so and keeps what was done") {
+TEST_CASE("a stopped render reports it and keeps the samples rendered so far") {
   std::atomic<bool> stop = false;
   render::RenderControl control;
   control.stop = &stop;
@@ -216,7 +216,7 @@ TEST_CASE("a render that is stopped says so and keeps what was done") {
   CHECK_FALSE(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control).interrupted);
 }
 
-TEST_CASE("what a progress callback throws ends the render") {
+TEST_CASE("an exception of a progress callback ends the render") {
   render::RenderControl control;
   control.progress = [](double, std::uint64_t) { throw std::runtime_error("enough"); };
   render::RenderSettings settings = settingsOf(64, 64, 1);

@@ -214,7 +214,7 @@ TEST_CASE("the report's rule splits at the centre, else at the mean of the centr
   CHECK(rest.nodes[rest.nodes[0].first + 1].count == 2);
 }
 
-TEST_CASE("a grid's cells hold what touches them, and its size keeps to the number of boxes") {
+TEST_CASE("a grid's cells contain the boxes that touch them, and its size is limited by the number of boxes") {
   RandomScene random;
   const scene::Scene scene = random.make(20);
   std::vector<Bounds> boxes;

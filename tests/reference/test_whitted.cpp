@@ -76,7 +76,7 @@ TEST_CASE("a mirror's ray that would go into its own surface is not traced") {
   CHECK(renderScene(b.scene, whittedSettings(4)).statistics.treeRays->reflected == 1);
 }
 
-TEST_CASE("glass that no light can light asks for no light") {
+TEST_CASE("light sampling is skipped on glass that no light can illuminate") {
   SceneBuilder b = paneBetweenWalls();
   b.pointLight({1, 0, 4}, vec3(1));
   // The walls are lit: one from each side of the pane, which throws a shadow.

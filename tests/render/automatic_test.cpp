@@ -25,7 +25,7 @@ render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, r
   return loadsFor(info, flat, settings);
 }
 
-TEST_CASE("loads that are asked for are used, others as preferred, and where the scene does not fit so the other way") {
+TEST_CASE("requested loads are used, otherwise the preferred ones, otherwise those that fit") {
   using enum render::SceneLoads;
   for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
     CHECK(loadsWhere(100, 100, render::SceneLoads::texel, preferred) == render::SceneLoads::texel);
@@ -36,17 +36,18 @@ TEST_CASE("loads that are asked for are used, others as preferred, and where the
   }
 }
 
-TEST_CASE("loads that are asked for and do not fit are refused with the way that does, whatever is preferred") {
+TEST_CASE("requested loads that do not fit are refused, and the message names those that do") {
   using enum render::SceneLoads;
   for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
-    CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred), Catch::Contains("use storage loads"));
-    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use texel loads"));
+    CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred),
+                      Catch::Contains("use --loads storage"));
+    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use --loads texel"));
     CHECK_THROWS_WITH(loadsWhere(99, 99, automatic, preferred), Catch::Contains("make it smaller"));
     CHECK_THROWS_AS(loadsWhere(99, 99, storage, preferred), FileError);
   }
 }
 
-TEST_CASE("a layout that is asked for is used, others as preferred, but midpoint splits have two-wide nodes") {
+TEST_CASE("a requested layout is used, otherwise the preferred one, but midpoint splits have binary nodes") {
   render::RenderSettings settings;
   for (const render::BvhLayout preferred : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     settings.execution.automatic.bvhLayout = preferred;
@@ -63,7 +64,7 @@ TEST_CASE("a layout that is asked for is used, others as preferred, but midpoint
   }
 }
 
-TEST_CASE("a workgroup that is asked for is used, else the preferred one") {
+TEST_CASE("a requested workgroup is used, otherwise the preferred one") {
   render::RenderSettings settings;
   CHECK(extentText(settings.execution.workgroupInUse()) == "8x8");
   settings.execution.automatic.workgroup = {32, 1};
@@ -72,7 +73,7 @@ TEST_CASE("a workgroup that is asked for is used, else the preferred one") {
   CHECK(extentText(settings.execution.workgroupInUse()) == "4x4");
 }
 
-TEST_CASE("a kernel that is asked for is used, others as preferred, but integrators that have but one keep it") {
+TEST_CASE("a requested kernel is used, otherwise the preferred one, except by integrators with a single kernel") {
   render::RenderSettings settings;
   const auto nameOf = [&] { return std::string(kernelFor(flatten::FlatScene{}, settings).name); };
   CHECK(nameOf() == "megakernel");

@@ -44,7 +44,7 @@ TEST_CASE("a tally adds the samples of all renders, and counts a pixel once with
   CHECK(tally.firstPixels() == std::vector<render::BadPixel>{{1, 2, 2, 5, 11, 8}, {3, 0, 1, 4, 12, 8}});
 }
 
-TEST_CASE("of many pixels a tally keeps the first, and counts all") {
+TEST_CASE("a tally counts all bad pixels and lists the first") {
   image::Film film(4, 3);
   for (std::uint32_t i = 0; i < 12; ++i) film.addSample(i % 4, i / 4, kTooBright, 0);
   render::BadSampleTally tally;

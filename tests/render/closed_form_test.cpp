@@ -43,14 +43,14 @@ TEST_CASE("the furnace scene shows 2") {
   });
 }
 
-TEST_CASE("roulette leaves the furnace scene at 2", "[slow]") {
+TEST_CASE("Russian roulette preserves the mean 2 of the furnace scene", "[slow]") {
   onBothTracers([&](const RenderFunction& renderScene) {
     const scene::Scene scene = loadTestScene("furnace.p3f");
     CHECK(meanLuminance(renderScene(scene, squareSettings(64, 256)).film) == Approx(2).epsilon(1e-3));
   });
 }
 
-TEST_CASE("a sphere lamp lights the plane below it by its closed form") {
+TEST_CASE("a spherical light over a plane gives the closed-form irradiance") {
   // Albedo 1/2, radiance 8, radius 1/2, height 2: a L (R/d)^2 = 1/4 at the foot, where the middle pixel looks.
   scene::Scene scene = loadTestScene("lamp_over_plane.p3f");
   scene.camera->angle = 0.05f;

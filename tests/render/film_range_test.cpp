@@ -52,7 +52,7 @@ TEST_CASE("samples beyond the film's range are clamped and counted on both trace
   requireEqualCounts(device.film, reference.film);
 }
 
-TEST_CASE("what overflows on a device is counted there as on the reference, which has the range to hold it") {
+TEST_CASE("radiance that overflows on a device is counted as on the reference, where it does not overflow") {
   const scene::Scene scene = overflowing();
   const render::RenderSettings settings = squareSettings(8, 4);
   const render::RenderResult device = renderOnDevice(scene, settings);

@@ -79,7 +79,7 @@ TEST_CASE("a light's row leads to its primitive and back") {
   }
 }
 
-TEST_CASE("what a scene does not use is not among its features") {
+TEST_CASE("features that a scene does not use are disabled") {
   const flatten::FlatScene smallpt = flatten::flattenScene(loadFixture("smallpt.p3f"), smallSettings());
   CHECK(smallpt.features.spheres);
   CHECK(!smallpt.features.triangles);
@@ -105,7 +105,7 @@ TEST_CASE("a scene without primitives has no structure and no slots") {
   }
 }
 
-TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to a row") {
+TEST_CASE("a grid's records contain three cells or four items each") {
   const scene::Scene scene = loadFixture("primitives.p3f");
   render::RenderSettings settings = smallSettings();
   settings.structure.accel = render::AccelKind::grid;
@@ -133,7 +133,7 @@ TEST_CASE("a grid's rows hold its cells, three to a row, and its items, four to 
   }
 }
 
-TEST_CASE("a grid has no more cells along an axis than flatten is told") {
+TEST_CASE("a grid has at most the given number of cells along an axis") {
   render::RenderSettings settings = smallSettings();
   settings.structure.accel = render::AccelKind::grid;
   const scene::Scene scene = loadFixture("primitives.p3f");

@@ -88,7 +88,7 @@ TEST_CASE(
   for (std::size_t i = 14; i < durations.size(); ++i) CHECK(durations[i] == Approx(0.1).epsilon(0.3));
 }
 
-TEST_CASE("a device that becomes five times slower exceeds the limit at most once and is then kept short") {
+TEST_CASE("a device that becomes five times slower exceeds the time limit at most once") {
   for (const double unitsPerSecond : {1e6, 1e8}) {
     Governor governor(optionsFor(kMegapixel));
     FakeDevice device(unitsPerSecond);
@@ -176,7 +176,7 @@ TEST_CASE("work grows at most eightfold from one dispatch to the next, and twofo
   }
 }
 
-TEST_CASE("the longest run of segments allowed is kept to, with more pixels instead") {
+TEST_CASE("the maximum number of segments is respected, with more pixels instead") {
   GovernorOptions options = optionsFor(kMegapixel);
   options.maxSegments = 4;
   Governor governor(options);

@@ -46,7 +46,7 @@ TEST_CASE("point lights get half of the probability beside emitters, and all of 
   CHECK(pointsOnly[0].probability == 0.25f);
 }
 
-TEST_CASE("what cannot be sampled by area is not in the table") {
+TEST_CASE("emitters that cannot be sampled by area are not in the table") {
   scene::Scene scene = lamps();
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
   scene.primitives.push_back({scene::PrimitiveKind::cone, 0, 1});
@@ -54,7 +54,7 @@ TEST_CASE("what cannot be sampled by area is not in the table") {
   CHECK(flatten::buildLightTable(scene, true).size() == 2);
 }
 
-TEST_CASE("thresholds rise and end at 2^24 however many lights there are") {
+TEST_CASE("thresholds ascend and end at 2^24 for any number of lights") {
   scene::Scene scene = lamps();
   for (std::uint32_t i = 0; i < 999; ++i) scene.primitives.push_back({scene::PrimitiveKind::triangle, i % 2, 1});
   const auto table = flatten::buildLightTable(scene, true);

@@ -39,7 +39,7 @@ TEST_CASE("a scene is small by what its primitives cost, not by their number alo
   CHECK(isSmall(scattered(kCone, 0), rule));
 }
 
-TEST_CASE("no scene with more primitives than the uniform buffer holds is small") {
+TEST_CASE("no scene with more primitives than the uniform buffer can store is small") {
   const flatten::SmallSceneRule all{.mostCost = 1000, .rowsAhead = false};
   CHECK(isSmall(scattered(kSphere, gpu::kMaxUniformSlots), all));
   CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), all));
@@ -54,7 +54,7 @@ TEST_CASE("lavapipe traces larger scenes in a row than other devices, and reads 
   CHECK(!other.rowsAhead);
 }
 
-TEST_CASE("a small scene has its rows in the uniform buffer too, unless a structure is asked for by name") {
+TEST_CASE("a small scene has its records in the uniform buffer too, unless a structure is requested") {
   const scene::Scene scene = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f")
                                  .scene;
   const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,

@@ -221,7 +221,7 @@ TEST_CASE("a wide tree's leaves of three primitives, the most that there are, ar
   requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
-TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
+TEST_CASE("an 8-wide BVH too deep for the private stack gives the same film") {
   const scene::Scene scene = clustersOfAllSizes();
   const render::RenderSettings settings = shortPaths(24, 2);
   constexpr double kWordsKept = 12;  // wide_bvh.glsl
@@ -229,8 +229,7 @@ TEST_CASE("a wide tree too deep for a lane's own words gives the same film") {
   requireSameFilms({scene}, settings, {kWays[0], kWays[6]});
 }
 
-TEST_CASE("a structure that is asked for by name is used even where a few tests in a row would be faster",
-          "[swiftshader-slow]") {
+TEST_CASE("a requested structure is used even if a linear list would be faster", "[swiftshader-slow]") {
   const scene::Scene scene = spheres({{0, 0, 0, 1}, {1, 1, 1, 0.5}, {-1, 0, 1, 0.4}, {1, -1, 0, 0.3}, {-1, 1, 0, 0.7}});
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
   const render::RenderSettings settings = shortPaths(16, 1);
@@ -248,7 +247,7 @@ TEST_CASE("a structure that is asked for by name is used even where a few tests 
   }
 }
 
-TEST_CASE("rays that come to a grid from very far away miss nothing", "[swiftshader-slow]") {
+TEST_CASE("rays with very distant origins lose no hit in a grid", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(48, 4);
   settings.image.maxDepth = 4;
   requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});

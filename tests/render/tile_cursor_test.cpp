@@ -67,14 +67,14 @@ TEST_CASE("each sweep covers each pixel once for random sizes of image, workgrou
   }
 }
 
-TEST_CASE("pieces are at most what is asked, or a workgroup, and begin and end at workgroups") {
+TEST_CASE("pieces have at most the requested size, or one workgroup, and are aligned to workgroups") {
   const std::vector<Rect> rects = pieces(TileCursor({100, 50}, {8, 8}), 8 * 20);
   CHECK(isRect(rects[0], 0, 0, 16, 8));
   CHECK(isRect(rects[1], 16, 0, 16, 8));
   CHECK(isRect(rects.back(), 56, 48, 44, 2));  // two rows are left: 80 across would do
 }
 
-TEST_CASE("an image that is asked for whole is one piece") {
+TEST_CASE("an image requested as one region is one piece") {
   CHECK(isRect(pieces(TileCursor({100, 50}, {8, 8}), 5000).at(0), 0, 0, 100, 50));
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), 5000).size() == 1);
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), ~std::uint64_t{0}).size() == 1);
@@ -89,7 +89,7 @@ TEST_CASE("full strips are divided evenly instead of leaving a small rest") {
   CHECK(isRect(rects[3], 0, 752, 100, 248));
 }
 
-TEST_CASE("fixed tiles cover the image row by row, whatever is asked") {
+TEST_CASE("fixed tiles of any size cover the image row by row") {
   const TileCursor cursor = TileCursor::ofTiles({70, 40}, {32, 30});
   for (const std::uint64_t wanted : {std::uint64_t{1}, std::uint64_t{1000000}}) {
     const std::vector<Rect> rects = pieces(cursor, wanted);

@@ -21,7 +21,7 @@ TEST_CASE("a region grows over rows that are finished, up to where work is left"
   CHECK(rows.pixelsHolding(1000, 0) == 3000);
 }
 
-TEST_CASE("a region never shrinks below what was asked, and ends with the band") {
+TEST_CASE("a region is never smaller than requested, and ends with the band") {
   UnfinishedRows rows({100, 50});
   rows.finish({0, 0, 100, 50}, 4000);
   CHECK(rows.activeIn({0, 0, 100, 50}) == Approx(1000).margin(1));

@@ -161,7 +161,7 @@ TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
   requireReferencesPixels(exhibition(), kId);
 }
 
-TEST_CASE("ambient occlusion is the cosine-weighted share of directions that are free within reach") {
+TEST_CASE("ambient occlusion is the cosine-weighted fraction of directions without an occluder") {
   constexpr render::Integrator kAo = render::Integrator::ao;
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = viewSettings(kAo, 8, 256);

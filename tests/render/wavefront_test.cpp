@@ -86,7 +86,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other num
   requireSame(primitivesUnderLights(), settings);
 }
 
-TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]") {
+TEST_CASE("no structure changes the film of the wavefront kernel", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     CAPTURE(static_cast<int>(accel));
@@ -97,7 +97,7 @@ TEST_CASE("no structure changes what the wavefront gives", "[swiftshader-slow]")
   }
 }
 
-TEST_CASE("neither workgroup nor segments nor tile change what the wavefront gives", "[swiftshader-slow]") {
+TEST_CASE("neither workgroup nor segments nor tile change the film of the wavefront kernel", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, wavefrontSettings());
   const auto requireSameWith = [&](auto&& change) {
@@ -136,7 +136,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
   }
 }
 
-TEST_CASE("a queue of more workgroups than stand in a row loses none", "[swiftshader-slow]") {
+TEST_CASE("a queue with more workgroups than one dimension permits loses none", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(1, 1);
   settings.image.size = {520, 130};
   REQUIRE(settings.image.size.width * settings.image.size.height > 65535);
@@ -218,6 +218,6 @@ TEST_CASE("an integrator that traces no paths has no wavefront") {
     settings.image.integrator = integrator;
     settings.image.maxDepth = 4;
     CHECK_THROWS_WITH(testRenderer().render(loadTestScene("balls.p3f"), settings, {}),
-                      Catch::Contains("--kernel wavefront: is for --integrator path alone"));
+                      Catch::Contains("--kernel wavefront applies only to --integrator path"));
   }
 }

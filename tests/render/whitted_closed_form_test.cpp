@@ -31,7 +31,7 @@ void checkColour(const image::Film& film, const glm::dvec3& expected) {
 
 }  // namespace
 
-TEST_CASE("a plane shows diffuse light, its highlight, its ambient share, its emission and its mirror image") {
+TEST_CASE("a plane shows diffuse, specular, ambient, emitted and mirrored light") {
   // Seen from above; the light is at the angle of cosine 3/5, so that (N.H)^2 = (1 + 3/5) / 2, and Shine is 10.
   scene::Scene scene = sceneFromText("b 0.1 0.2 0.4\n" + view("0 0 5") +
                                      "l 4 0 3 1 2 3\nf 0.8 0.5 0.25 0.5 0.9 1 0.3 0.25 10 0 1\npl 0 0 0 1 0 0 0 1 0\n");

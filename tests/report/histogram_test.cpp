@@ -17,7 +17,7 @@ image::Image greys(const std::vector<float>& values, std::uint32_t width) {
   return image;
 }
 
-TEST_CASE("a histogram puts what lies outside in its outermost bins, and leaves out what has no place") {
+TEST_CASE("a histogram counts values outside its range in the outermost bins and ignores values that are not finite") {
   Histogram histogram(0, 4, 4);
   for (const double value : {0.0, 0.9, 1.0, 3.9, 4.0, 99.0, -99.0}) histogram.add(value);
   histogram.add(NAN);
@@ -41,7 +41,7 @@ TEST_CASE("images without light, or with far too much range, still have a histog
   CHECK(valueHistograms(greys({1e-30f}, 1), greys({1e30f}, 1)).b.counts.size() == 48);
 }
 
-TEST_CASE("the range of differences holds 99 % of the pixels") {
+TEST_CASE("the range of differences contains 99 % of the pixels") {
   std::vector<float> values(1000, 1.0f);
   CHECK(differenceHistogram(greys(values, 100), greys(values, 100)).high == 0.001);
   for (std::size_t i = 0; i < 11; ++i) values[i] = 1.05f;

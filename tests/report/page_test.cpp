@@ -42,7 +42,7 @@ TEST_CASE("the verdict is there in words, whatever it is") {
   CHECK_THAT(toHtml(report), Contains("class=\"verdict agree\""));
 }
 
-TEST_CASE("nothing in the page has an address but the data that it holds") {
+TEST_CASE("the page refers to nothing but its own data") {
   const std::string page = toHtml(greyReport(0.5f, 0.25f));
   const std::regex address("(src|href|action|data)\\s*=\\s*\"([^\"]{0,22})");
   for (std::sregex_iterator match(page.begin(), page.end(), address), end; match != end; ++match) {
@@ -82,12 +82,13 @@ TEST_CASE("tests of regions have a map for each size of tiles and a table of the
   CHECK_THAT(page, Contains("+100.000 %") && Contains("image mean (luminance)"));
 }
 
-TEST_CASE("the values of every pixel are in the page, of large images those of blocks, and the page says so") {
+TEST_CASE("the page contains the values of every pixel, or of blocks of large images, with a note") {
   const Report small = greyReport(0.5f, 0.25f);
   CHECK_THAT(toHtml(small), Contains("id=\"values-a\">" + floatText(small.a) + "<"));
   CHECK(toHtml(small).find("id=\"reduction\"") == std::string::npos);
   const std::string page = toHtml(greyReport(0.5f, 0.25f, 2048, 1024));
-  CHECK_THAT(page, Contains("the mean of 2 × 2 of theirs") && Contains("data-width=\"1024\" data-height=\"512\""));
+  CHECK_THAT(page,
+             Contains("the mean of 2 × 2 of their pixels") && Contains("data-width=\"1024\" data-height=\"512\""));
 }
 
 }  // namespace

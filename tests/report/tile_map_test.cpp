@@ -45,7 +45,7 @@ TEST_CASE("a certain difference of tiles without noise has full colour") {
   CHECK(pixelOf(tileMap(std::vector{result}, 8, 1e-6, 8, 8), 4, 4) == glm::ivec3(255, 140, 26));
 }
 
-TEST_CASE("the sizes of tiles are told, without the whole image") {
+TEST_CASE("the sizes of tiles are listed without the whole image") {
   RegionResult image = tile(0, 0, 0);
   image.region.tileSize = 0;
   RegionResult large = tile(0, 0, 0);

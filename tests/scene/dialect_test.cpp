@@ -23,7 +23,7 @@ PointLight pointLightOf(const std::string& line) { return sceneOf(line + "\n").p
 
 }  // namespace
 
-TEST_CASE("a view's entries may come in any order, on any lines") {
+TEST_CASE("the entries of a view may be in any order and on any lines") {
   const Scene scene = sceneOf("v resolution 640\n 480 hither 1\nup 0 0 1 at\n1 2 3 from 4 5 6\nangle 30");
   REQUIRE(scene.camera);
   CHECK(scene.camera->from == glm::vec3(4, 5, 6));
@@ -198,7 +198,7 @@ TEST_CASE("an object before any material is diffuse white, with a warning") {
   CHECK(loaded.scene.primitives[1].material == 1);
 }
 
-TEST_CASE("lenient reading skips what it does not know and warns of each kind once") {
+TEST_CASE("lenient reading skips unknown statements and warns once of each kind") {
   const LoadedScene loaded = loadLenient(
       "From: a b c\nSubject: 1 2\n\nasdabb 1 2 3\n4 5 6\nasdabb 2\nWall\ns 0 0 0 1 9\nl 0 0 0 5\n"
       "f 1 1 1 .5\ns 1 0 0 1\nf 1 1 1 1 0 1 0 1 .25 9\ns 2 0 0 1\ns 0 0 0 0\n");

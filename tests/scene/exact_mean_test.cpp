@@ -17,7 +17,7 @@ TEST_CASE("a scene may state its mean, of the whole image or of a part") {
   CHECK(part->area == glm::vec4(0.25f, 0, 0.5f, 1));
 }
 
-TEST_CASE("an answer that cannot be read is an error with its place, not a comment") {
+TEST_CASE("an exact mean that cannot be parsed is an error with its position") {
   for (const char* numbers :
        {"", " 1 1", " 1 1 1 0", " 1 1 x", " -1 0 0", " 1 1 1 .5 0 .6 1", " 1 1 1 0 0 0 1", " 1 1 nan"}) {
     INFO(numbers);

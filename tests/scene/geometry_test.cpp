@@ -62,7 +62,7 @@ TEST_CASE("a flat emitting box shines once, and one without area not at all") {
   CHECK(sceneOf(std::string(kLamp) + "box 0 0 5  2 0 5\n").primitives.empty());
 }
 
-TEST_CASE("a box of zero thickness and a triangle without area are kept") {
+TEST_CASE("a box of zero thickness and a triangle without area are preserved") {
   const Scene scene = sceneOf("box 0 0 0  1 1 0\np 3  0 0 0  1 1 1  2 2 2\np 3 1 1 1 1 1 1 1 1 1\n");
   CHECK(scene.boxes.size() == 1);
   CHECK(trianglesOf(scene).size() == 2);
@@ -89,7 +89,7 @@ TEST_CASE("a patch keeps a unit normal at each vertex") {
   }
 }
 
-TEST_CASE("a plane in Hessian form holds the points with n . p + d = 0 and faces along n") {
+TEST_CASE("a plane in Hessian form contains the points with n . p + d = 0 and faces along n") {
   for (const glm::vec3 n : {glm::vec3(0, 0, 1), {0, 0, -1}, {0, 2, 0}, {-1, 0, 0}, {1, 2, -2}, {.3f, -.4f, .5f}}) {
     for (const float d : {0.f, -3.f, 250.f}) {
       CAPTURE(n.x, n.y, n.z, d);
@@ -105,6 +105,6 @@ TEST_CASE("a plane in Hessian form holds the points with n . p + d = 0 and faces
   }
 }
 
-TEST_CASE("a sphere of negative radius is kept as such") { CHECK(sceneOf("s 0 0 0 -2\n").spheres[0].radius == -2); }
+TEST_CASE("a sphere keeps its negative radius") { CHECK(sceneOf("s 0 0 0 -2\n").spheres[0].radius == -2); }
 
 }  // namespace candela::scene

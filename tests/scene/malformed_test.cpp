@@ -54,8 +54,8 @@ const std::vector<Malformed> kMalformed{
     {"s 0 0,5 0 1\n", 1, 5, "write decimals with a point"},
     {"s 0 0 0 nan\n", 1, 9, "\"nan\" is not a finite number"},
     {"s 0 0 0 -inf\n", 1, 9, "\"-inf\" is not a finite number"},
-    {"s 1e39 0 0 1\n", 1, 3, "beyond single precision"},
-    {"s 1e999 0 0 1\n", 1, 3, "beyond single precision"},
+    {"s 1e39 0 0 1\n", 1, 3, "beyond the range of single precision"},
+    {"s 1e999 0 0 1\n", 1, 3, "beyond the range of single precision"},
     {"s 0x10 0 0 1\n", 1, 3, "\"0x10\" is not a number"},
     {"s +-1 0 0 1\n", 1, 3, "\"+-1\" is not a number"},
     // View
@@ -69,9 +69,9 @@ const std::vector<Malformed> kMalformed{
     {viewWith("up", "up 0 0 0"), 1, 1, "\"up\" is the zero vector"},
     {viewWith("up", "up 0 0 -2"), 1, 1, "parallel to the direction of view"},
     {viewWith("angle", ""), 1, 1, "this view lacks \"angle\""},
-    {viewWith("angle", "angle 0"), 5, 7, "between 0 and 180"},
-    {viewWith("angle", "angle 180"), 5, 7, "between 0 and 180"},
-    {viewWith("angle", "angle -45"), 5, 7, "between 0 and 180"},
+    {viewWith("angle", "angle 0"), 5, 7, "greater than 0 and less than 180"},
+    {viewWith("angle", "angle 180"), 5, 7, "greater than 0 and less than 180"},
+    {viewWith("angle", "angle -45"), 5, 7, "greater than 0 and less than 180"},
     {viewWith("angle", "angel 45"), 5, 1, "did you mean \"angle\"?"},
     {viewWith("hither", "hither"), 6, 7, "expected the hither distance"},
     {viewWith("resolution", ""), 1, 1, "this view lacks \"resolution\""},
@@ -122,10 +122,10 @@ const std::vector<Malformed> kMalformed{
     {"l 0 0 0 1 1\n", 1, 12, "not 5"},
     {"l 0 0 0 1 1 1 1 1\n", 1, 17, "unexpected number"},
     {"l 0 0 0 1 -1 1\n", 1, 9, "the light's colour must not be negative"},
-    {"l 0 0 0 1e38 10 1 1\n", 1, 9, "beyond single precision"},
+    {"l 0 0 0 1e38 10 1 1\n", 1, 9, "beyond the range of single precision"},
     {"al 0 0 0 1 0 0 0 1 0 1 1\n", 1, 25, "expected the light's colour"},
     {"al 0 0 0 1 0 0 2 0 0 1 1 1\n", 1, 1, "edges are parallel"},
-    {"al 3e38 0 0 3e38 0 0 0 1 0 1 1 1\n", 1, 1, "beyond single precision"},
+    {"al 3e38 0 0 3e38 0 0 0 1 0 1 1 1\n", 1, 1, "beyond the range of single precision"},
     {"la 0 0 0 1 0 0 0 1\n", 1, 19, "expected the light's second edge"},
     {"la 0 0 0 1 0 0 0 1 0 -1 1 1\n", 1, 22, "must not be negative"},
     {"light spot 0 0 0\n", 1, 7, "expected \"punctual\" or \"quad\", found \"spot\""},
@@ -148,27 +148,27 @@ const std::vector<Malformed> kMalformed{
     {"p 2\n0 0 0\n1 0 0\n", 1, 3, "whole number from 3 to 16384, not \"2\""},
     {"p -3\n0 0 0 1 0 0 0 1 0\n", 1, 3, "whole number from 3 to 16384"},
     {"p 999999999\n0 0 0\n", 1, 3, "whole number from 3 to 16384"},
-    {"p 16384\n0 0 0\n", 1, 3, "the number of vertices 16384 does not fit into the rest of the file"},
+    {"p 16384\n0 0 0\n", 1, 3, "the number of vertices 16384 is more than the rest of the file can contain"},
     {"p 3\n0 0 0\n1 0 0\n0 1\n", 4, 4, "expected a vertex, found the end of the file"},
     {"p 3\n0 0 0\n1 x 0\n0 1 0\n", 3, 3, "expected a vertex, found \"x\""},
     {"p 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", 5, 1, "expected a keyword"},
     {"pp 3\n0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n", 3, 7, "a vertex normal has length 0"},
     {"pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0\n", 4, 10, "expected a vertex normal"},
-    {"pp 2000\n0 0 0 0 0 1\n", 1, 4, "does not fit into the rest of the file"},
+    {"pp 2000\n0 0 0 0 0 1\n", 1, 4, "is more than the rest of the file can contain"},
     {"pl 0 0 0 1 0 0\n", 1, 15, "expected a point of the plane"},
     {"pl 0 0 0 1 1 1 2 2 2\n", 1, 1, "three points lie on a line"},
     {"npl 0 0 0 1\n", 1, 5, "normal has length 0"},
-    {"npl 1e-30 0 0 1e30\n", 1, 5, "the plane lies beyond single precision"},
+    {"npl 1e-30 0 0 1e30\n", 1, 5, "the plane is beyond the range of single precision"},
     {"npl 0 0 1\n", 1, 10, "expected the distance d"},
-    {"box 0 0 0 1 1\n", 1, 14, "expected the greatest corner"},
+    {"box 0 0 0 1 1\n", 1, 14, "expected the maximum corner"},
     {"aabb 0 0 0 1 one 1\n", 1, 14, "found \"one\"; the form is: box"},
-    {"mesh 4000000000 1\n0 0 0\n", 1, 6, "does not fit into the rest of the file"},
-    {"mesh 3 4000000000\n0 0 0 1 0 0 0 1 0\n1 2 3\n", 1, 8, "does not fit into the rest of the file"},
+    {"mesh 4000000000 1\n0 0 0\n", 1, 6, "is more than the rest of the file can contain"},
+    {"mesh 3 4000000000\n0 0 0 1 0 0 0 1 0\n1 2 3\n", 1, 8, "is more than the rest of the file can contain"},
     {"mesh -3 1\n", 1, 6, "the number of vertices must be a whole number"},
     {"mesh 3 -1\n0 0 0 1 0 0 0 1 0\n", 1, 8, "the number of triangles must be a whole number"},
     {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 2 4\n", 3, 5, "a vertex index must be a whole number from -3 to 3, not \"4\""},
     {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 2 -4\n", 3, 5, "from -3 to 3"},
-    {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 0 2\n", 3, 3, "vertex index 0: the first vertex is 1"},
+    {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 0 2\n", 3, 3, "vertex index 0: indices count from 1"},
     {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 2 1.5\n", 3, 5, "whole number"},
     {"mesh 3 1\n0 0 0 1 0 0 0 1 0\n1 2\n", 3, 4, "expected a vertex index"},
     // Places: tabs count one column, all kinds of line end count one line
@@ -210,7 +210,7 @@ TEST_CASE("all errors of a file are reported, in the order of the file") {
         "test:1:8: expected the radius, found \"spehre\" on line 2; the form is: s x y z radius");
   CHECK(toString(errors[1]) == "test:2:1: unknown keyword \"spehre\"; did you mean \"s\"?");
   CHECK(toString(errors[2]) == "test:4:5: expected the background's colour, found \"x\"; the form is: b r g b");
-  CHECK(toString(errors[3]) == "test:6:7: the angle must lie between 0 and 180 degrees, both excluded");
+  CHECK(toString(errors[3]) == "test:6:7: the angle must be greater than 0 and less than 180 degrees");
 }
 
 TEST_CASE("one statement's several wrong values are all reported") {
@@ -232,7 +232,7 @@ TEST_CASE("a file of nothing but errors is given up after ten thousand") {
   CHECK(errorsOf(text).back().message == "and at least 9900 more errors; reading stopped there");
 }
 
-TEST_CASE("what() of a scene error holds every line") {
+TEST_CASE("what() of a scene error contains every line") {
   const SceneError error({{"a", 1, 2, "first"}, {"a", 0, 0, "second"}});
   CHECK(std::string(error.what()) == "a:1:2: first\na: second");
   CHECK(error.code() == ExitCode::file);

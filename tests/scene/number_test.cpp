@@ -31,7 +31,7 @@ TEST_CASE("numbers are written in all the usual ways") {
   CHECK(parseFloat("-1e6").value == -1e6f);
 }
 
-TEST_CASE("what is too small becomes 0, what is too large is refused") {
+TEST_CASE("numbers that are too small become 0, and numbers that are too large are refused") {
   for (const char* text : {"1e-50", "-1e-50", "1e-500", "1e-99999999999"}) {
     CHECK(parseFloat(text).status == NumberStatus::ok);
     CHECK(parseFloat(text).value == 0);
@@ -44,7 +44,7 @@ TEST_CASE("what is too small becomes 0, what is too large is refused") {
   CHECK(parseFloat("3.4028234e38").value == std::numeric_limits<float>::max());
 }
 
-TEST_CASE("what is no number is told from what is not finite") {
+TEST_CASE("words that are not numbers are distinguished from numbers that are not finite") {
   for (const char* text : {"", "+", "-", ".", "e5", "1e", "1.2.3", "--1", "1f", "0x1", "1,5"}) {
     CHECK(parseFloat(text).status == NumberStatus::notANumber);
   }
@@ -56,7 +56,7 @@ TEST_CASE("what is no number is told from what is not finite") {
   CHECK_FALSE(looksLikeNumber("nanometre"));
 }
 
-TEST_CASE("numbers written with nine digits come back bit for bit") {
+TEST_CASE("numbers written with nine digits are preserved bit for bit") {
   std::mt19937 random(7);
   std::string text;
   std::vector<float> expected;

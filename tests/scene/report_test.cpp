@@ -49,7 +49,7 @@ TEST_CASE("a report counts statements, primitives, lights and materials") {
   CHECK(report.requestedSamples == 16u);
 }
 
-TEST_CASE("bounds hold everything but infinite planes, cones exactly") {
+TEST_CASE("bounds contain everything but infinite planes, and are exact for cones") {
   const SceneReport report = makeReport(load(kScene));
   REQUIRE(report.bounds);
   CHECK(report.bounds->min == glm::vec3(-4, -2, -2));  // ball, cone's base, box

@@ -56,7 +56,7 @@ TEST_CASE("a sky outside the scene's folder is refused unless permitted") {
   for (const std::string& name : {std::string("../scenes/sky"), (kScenes / "sky").string(), std::string("..")}) {
     CAPTURE(name);
     CHECK(contains(errorIn(tests, "env " + name + "\n"), "test:1:5: "));
-    CHECK(contains(errorIn(tests, "env " + name + "\n"), "leads outside the scene's folder"));
+    CHECK(contains(errorIn(tests, "env " + name + "\n"), "is outside the scene's folder"));
   }
   const LoadOptions permitting{.allowedPaths = {kScenes}};
   CHECK(loadIn(tests, "env ../scenes/sky\n", permitting).scene.sky);
@@ -68,13 +68,13 @@ TEST_CASE("a sky outside the scene's folder is refused unless permitted") {
 TEST_CASE("a link out of the scene's folder is refused, to a folder and to a face") {
   const TemporaryFolder folder;
   fs::create_directory_symlink(kScenes / "sky", folder.path() / "sky");
-  CHECK(contains(errorIn(folder.path(), "env sky\n"), "leads outside the scene's folder"));
+  CHECK(contains(errorIn(folder.path(), "env sky\n"), "is outside the scene's folder"));
   fs::create_directory(folder.path() / "faces");
   for (const char* face : {"right", "left", "top", "bottom", "front", "back"}) {
     const std::string file = std::string(face) + ".png";
     fs::create_symlink(kScenes / "sky" / file, folder.path() / "faces" / file);
   }
-  CHECK(contains(errorIn(folder.path(), "env faces\n"), "leads outside the scene's folder"));
+  CHECK(contains(errorIn(folder.path(), "env faces\n"), "is outside the scene's folder"));
 }
 
 TEST_CASE("a missing or broken face is an error that names it, and lenient reading skips the sky") {

@@ -137,7 +137,7 @@ TEST_CASE("polygons are split in each coordinate plane, from both sides") {
   }
 }
 
-TEST_CASE("a polygon that crosses itself is told, and still covers its parts") {
+TEST_CASE("a polygon that crosses itself causes a warning and still covers its parts") {
   const Polygon bowTie{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2.5f, 0}};
   CHECK_FALSE(triangulate(bowTie).simple);
   CHECK(triangulate(bowTie).triangles.size() == 2);

@@ -47,14 +47,14 @@ TEST_CASE("a difference counts only beyond its margin") {
   CHECK(welch(a, b, 0.5).difference == -2);
 }
 
-TEST_CASE("a critical t is exceeded as often as it says") {
+TEST_CASE("a critical t is exceeded with the stated probability") {
   CHECK(criticalT(0.05, 10) == Approx(2.228139).margin(1e-6));
   CHECK(criticalT(0.05, 1e9) == Approx(1.959964).margin(1e-6));
   CHECK(criticalT(1e-9, 62) > 7);
   CHECK(normalQuantile(0.99) == Approx(2.326348).margin(1e-6));
 }
 
-TEST_CASE("equal means are told apart as often as the level says, whatever the variances") {
+TEST_CASE("equal means are rejected with the probability of the level for any variances") {
   std::mt19937 random(7);
   std::normal_distribution<double> narrow(3, 1);
   std::normal_distribution<double> wide(3, 9);

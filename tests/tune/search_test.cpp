@@ -92,7 +92,7 @@ TEST_CASE("options of one stage are tried together, later ones with what earlier
   for (const Round& round : result.rounds) CHECK(nameOf(round.rows.front().candidate) == kBuiltIn);
 }
 
-TEST_CASE("what is built in stays unless something is faster by more than the least gain and the noise") {
+TEST_CASE("the built-in choice stays unless another is faster by more than the minimum gain and the noise") {
   const std::string other = named({{"workgroup", "16x4"}});
   CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.015}, {1 / 1.015}}}}).search().chosen) == kBuiltIn);
   CHECK(nameOf(MadeDevice(Times{{other, {{1 / 1.025}, {1 / 1.025}}}}).search().chosen) == other);
@@ -106,7 +106,7 @@ TEST_CASE("what is built in stays unless something is faster by more than the le
   CHECK(noisy(0.2).rounds.size() == 3);  // nothing to confirm
 }
 
-TEST_CASE("what was fast in its own round alone does not survive the confirmation") {
+TEST_CASE("a candidate that was fast only in its own round fails the confirmation") {
   MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
   device.afterFirstRound = Times{};
   const SearchResult result = device.search();
@@ -115,7 +115,7 @@ TEST_CASE("what was fast in its own round alone does not survive the confirmatio
   CHECK(result.chosenGain == 1);
 }
 
-TEST_CASE("a candidate whose image differs is not chosen however fast it is, and is told") {
+TEST_CASE("a candidate whose image differs is reported and never chosen") {
   const std::string wrong = named({{"layout", "bvh2"}});
   const std::string right = named({{"loads", "storage"}});
   const SearchResult result = MadeDevice(Times{{wrong, {{0.1}, {0.1, 0, false}}}, {right, {{0.5}, {0.5}}}}).search();
@@ -124,7 +124,7 @@ TEST_CASE("a candidate whose image differs is not chosen however fast it is, and
   CHECK(result.builtInAgrees);
 }
 
-TEST_CASE("a choice whose image differs later is given up") {
+TEST_CASE("a choice whose image differs in a later round is dropped") {
   MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
   device.afterFirstRound = Times{{named({{"layout", "bvh2"}}), {{0.5, 0, false}, {0.5}}}};
   CHECK(nameOf(device.search().chosen) == kBuiltIn);

@@ -40,12 +40,12 @@ TEST_CASE("the text has a row for each candidate, the choice, its gain over what
   CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel |"));
 }
 
-TEST_CASE("where nothing is faster or nothing is stored the text says so") {
+TEST_CASE("the text says if nothing is faster or nothing is stored") {
   const std::string text = toText(reportOf({0.2}));
-  CHECK_THAT(text, Contains("which is built in; nothing is clearly faster") && Contains("nothing is stored"));
+  CHECK_THAT(text, Contains("the built-in choice; no other is clearly faster") && Contains("nothing is stored"));
 }
 
-TEST_CASE("a candidate whose image differs has that word instead of figures, and makes the report disagree") {
+TEST_CASE("a candidate whose image differs shows the word differs instead of figures, and the report disagrees") {
   const TuneReport report = reportOf({0.1, 0, false});
   CHECK_FALSE(report.agree());
   CHECK_THAT(toText(report), Contains("differs") && !Contains("2.000"));
@@ -54,7 +54,7 @@ TEST_CASE("a candidate whose image differs has that word instead of figures, and
   CHECK_FALSE(row.contains("timesAsFast"));
 }
 
-TEST_CASE("a wrong image of what is built in leaves nothing chosen") {
+TEST_CASE("nothing is chosen if the image of the built-in choice is wrong") {
   TuneReport report = reportOf({0.1});
   report.result.builtInAgrees = false;
   CHECK_THAT(toText(report), Contains("nothing is chosen"));

@@ -80,7 +80,7 @@ TEST_CASE("another device, driver or set of kernels has another file, and the fi
   }
 }
 
-TEST_CASE("the key has what the device says of itself, and the kernels of this program") {
+TEST_CASE("the key contains the properties of the device and the kernels of this program") {
   vulkan::DeviceInfo info = roomyDevice();
   info.driverVersion = 5;
   info.pipelineCacheUuid = "00ff";
@@ -93,11 +93,11 @@ TEST_CASE("the key has what the device says of itself, and the kernels of this p
   CHECK(key.kernels.find_first_not_of("0123456789abcdef") == std::string::npos);
 }
 
-TEST_CASE("the order of what a file says does not matter") {
+TEST_CASE("the order of the fields in a file does not matter") {
   CHECK(lookUp(nlohmann::json::parse(soundText()).dump()).tuning);
 }
 
-TEST_CASE("names of devices that are not UTF-8 are kept, too") {
+TEST_CASE("names of devices that are not UTF-8 are stored, too") {
   const TemporaryFolder folder;
   TuningKey key = kKey;
   key.device = "caf\xe9";
@@ -105,7 +105,7 @@ TEST_CASE("names of devices that are not UTF-8 are kept, too") {
   CHECK(readTuning(folder / "a.json", key, roomyDevice()).tuning);
 }
 
-TEST_CASE("a file that is cut short anywhere is ignored, and said to be damaged") {
+TEST_CASE("a file that is truncated at any position is ignored and reported as damaged") {
   const std::string text = soundText();
   REQUIRE(lookUp(text).tuning);
   for (std::size_t size = 0; size + 2 <= text.size(); ++size) {
@@ -115,7 +115,7 @@ TEST_CASE("a file that is cut short anywhere is ignored, and said to be damaged"
   }
 }
 
-TEST_CASE("a file with any byte changed gives a choice of this program's, or none and a reason") {
+TEST_CASE("a file with any byte changed gives a valid choice, or none and a reason") {
   const std::string text = soundText();
   for (std::size_t i = 0; i < text.size(); ++i) {
     for (const char byte : {'\0', '0', '"', '}', '\xff'}) {
@@ -167,11 +167,11 @@ TEST_CASE("hostile content is ignored with a reason") {
   }
 }
 
-TEST_CASE("a file larger than any choice is not read to its end") {
+TEST_CASE("a file that is too large for a tuning result is not read completely") {
   CHECK(lookUp(soundText() + std::string(1 << 16, ' ')).problem == "too large");
 }
 
-TEST_CASE("folders, pipes and devices in the place of the file are ignored, without waiting for them") {
+TEST_CASE("folders, pipes and devices instead of the file are ignored without waiting") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   for (const std::filesystem::path& file : {folder.path(), folder / "pipe", std::filesystem::path("/dev/zero")}) {
@@ -188,10 +188,10 @@ TEST_CASE("a workgroup that the device does not have is ignored") {
   small.maxWorkgroupInvocations = 128;
   const TuningLookup found = readTuning(folder / "a.json", kKey, small);
   CHECK_FALSE(found.tuning);
-  CHECK(found.problem == "the device cannot do what it says");
+  CHECK(found.problem == "the device does not support its settings");
 }
 
-TEST_CASE("a place that cannot be written to is refused, before and when it is written to") {
+TEST_CASE("a file that cannot be written is refused, both in advance and when it is written") {
   const TemporaryFolder folder;
   writeText(folder / "file", "");
   const std::filesystem::path inFile = folder.path() / "file" / "cache";

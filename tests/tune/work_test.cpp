@@ -72,7 +72,7 @@ TEST_CASE("the image grows to the scene's size before it gets more than one samp
   CHECK(work.settings.image.sampleCount > 10);
 }
 
-TEST_CASE("size and samples that were asked for stay") {
+TEST_CASE("requested sizes and sample counts do not change") {
   MadeRenderer renderer(1e6);
   Work work = workOf({640, 400});
   fitToDevice(renderer, {render::Extent{8, 6}, 3}, {}, work);
@@ -111,7 +111,7 @@ TEST_CASE("every candidate renders every scene with its own choices and no other
   }
 }
 
-TEST_CASE("progress goes once from nothing to everything, whatever the number of scenes") {
+TEST_CASE("progress increases once from 0 to 1 for any number of scenes") {
   MadeRenderer renderer(1e6);
   const std::vector<Work> works{workOf({8, 8}), workOf({16, 16})};
   std::vector<double> fractions;
@@ -126,7 +126,7 @@ TEST_CASE("progress goes once from nothing to everything, whatever the number of
   CHECK(samples == std::vector<std::uint64_t>{10, 20, 30, 40});
 }
 
-TEST_CASE("Ctrl-C ends the measuring as an interruption, wherever it comes") {
+TEST_CASE("Ctrl-C interrupts the measurement at any time") {
   for (const std::uint32_t renders : {0u, 1u, 3u}) {
     MadeRenderer renderer(1e6, renders);
     std::vector<Work> works{workOf({640, 400})};

@@ -56,7 +56,7 @@ Alarms alarmsOf(int pairs, render::SamplerKind sampler, double strength, double 
   return alarms;
 }
 
-TEST_CASE("of independent samples the errors are as large as the variance says") {
+TEST_CASE("the errors of independent samples agree with their variance") {
   const Alarms alarms = alarmsOf(80, render::SamplerKind::independent, 4, 0.05);
   INFO(alarms.count << " alarms, deviation " << alarms.deviation);
   CHECK(alarms.count <= 10);
@@ -64,7 +64,7 @@ TEST_CASE("of independent samples the errors are as large as the variance says")
   CHECK(alarms.deviation < 1.25);
 }
 
-TEST_CASE("of evenly spread samples the errors are smaller than the variance says, so that the test is cautious") {
+TEST_CASE("the errors of stratified samples are smaller than estimated, so that the test is conservative") {
   for (const render::SamplerKind sampler : {render::SamplerKind::stratified, render::SamplerKind::sobol}) {
     const Alarms alarms = alarmsOf(40, sampler, 4, 0.05);
     INFO(alarms.count << " alarms, deviation " << alarms.deviation);
@@ -73,7 +73,7 @@ TEST_CASE("of evenly spread samples the errors are smaller than the variance say
   }
 }
 
-TEST_CASE("a lamp that is twice as bright is seen by every sampler") {
+TEST_CASE("every sampler detects a light of twice the radiance") {
   for (const render::SamplerKind sampler :
        {render::SamplerKind::independent, render::SamplerKind::stratified, render::SamplerKind::sobol}) {
     CHECK(alarmsOf(10, sampler, 8, 1e-4).count == 10);

@@ -28,7 +28,7 @@ int alarmsOf(int runs, const NoiseOptions& device, const LightTestOptions& optio
   return alarms;
 }
 
-TEST_CASE("equal light raises no alarm at the default level, and about as many as asked for at another") {
+TEST_CASE("equal light raises no alarm at the default level, and the expected number at another") {
   CHECK(alarmsOf(200, {}, {}) == 0);
   const int alarms = alarmsOf(200, {}, {.alpha = 0.05});
   CHECK(alarms >= 2);
@@ -93,7 +93,7 @@ TEST_CASE("a large difference ends the run at the first look") {
   CHECK(result.looks == 1);
 }
 
-TEST_CASE("a time limit ends the run after the look under way, which says how far it got") {
+TEST_CASE("a time limit ends the run after the current look, which reports its information") {
   const LightTestResult result = run({}, 1, {.timeLimit = 0.0});
   CHECK(result.outOfTime);
   CHECK(result.looks == 1);
@@ -108,7 +108,7 @@ TEST_CASE("an interrupted run has no verdict") {
   CHECK(run({}, 1, {}, control).interrupted);
 }
 
-TEST_CASE("looks grow towards the information that is needed, doubling at least") {
+TEST_CASE("looks grow at least twofold towards the required information") {
   CHECK(informationShare(1, 1, 2) == Approx(std::pow(1 / (2 + 2.3263479), 2)));
   CHECK(informationShare(0.1, 1, 2) == 1);
   CHECK(nextSamples(10, 0.5, 7) == 20);

@@ -26,16 +26,16 @@ VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact
   return report;
 }
 
-TEST_CASE("agreement says how large a difference would have been seen") {
+TEST_CASE("an agreement states the difference that would have been detected") {
   const VerifyReport report = reportOf(1);
   CHECK(report.agree());
   CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
   CHECK(toJson(report)["agree"] == true);
   CHECK(toJson(report)["schema"] == "candela-verify/1");
-  CHECK_THAT(toText(report), Contains("the scene does not state its answer"));
+  CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
 }
 
-TEST_CASE("a difference is named with its place, its size and its sign") {
+TEST_CASE("a difference is reported with its position, size and sign") {
   const VerifyReport report = reportOf(0.98);
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(),
@@ -46,7 +46,7 @@ TEST_CASE("a difference is named with its place, its size and its sign") {
 TEST_CASE("two sides that agree on a wrong answer fail") {
   const VerifyReport report = reportOf(1, scene::ExactMean{});
   CHECK_FALSE(report.agree());
-  CHECK_THAT(report.verdict(), Contains("NOT with the answer that the scene states"));
+  CHECK_THAT(report.verdict(), Contains("NOT with the exact result that the scene states"));
   CHECK(toJson(report)["rightLight"]["met"] == false);
 }
 

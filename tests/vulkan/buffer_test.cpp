@@ -27,7 +27,7 @@ Device openEitherWay(bool throughStaging) {
 
 }  // namespace
 
-TEST_CASE("a buffer of any size gives back what was written") {
+TEST_CASE("a buffer of any size returns the data that were written") {
   Device device = openEitherWay(GENERATE(false, true));
   for (const std::size_t bytes : {std::size_t{4}, std::size_t{16}, kStagingBytes - 4, kStagingBytes, kStagingBytes + 4,
                                   3 * kStagingBytes, 37 * kStagingBytes + 20}) {
@@ -38,7 +38,7 @@ TEST_CASE("a buffer of any size gives back what was written") {
   }
 }
 
-TEST_CASE("writing a part leaves the rest, and a part can be read alone") {
+TEST_CASE("a part of a buffer can be written and read separately") {
   Device device = openEitherWay(GENERATE(false, true));
   Buffer buffer(device, 10 * kStagingBytes, Usage::storage);
   Words expected = makeWords(10 * kStagingBytes / 4);
@@ -65,7 +65,7 @@ TEST_CASE("fill sets every word") {
   CHECK(download(buffer) == Words(1001, 0xdeadbeefu));
 }
 
-TEST_CASE("a recorded copy moves the range asked, in order with fills") {
+TEST_CASE("a recorded copy moves the given range, in order with fills") {
   Device device = openEitherWay(GENERATE(false, true));
   Buffer from(device, 64, Usage::storage);
   Buffer to(device, 64, Usage::storage);
@@ -119,14 +119,14 @@ TEST_CASE("a size beyond the device's limits is out of memory and named") {
                   OutOfMemoryError);
 }
 
-TEST_CASE("a buffer that no heap holds is out of memory and named") {
+TEST_CASE("a buffer larger than any heap is an out-of-memory error that names it") {
   Device device = openTestDevice();
   CHECK_THROWS_AS(Buffer(device, std::uint64_t{1} << 44, Usage::readback), OutOfMemoryError);
   CHECK_THROWS_WITH(Buffer(device, std::uint64_t{1} << 44, Usage::readback), Contains("17592186044416 bytes"));
   CHECK(device.memoryUse().currentBytes == 0);
 }
 
-TEST_CASE("the device counts the bytes that buffers hold, now and at most") {
+TEST_CASE("the device counts the current and the maximum bytes of buffers") {
   Device device = openTestDevice();
   {
     const Buffer a(device, 1000, Usage::storage);

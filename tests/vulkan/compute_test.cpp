@@ -155,7 +155,7 @@ TEST_CASE("a failed recording leaves the device ready for the next") {
   CHECK(download(buffer) == Words(16, 2));
 }
 
-TEST_CASE("what does not fit a pipeline is refused before the driver sees it") {
+TEST_CASE("arguments that do not fit a pipeline are refused before the driver is called") {
   Device device = openTestDevice();
   const ComputePipeline pipeline = makeShift(device);
   Buffer storage(device, 256, Usage::storage);

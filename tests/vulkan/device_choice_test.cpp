@@ -25,7 +25,7 @@ DeviceInfo makeInfo(std::uint32_t index, const char* name, const char* type, con
 
 const std::vector<DeviceInfo> kDevices{
     makeInfo(0, "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"),
-    makeInfo(1, "Old GeForce 640", "discrete GPU", "Vulkan 1.1.2 only, 1.2 is needed"),
+    makeInfo(1, "Old GeForce 640", "discrete GPU", "it supports only Vulkan 1.1.2; 1.2 is required"),
     makeInfo(2, "Iris Graphics", "integrated GPU"),
     makeInfo(3, "GeForce RTX 3060", "discrete GPU"),
 };
@@ -51,7 +51,7 @@ TEST_CASE("without a selector the kind decides: discrete, integrated, virtual, C
   CHECK(chooseDevice(std::span(others).first(2), "").index == 1);
 }
 
-TEST_CASE("of equal kinds the first is chosen") {
+TEST_CASE("the first of several devices of one type is chosen") {
   const std::vector<DeviceInfo> twins{makeInfo(0, "a", "discrete GPU"), makeInfo(1, "b", "discrete GPU")};
   CHECK(chooseDevice(twins, "").index == 0);
 }
@@ -64,10 +64,13 @@ TEST_CASE("a selector is an index or a part of a name in any case") {
 
 TEST_CASE("a number beyond the list is a part of a name") { CHECK(chooseDevice(kDevices, "3060").index == 3); }
 
-TEST_CASE("of devices with that name a usable one is chosen") { CHECK(chooseDevice(kDevices, "geforce").index == 3); }
+TEST_CASE("a usable device is preferred among several with the name") {
+  CHECK(chooseDevice(kDevices, "geforce").index == 3);
+}
 
-TEST_CASE("choosing an unusable device says what is missing") {
-  CHECK_THAT(messageOf(kDevices, "1"), Contains("1 (Old GeForce 640) is not usable: Vulkan 1.1.2 only, 1.2 is needed"));
+TEST_CASE("selecting an unusable device names the reason") {
+  CHECK_THAT(messageOf(kDevices, "1"),
+             Contains("1 (Old GeForce 640) is not usable: it supports only Vulkan 1.1.2; 1.2 is required"));
   CHECK_THAT(messageOf(kDevices, "640"), Contains("not usable"));
 }
 
@@ -78,7 +81,7 @@ TEST_CASE("an unknown device is answered with the list") {
   CHECK_THAT(message, Contains("\n  3: GeForce RTX 3060 (discrete GPU)"));
 }
 
-TEST_CASE("where there is no device, or none that is usable, the message says what to install") {
+TEST_CASE("without a usable device the message says what to install") {
   CHECK_THAT(messageOf({}, ""), Contains("apt-get install mesa-vulkan-drivers"));
   CHECK_THAT(messageOf({}, "llvmpipe"), Contains("apt-get install mesa-vulkan-drivers"));
   CHECK_THAT(messageOf(std::span(kDevices).subspan(1, 1), ""), Contains("apt-get install mesa-vulkan-drivers"));

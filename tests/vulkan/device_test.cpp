@@ -31,7 +31,7 @@ TEST_CASE("a usable device is described with limits that Vulkan guarantees") {
   CHECK(info.subgroupSize >= 1);
 }
 
-TEST_CASE("devices are numbered in order, and each is opened by its number or as it was told") {
+TEST_CASE("devices are numbered in order, and each is opened by its index or its description") {
   const std::vector<DeviceInfo> infos = listDevices();
   REQUIRE_FALSE(infos.empty());
   for (std::uint32_t i = 0; i < infos.size(); ++i) {

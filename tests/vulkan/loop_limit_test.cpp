@@ -8,7 +8,7 @@
 using namespace candela;
 using namespace candela::vulkan;
 
-TEST_CASE("a device runs every turn of a loop, or the probe says how many") {
+TEST_CASE("a device runs every iteration of a loop, or the probe reports their number") {
   vulkan::Device device = openTestDevice();
   const std::uint32_t limit = vulkan::probeLoopLimit(device);
   WARN(device.info().name << ": " << (limit == vulkan::kUnlimitedTurns ? "unlimited" : std::to_string(limit)));
@@ -18,7 +18,7 @@ TEST_CASE("a device runs every turn of a loop, or the probe says how many") {
   CHECK(vulkan::probeLoopLimit(device) == limit);
 }
 
-TEST_CASE("SwiftShader has no loop limit, and lavapipe of Mesa 22 stops after 65,535 turns") {
+TEST_CASE("SwiftShader has no loop limit, and lavapipe of Mesa 22 stops after 65,535 iterations") {
   vulkan::Device device = openTestDevice();
   const std::string driver = device.info().driver;
   if (driver.find("SwiftShader") != std::string::npos) CHECK(vulkan::probeLoopLimit(device) == vulkan::kUnlimitedTurns);

@@ -29,7 +29,7 @@ TEST_CASE("a wrong call is in the validation log until it is cleared") {
   CHECK(vulkan::validationMessages().empty());
 }
 
-TEST_CASE("validation is asked for by any value but none and 0") {
+TEST_CASE("validation is requested by any value except 0 and the empty one") {
   const auto isRequested = [](const char* value) {
     const EnvironmentGuard guard("CANDELA_VALIDATION", value);
     return vulkan::validationRequested();
@@ -39,7 +39,7 @@ TEST_CASE("validation is asked for by any value but none and 0") {
   CHECK_FALSE(isRequested(""));
 }
 
-TEST_CASE("asking for validation where the layer is not installed is an error that says so") {
+TEST_CASE("requesting validation without the layer is an error that names it") {
   const EnvironmentGuard validation("CANDELA_VALIDATION", "1");
   const EnvironmentGuard path("VK_LAYER_PATH", "/nonexistent");
   CHECK_THROWS_AS(openTestDevice(), NoDeviceError);
