@@ -21,11 +21,11 @@ WideFamilies::WideFamilies(const Bvh& bvh) : bvh_(bvh), costs_(bvh.nodes.size())
 }
 
 WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t children) const {
-  constexpr auto kMost = static_cast<std::uint32_t>(std::tuple_size_v<Costs>);
+  constexpr auto kMaxSamples = static_cast<std::uint32_t>(std::tuple_size_v<Costs>);
   const Costs& left = costs_[pair];
   const Costs& right = costs_[pair + 1];
   Share best{0, std::numeric_limits<float>::infinity()};
-  for (std::uint32_t k = children > kMost ? children - kMost : 1; k <= std::min(children - 1, kMost); ++k) {
+  for (std::uint32_t k = children > kMaxSamples ? children - kMaxSamples : 1; k <= std::min(children - 1, kMaxSamples); ++k) {
     const float cost = left[k - 1] + right[children - k - 1];
     if (cost < best.cost) best = {k, cost};
   }

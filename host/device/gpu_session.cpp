@@ -39,13 +39,13 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   requireWorkgroup(info, settings_.execution.workgroupInUse());
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   Stopwatch watch;
-  const std::uint32_t rays = mostRaysPerSegment(scene_, settings_);
+  const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
   preferTree(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
   flat_ = flatten::flattenScene(scene_, settings_,
-                                {mostGridSide(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
+                                {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
   budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
-  if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMostRounds);
+  if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMaxRounds);
   cameraRecords_ = flatten::cameraRecordsOf(scene_, flat_, settings_.image);
   prepared_.seconds["build"] = watch.lap();
   prepared_.seconds["structure"] = flat_.structureSeconds;

@@ -56,7 +56,7 @@ void addTreeCounts(std::span<const std::byte> bytes, render::RenderStatistics& s
 
 std::string_view kernelsHash() { return spirv::hash; }
 
-std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings) {
+std::uint32_t maxRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings) {
   if (settings.image.integrator != render::Integrator::whitted) return 2;
   return 1 + static_cast<std::uint32_t>(std::min<std::size_t>(scene.pointLights.size(), gpu::kLightsPerSegment));
 }

@@ -25,7 +25,7 @@ struct Kernel {
 std::string_view kernelsHash();
 
 /// The most rays that one segment traces.
-std::uint32_t mostRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings);
+std::uint32_t maxRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings);
 
 /// Throws UsageError if the settings ask for the wavefront of an integrator that has none.
 void requireKernel(const render::RenderSettings& settings);

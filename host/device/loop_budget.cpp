@@ -42,7 +42,7 @@ void preferTree(std::uint32_t limit, const vulkan::DeviceInfo& info, const scene
 
 // So that a segment, of rays with at most four cells a slice, keeps to half of the limit even where no two lanes of
 // a group look at cells at the same time. The other half is for what lies in the cells.
-std::uint32_t mostGridSide(std::uint32_t limit, const vulkan::DeviceInfo& info, std::uint32_t raysPerSegment) {
+std::uint32_t maxGridSideFor(std::uint32_t limit, const vulkan::DeviceInfo& info, std::uint32_t raysPerSegment) {
   return limit == vulkan::kUnlimitedTurns ? flatten::kAnyGridSide
                                           : std::max(1u, limit / (8 * raysPerSegment * lanesOf(info)));
 }

@@ -26,6 +26,6 @@ void preferTree(std::uint32_t limit, const vulkan::DeviceInfo& info, const scene
                 std::uint32_t raysPerSegment, render::StructureSettings& structure, std::vector<std::string>& warnings);
 
 /// The finest grid, in cells along an axis, whose empty cells alone do not use up the limit.
-std::uint32_t mostGridSide(std::uint32_t limit, const vulkan::DeviceInfo& info, std::uint32_t raysPerSegment);
+std::uint32_t maxGridSideFor(std::uint32_t limit, const vulkan::DeviceInfo& info, std::uint32_t raysPerSegment);
 
 }  // namespace candela::device

@@ -9,7 +9,7 @@
 namespace candela::device {
 namespace {
 
-static_assert(render::PathTrace::kMostVertices == gpu::kTracedVertices);
+static_assert(render::PathTrace::kMaxVertices == gpu::kTracedVertices);
 static_assert(render::LightTrace::kPointLight == gpu::kRecordMiss);
 
 glm::dvec3 floats(const gpu::uvec4& row) {

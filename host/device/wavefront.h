@@ -15,7 +15,7 @@ namespace candela::device {
 enum class WaveStage { gather, extend, shade, shadow, renew };
 
 /// So many rounds may be recorded into one submission, each of five commands.
-inline constexpr std::uint32_t kMostRounds = 1024;
+inline constexpr std::uint32_t kMaxRounds = 1024;
 
 /// What the queues of a band of so many pixels take between the counters and the path records.
 constexpr std::uint64_t queueBytes(std::uint64_t pixels) {

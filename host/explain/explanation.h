@@ -37,7 +37,7 @@ struct Explanation {
 
   const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }
   /// Returns whether a path has more vertices than are recorded.
-  bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > render::PathTrace::kMostVertices; }
+  bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > render::PathTrace::kMaxVertices; }
   /// Returns the result in one to three sentences.
   std::string verdict() const;
 };

@@ -69,7 +69,7 @@ ordered_json toJson(const Explanation& explanation) {
   json["firstDifference"] = placeJson(explanation, explanation.firstDifference);
   json["firstDecision"] = placeJson(explanation, explanation.firstDecision);
   json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};
-  json["mostVertices"] = render::PathTrace::kMostVertices;
+  json["mostVertices"] = render::PathTrace::kMaxVertices;
   for (const Stage& stage : explanation.stages) json["stages"].push_back(stageJson(stage));
   return json;
 }

@@ -43,7 +43,7 @@ class TextLayout {
     if (explanation_.isCut()) {
       text_ += fmt::format("The paths have {} and {} vertices; the first {} are shown.\n",
                            explanation_.device.vertexCount, explanation_.reference.vertexCount,
-                           render::PathTrace::kMostVertices);
+                           render::PathTrace::kMaxVertices);
     }
     text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference",
                          kSideWidth - 1);

@@ -16,7 +16,7 @@ void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<d
   if (vertexTrace_) vertexTrace_->radiance = radiance;
   vertexTrace_ = nullptr;
   trace_->vertexCount = depth;
-  if (depth > render::PathTrace::kMostVertices) return;
+  if (depth > render::PathTrace::kMaxVertices) return;
   vertexTrace_ = &trace_->vertices.emplace_back();
   vertexTrace_->origin = ray.origin;
   vertexTrace_->direction = ray.direction;

@@ -79,9 +79,9 @@ struct VertexTrace {
 };
 
 struct PathTrace {
-  static constexpr std::uint32_t kMostVertices = 64;
+  static constexpr std::uint32_t kMaxVertices = 64;
   std::array<std::uint32_t, 4> cameraNumbers{};  ///< words of filter x, filter y, lens u, lens v
-  std::vector<VertexTrace> vertices;             ///< the first kMostVertices
+  std::vector<VertexTrace> vertices;             ///< the first kMaxVertices
   std::uint32_t vertexCount = 0;                 ///< of the whole path; a ray that meets nothing ends in one too
   glm::dvec3 radiance{0};                        ///< that the sample adds to the film
 };

@@ -13,7 +13,7 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr std::size_t kMaxFileSize = std::size_t{1} << 30;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::string readFile(const std::filesystem::path& path) {
   std::string block(1 << 20, '\0');
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     text.append(block, 0, count);
-    if (text.size() > kLargestFile) throw FileError(fmt::format("{}: larger than 1 GiB", path.string()));
+    if (text.size() > kMaxFileSize) throw FileError(fmt::format("{}: larger than 1 GiB", path.string()));
   }
   if (std::ferror(file.get())) throw FileError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
   return text;

@@ -48,8 +48,8 @@ void parseAccel(Parser& parser) {
 }
 
 void parseSamples(Parser& parser) {
-  constexpr std::int64_t kMost = 1'000'000'000;
-  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 0, kMost));
+  constexpr std::int64_t kMaxSamples = 1'000'000'000;
+  const auto samples = static_cast<std::uint32_t>(parser.in.wholeNumber("spp", 0, kMaxSamples));
   parser.scene.requestedSamples = samples;
   if (samples == 0) {
     return parser.log.warn("spp", parser.keyword,

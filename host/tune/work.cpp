@@ -50,7 +50,7 @@ void grow(double factor, const render::Extent& largest, const WorkSize& asked, r
   }
   if (!asked.sampleCount) {
     settings.image.sampleCount = static_cast<std::uint32_t>(
-        std::clamp(std::round(settings.image.sampleCount * factor), 1.0, kMostSamples));
+        std::clamp(std::round(settings.image.sampleCount * factor), 1.0, kMaxSamples));
   }
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, and
     const render::Replay replay = tracer->replay(scene, settings, place);
     CHECK(replay.statistics.truncated == 0);
     CHECK(replay.path.vertexCount == 3000);
-    REQUIRE(replay.path.vertices.size() == render::PathTrace::kMostVertices);
+    REQUIRE(replay.path.vertices.size() == render::PathTrace::kMaxVertices);
     CHECK(replay.path.vertices.back().hit);
     image::Film replayed(1, 1);
     replayed.addSample(0, 0, replay.path.radiance, 0);

@@ -77,13 +77,13 @@ TEST_CASE("exposure counts in stops") {
 TEST_CASE("no tone curve trips over values that are no radiance") {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kLargest = std::numeric_limits<float>::max();
+  constexpr float kMaxValue = std::numeric_limits<float>::max();
   for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
     CAPTURE(static_cast<int>(toneMap));
     CHECK(display({kNan, kNan, kNan}, toneMap) == glm::ivec3(0));
     CHECK(display({-kInfinity, -1, -0.0f}, toneMap) == glm::ivec3(0));
     CHECK(glm::all(glm::greaterThanEqual(display({kInfinity, kInfinity, kInfinity}, toneMap), glm::ivec3(254))));
-    CHECK(glm::all(glm::greaterThanEqual(display({kLargest, kLargest, kLargest}, toneMap, 100), glm::ivec3(254))));
+    CHECK(glm::all(glm::greaterThanEqual(display({kMaxValue, kMaxValue, kMaxValue}, toneMap, 100), glm::ivec3(254))));
   }
 }
 
