@@ -15,7 +15,7 @@ struct WideRay {
 
 // A plane's number times an inverse direction must not overflow, or it could meet its opposite and become NaN.
 // Coordinates are below 2^41, and 2^-80 still decides nothing.
-const float kLeastComponent = 8.3e-25;
+const float kMinComponent = 8.3e-25;
 
 WideRay wideRay(Ray ray) {
   WideRay result;
@@ -23,7 +23,7 @@ WideRay wideRay(Ray ray) {
   vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * (largest(abs(ray.origin)) * (1.0 / 524288.0));
   result.nearOrigin = ray.origin + pad;
   result.farOrigin = ray.origin - pad;
-  vec3 magnitude = max(abs(ray.direction), vec3(kLeastComponent));
+  vec3 magnitude = max(abs(ray.direction), vec3(kMinComponent));
   result.inverse = 1.0 / mix(magnitude, -magnitude, result.backward);
   uvec3 bits = mix(uvec3(0u), uvec3(1u, 2u, 4u), result.backward);
   result.octant = bits.x | bits.y | bits.z;

@@ -25,7 +25,8 @@ WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t ch
   const Costs& left = costs_[pair];
   const Costs& right = costs_[pair + 1];
   Share best{0, std::numeric_limits<float>::infinity()};
-  for (std::uint32_t k = children > kMaxSamples ? children - kMaxSamples : 1; k <= std::min(children - 1, kMaxSamples); ++k) {
+  for (std::uint32_t k = children > kMaxSamples ? children - kMaxSamples : 1; k <= std::min(children - 1, kMaxSamples);
+       ++k) {
     const float cost = left[k - 1] + right[children - k - 1];
     if (cost < best.cost) best = {k, cost};
   }

@@ -26,7 +26,8 @@ std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device,
   std::vector<std::unique_ptr<DeviceTracer>> tracers;
   render::RenderSettings settings = asked;
   settings.structure.accel = render::AccelKind::bvh;
-  for (const render::BvhLayout layout : choices(asked.structure.bvhLayout, render::BvhLayout::bvh2, render::BvhLayout::cwbvh)) {
+  for (const render::BvhLayout layout :
+       choices(asked.structure.bvhLayout, render::BvhLayout::bvh2, render::BvhLayout::cwbvh)) {
     settings.structure.bvhLayout = layout;
     const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
     const bool any = device::canBind(device.info(), flat, render::SceneLoads::automatic);
@@ -34,7 +35,8 @@ std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device,
          choices(asked.execution.sceneLoads, render::SceneLoads::texel, render::SceneLoads::storage)) {
       settings.execution.sceneLoads = loads;
       // Of a scene that fits in no way, the constructor says what is too large.
-      if (asked.execution.sceneLoads == render::SceneLoads::automatic && any && !device::canBind(device.info(), flat, loads))
+      if (asked.execution.sceneLoads == render::SceneLoads::automatic && any &&
+          !device::canBind(device.info(), flat, loads))
         continue;
       tracers.push_back(std::make_unique<DeviceTracer>(device, flat, settings));
     }

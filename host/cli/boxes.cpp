@@ -29,7 +29,8 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
-                                                 arguments.settings.structure.bvhSplit, arguments.settings.structure.bvhQuality);
+                                                 arguments.settings.structure.bvhSplit,
+                                                 arguments.settings.structure.bvhQuality);
   const std::vector<accel::LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
   requireReadableSize(boxes.size());
   const std::uint32_t deepest = quality(bvh).depth;

@@ -76,12 +76,12 @@ std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, c
                          std::uint64_t maxBytes) {
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.size.width;
   // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
-  const std::uint64_t mostBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
+  const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
   const std::uint64_t head = headBytes(kernel, 0);
-  const std::uint64_t rows = mostBytes <= head ? 0 : (mostBytes - head) / rowBytes;
+  const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.image.size.width, rowBytes >> 10, info.name, mostBytes >> 10));
+                                settings.image.size.width, rowBytes >> 10, info.name, allowedBytes >> 10));
   }
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.size.height));
 }

@@ -26,7 +26,7 @@ std::uint32_t rowCost(scene::PrimitiveKind kind) {
 }  // namespace
 
 SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info) {
-  if (info.driver.starts_with("llvmpipe")) return {.mostCost = 128, .rowsAhead = true};
+  if (info.driver.starts_with("llvmpipe")) return {.maxCost = 128, .rowsAhead = true};
   return {};
 }
 
@@ -34,7 +34,7 @@ bool isSmall(const scene::Scene& scene, const SmallSceneRule& rule) {
   if (scene.primitives.size() > gpu::kMaxUniformSlots) return false;
   std::uint32_t cost = 0;
   for (const scene::Primitive& primitive : scene.primitives) cost += rowCost(primitive.kind);
-  return cost <= rule.mostCost;
+  return cost <= rule.maxCost;
 }
 
 }  // namespace candela::flatten

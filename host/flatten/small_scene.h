@@ -10,7 +10,7 @@ namespace candela::flatten {
 
 /// Which scenes a device traces without any structure.
 struct SmallSceneRule {
-  std::uint32_t mostCost = 48;  ///< of testing all primitives, in the units of rowCost()
+  std::uint32_t maxCost = 48;  ///< of testing all primitives, in the units of rowCost()
   bool rowsAhead = false;  ///< the kernel reads all rows before anything else: worth it where a read costs more later
 };
 

@@ -10,8 +10,8 @@ namespace {
 constexpr double kMargin = 1e-6;  // shares of the grid's largest coordinate
 constexpr double kThinnestCell = 1e-4;
 constexpr double kFarAway = 100;
-constexpr double kMostCellsPerBox = 64;
-constexpr double kMostItemsPerBox = 64;
+constexpr double kMaxCellsPerBox = 64;
+constexpr double kMaxItemsPerBox = 64;
 constexpr double kSmallGrid = 1000;  // cells and items that need no reason
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -110,8 +110,8 @@ Grid buildGrid(std::span<const Bounds> boxes, double density) {
   const double thinnest = kThinnestCell * reach;
   const auto count = static_cast<double>(boxes.size());
   const auto isTooLarge = [&] {
-    return cellCount(grid) > kSmallGrid + kMostCellsPerBox * count ||
-           itemCount(grid, boxes) > kSmallGrid + kMostItemsPerBox * count;
+    return cellCount(grid) > kSmallGrid + kMaxCellsPerBox * count ||
+           itemCount(grid, boxes) > kSmallGrid + kMaxItemsPerBox * count;
   };
   const dvec3 extent = grid.bounds.max - grid.bounds.min;
   double edge = std::max(thinnest, edgePerBox(extent, thinnest, boxes.size()) / density);

@@ -12,7 +12,7 @@ bool BadSampleTally::note(std::size_t pixel, std::size_t pixelCount) {
   return true;
 }
 
-void BadSampleTally::add(const image::Film& film, const ImageSettings& settings) {
+void BadSampleTally::add(const image::Film& film, const ImageSettings& image) {
   width_ = film.width();
   for (std::size_t i = 0; i < film.pixels().size(); ++i) {
     const image::FilmPixel& pixel = film.pixels()[i];
@@ -20,7 +20,7 @@ void BadSampleTally::add(const image::Film& film, const ImageSettings& settings)
     samples_ += pixel.badCount;
     if (!note(i, film.pixels().size()) || firstPixels_.size() == kPixelsKept) continue;
     firstPixels_.push_back({static_cast<std::uint32_t>(i % film.width()), static_cast<std::uint32_t>(i / film.width()),
-                            pixel.badCount, pixel.firstBadSample - 1, settings.image.seed, settings.image.sampleCount});
+                            pixel.badCount, pixel.firstBadSample - 1, image.seed, image.sampleCount});
   }
 }
 

@@ -24,8 +24,8 @@ class BadSampleTally {
  public:
   static constexpr std::size_t kPixelsKept = 5;
 
-  /// Adds the bad samples of a film that was rendered with `settings`.
-  void add(const image::Film& film, const ImageSettings& settings);
+  /// Adds the bad samples of a film that was rendered with `image`.
+  void add(const image::Film& film, const ImageSettings& image);
 
   /// Adds what another tally counted in later renders of the same size.
   void add(const BadSampleTally& later);

@@ -121,7 +121,26 @@ struct Scene {
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };
 
-#include "host/scene/material.h"
-#include "host/scene/mesh.h"
-#include "host/scene/primitive_kind_list.h"
+/// The mesh of a primitive that is a triangle.
+inline const Mesh& meshOf(const Scene& scene, const Primitive& triangle) { return scene.meshes[triangle.mesh]; }
+
+/// The vertices of a primitive that is a triangle.
+inline Triangle triangleOf(const Scene& scene, const Primitive& triangle) {
+  const Mesh& mesh = meshOf(scene, triangle);
+  const auto [p0, p1, p2] = attributeOf(mesh, mesh.positions, triangle.index);
+  return {{p0, p1, p2}};
+}
+
+/// True if the primitive is a triangle whose vertices have normals.
+inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
+  return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();
+}
+
+/// The vertex normals of a primitive for which isSmooth is true.
+inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
+  const Mesh& mesh = meshOf(scene, triangle);
+  const auto [n0, n1, n2] = attributeOf(mesh, mesh.normals, triangle.index);
+  return {{n0, n1, n2}};
+}
+
 }  // namespace candela::scene

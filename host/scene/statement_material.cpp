@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRequired = 8;  ///< numbers that every dialect has
 constexpr std::size_t kOptional = 7;  ///< that the longest has beyond them
-constexpr std::size_t kFewest = 3;    ///< that --lenient completes: a colour
+constexpr std::size_t kMinNumbers = 3;    ///< that --lenient completes: a colour
 
 bool isDialect(std::size_t count) { return count == 8 || count == 9 || (count >= 11 && count <= 15 && count != 13); }
 
@@ -27,7 +27,7 @@ void completeShort(Parser& parser, std::vector<float>& n) {
 std::vector<float> readNumbers(Parser& parser) {
   std::vector<float> n;
   while (n.size() < kRequired) {
-    const bool shortened = parser.options.lenient && n.size() >= kFewest && !parser.in.numberFollows();
+    const bool shortened = parser.options.lenient && n.size() >= kMinNumbers && !parser.in.numberFollows();
     if (shortened) break;
     n.push_back(parser.in.number("at least 8 numbers"));
   }

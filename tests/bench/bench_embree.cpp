@@ -26,7 +26,8 @@ RayReport measure(const scene::Scene& scene, const render::RenderSettings& setti
   for (const auto& tracer : tracers) all.push_back(tracer.get());
   all.push_back(&embree);
   const device::RaySets sets = tracers.front()->makeRays();
-  RayReport report{device.info().name, device.info().driver, settings.execution.workgroupInUse(), settings.image.size, repeats, {}};
+  RayReport report{
+      device.info().name, device.info().driver, settings.execution.workgroupInUse(), settings.image.size, repeats, {}};
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
     const std::size_t i = place++ % all.size();

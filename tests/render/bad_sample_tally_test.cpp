@@ -10,11 +10,11 @@ namespace {
 const glm::dvec3 kTooBright(1e9);
 
 render::ImageSettings settingsOf(std::uint32_t seed) {
-  render::ImageSettings settings;
-  settings.image.size = {4, 3};
-  settings.image.seed = seed;
-  settings.image.sampleCount = 8;
-  return settings;
+  render::ImageSettings image;
+  image.size = {4, 3};
+  image.seed = seed;
+  image.sampleCount = 8;
+  return image;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ vulkan::DeviceInfo deviceWith(const char* driver) {
 }  // namespace
 
 TEST_CASE("a scene is small by what its primitives cost, not by their number alone") {
-  const flatten::SmallSceneRule rule{.mostCost = 48, .rowsAhead = false};
+  const flatten::SmallSceneRule rule{.maxCost = 48, .rowsAhead = false};
   CHECK(isSmall(scattered(kTriangle, 16), rule));
   CHECK(!isSmall(scattered(kTriangle, 17), rule));
   CHECK(isSmall(scattered(kSphere, 24), rule));
@@ -40,7 +40,7 @@ TEST_CASE("a scene is small by what its primitives cost, not by their number alo
 }
 
 TEST_CASE("no scene with more primitives than the uniform buffer can store is small") {
-  const flatten::SmallSceneRule all{.mostCost = 1000, .rowsAhead = false};
+  const flatten::SmallSceneRule all{.maxCost = 1000, .rowsAhead = false};
   CHECK(isSmall(scattered(kSphere, gpu::kMaxUniformSlots), all));
   CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), all));
 }
@@ -58,7 +58,7 @@ TEST_CASE("a small scene has its records in the uniform buffer too, unless a str
   const scene::Scene scene = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f")
                                  .scene;
   const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,
-                                      .smallScene = {.mostCost = 128, .rowsAhead = false}};
+                                      .smallScene = {.maxCost = 128, .rowsAhead = false}};
   render::RenderSettings settings;
   settings.image.size = {8, 8};
   const flatten::FlatScene row = flatten::flattenScene(scene, settings, limits);

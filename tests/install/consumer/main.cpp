@@ -17,8 +17,8 @@ int main(int argc, char** argv) try {
                                                                   ? candela::reference::makeReferenceRenderer()
                                                                   : candela::device::makeGpuRenderer(device);
   candela::render::RenderSettings settings;
-  settings.size = {64, 64};
-  settings.sampleCount = 4;
+  settings.image.size = {64, 64};
+  settings.image.sampleCount = 4;
   const candela::render::RenderResult result = renderer->render(scene, settings, {});
   candela::image::writeImage(argv[3], candela::image::toImage(result.film), {});
   std::cout << result.statistics.device << '\n';
