@@ -1,6 +1,9 @@
 // Normals, geometric and interpolated.
 #include "host/reference/surface.h"
 
+#include <array>
+#include <optional>
+
 #include "host/reference/geometry.h"
 
 namespace candela::reference {
@@ -23,13 +26,22 @@ dvec3 outwardNormalAt(const scene::Scene& scene, const Ray& ray, const Hit& hit)
   return PlaneShape(scene.planes[primitive.index]).unitNormal;
 }
 
-// The mean of a patch's vertex normals, of any length; 0 for primitives without.
-dvec3 interpolatedNormal(const scene::Scene& scene, const Ray& ray, const scene::Primitive& primitive) {
-  if (!isSmooth(scene, primitive)) return dvec3(0);
-  const scene::VertexNormals normals = vertexNormalsOf(scene, primitive);
-  const glm::vec3(&n)[3] = normals.n;
-  const dvec2 b = TriangleShape(triangleOf(scene, primitive)).barycentrics(ray);
-  return (1 - b.x - b.y) * dvec3(n[0]) + b.x * dvec3(n[1]) + b.y * dvec3(n[2]);
+bool hasAttributes(const scene::Mesh& mesh) {
+  return !mesh.normals.empty() || !mesh.texCoords[0].empty() || !mesh.texCoords[1].empty() || !mesh.tangents.empty() ||
+         !mesh.colours.empty();
+}
+
+// Where the ray meets a triangle of a mesh that has more than positions; nothing for other primitives.
+std::optional<dvec2> barycentricsOf(const scene::Scene& scene, const Ray& ray, const scene::Primitive& primitive) {
+  if (primitive.kind != scene::PrimitiveKind::triangle || !hasAttributes(meshOf(scene, primitive))) return std::nullopt;
+  return TriangleShape(triangleOf(scene, primitive)).barycentrics(ray);
+}
+
+// The mean of the vertex normals, of any length; 0 for triangles without.
+dvec3 interpolatedNormal(const scene::Scene& scene, const scene::Primitive& triangle, const dvec2& b) {
+  if (!isSmooth(scene, triangle)) return dvec3(0);
+  const scene::VertexNormals normals = vertexNormalsOf(scene, triangle);
+  return interpolate<dvec3>(std::to_array(normals.n), b);
 }
 
 }  // namespace
@@ -45,9 +57,12 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   surface.primitive = hit.primitive;
   surface.material = primitive.material;
 
-  dvec3 n = interpolatedNormal(scene, ray, primitive);
+  const std::optional<dvec2> b = barycentricsOf(scene, ray, primitive);
+  if (!b) return surface;
+  dvec3 n = interpolatedNormal(scene, primitive, *b);
+  if (n != dvec3(0)) n = normalize(n);
+  surface.attributes = attributesAt(scene, primitive, *b, n == dvec3(0) ? surface.outwardNormal : n);
   if (n == dvec3(0)) return surface;
-  n = normalize(n);
   if (dot(n, surface.facingNormal) < 0) n = -n;
   if (dot(n, ray.direction) < 0) surface.shadingNormal = n;
   return surface;

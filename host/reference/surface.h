@@ -1,5 +1,6 @@
 // The surface where a ray hit it: docs/light-transport.md section 4, normals.
 #pragma once
+#include "host/reference/mesh_attributes.h"
 #include "host/reference/ray.h"
 #include "host/scene/scene.h"
 
@@ -13,6 +14,7 @@ struct Surface {
   bool fromOutside;     ///< the ray comes from where outwardNormal points
   std::uint32_t primitive;
   std::uint32_t material;
+  MeshAttributes attributes{};  ///< 0 where the mesh gives none
 };
 
 /// `hit` is a hit of `ray`.

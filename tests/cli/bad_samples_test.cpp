@@ -27,7 +27,7 @@ render::BadSampleTally tallyOfOne() {
   settings.image.seed = 9;
   settings.image.sampleCount = 64;
   render::BadSampleTally tally;
-  tally.add(film, settings);
+  tally.add(film, settings.image);
   return tally;
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("bad samples are reported with their number, their pixels and a replay
         "2 samples in 1 pixels were not finite or negative (they count as 0) or too bright (they are clamped)");
   CHECK(lines[1] == "pixel (2, 1): 2 bad, the first is sample 5; replay: " + replayCommand(kPixel, job));
 
-  const nlohmann::ordered_json json = badSamplesJson(tallyOfOne(), {}, job);
+  const nlohmann::ordered_json json = badSamplesJson({tallyOfOne(), {}}, job);
   CHECK(json["device"]["samples"] == 2);
   CHECK(json["device"]["pixels"] == 1);
   CHECK(json["device"]["firstPixels"][0]["firstSample"] == 5);
