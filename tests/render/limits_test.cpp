@@ -111,9 +111,10 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
 
 TEST_CASE("dispatches leave no memory behind") {
   // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or
-  // has a loop with such bounds, as the second scene's over its infinite plane.
+  // has a loop with such bounds, as the second scene's over its infinite plane, which is behind the BVH.
   const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
   render::RenderSettings settings = squareSettings(16, 1);
+  settings.structure.bvhLayout = GENERATE(render::BvhLayout::automatic, render::BvhLayout::cwbvh);
   settings.image.oneSided = true;
   settings.execution.segmentsPerDispatch = 1;
   settings.execution.tile = settings.image.size;
