@@ -22,11 +22,11 @@ struct Measurement {
   Variant variant;
   render::RenderStatistics statistics{};  ///< statistics of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
-  std::vector<double> traceSeconds{};  ///< one per run, ascending; without the pipeline's compilation
-  std::vector<double> buildSeconds{};  ///< of the search structure, one per preparation, ascending
-  double pipelineSeconds = 0;          ///< of the first run, in which a driver compiles
-  bool agrees = true;                  ///< every run was complete and gave what most runs of the same image gave
-  /// relMSE (compareImages) of the image to what it converges to; absent where nobody has measured it: measureNoise().
+  std::vector<double> traceSeconds{};  ///< one per run, ascending; without compilation of the pipeline
+  std::vector<double> buildSeconds{};  ///< build times of the search structure, one per preparation, ascending
+  double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
+  bool agrees = true;                  ///< every run was complete and gave the film of most runs of the same image
+  /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
   std::optional<double> relMse{};
 
   double mraysPerSecond() const;  ///< at the median time
@@ -43,14 +43,14 @@ double percentile(std::span<const double> ascending, double q);
 /// Returns (maximum - minimum) / median; 0 for none.
 double spread(std::span<const double> ascending);
 
-/// What is prepared anew for each run of a variant.
+/// How often the sessions of variants are prepared.
 enum class Preparation {
-  once,     ///< nothing: its session is kept
-  everyRun  ///< everything, so that the build of the search structure is measured as often as tracing
+  once,     ///< once: the session is kept and reset
+  everyRun  ///< for each run, so that the build of the search structure is measured as often as tracing
 };
 
-/// Runs every variant `repeats` times, all once before any twice. One measurement per variant, in their order; none at
-/// all if `control` stops a run, since what is left of it is no measurement.
+/// Runs every variant `repeats` times, interleaved. Returns one measurement per variant, in their order, or none at all
+/// if `control` stops a run, since the results would be incomplete.
 /// Throws what Renderer::prepare and Session::advance throw.
 std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
                                             std::span<const Variant> variants, std::uint32_t repeats,

@@ -22,11 +22,9 @@ std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, con
 nlohmann::ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job);
 
 /// Returns, for each of two tracers, the numbers of bad samples and of pixels with bad samples, and the first of these.
-nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies,
-                                      const RenderJob& job);
+nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies, const RenderJob& job);
 /// Writes the lines of both tracers to the log.
-void reportBadSamples(const render::BadSampleTallies& tallies,
-                      const RenderJob& job, const Log& log);
+void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log);
 
 /// Returns `code`, except that --strict turns success into ExitCode::differ, with a message, if there are bad samples.
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log);

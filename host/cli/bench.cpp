@@ -51,7 +51,8 @@ void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& argument
 
 void requireScores(const Arguments& arguments) {
   if (arguments.settings.image.integrator == render::Integrator::cost) {
-    throw UsageError("--integrator cost: shows the structures themselves, so that no two images can be the same");
+    throw UsageError(
+        "--integrator cost: the image depends on the acceleration structure, so benchmarks cannot compare it");
   }
   for (const std::string& target : {arguments.json, arguments.markdown, arguments.svg}) requireWritableReport(target);
 }

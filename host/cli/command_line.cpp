@@ -135,7 +135,7 @@ void requireOutput(const Arguments& arguments) {
 void requireTreeDepth(const Arguments& arguments) {
   const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > render::kMaxTreeDepth;
   if (arguments.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
-  fail(arguments.command, fmt::format("--max-depth {}: the tree of --integrator whitted has at most {} levels",
+  fail(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
                                       *arguments.maxDepth, render::kMaxTreeDepth));
 }
 

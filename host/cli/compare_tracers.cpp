@@ -13,7 +13,11 @@
 namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") throw UsageError("--device cpu: the reference would be compared with itself");
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
+        "devices)");
+  }
   if (arguments.settings.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "

@@ -39,7 +39,7 @@ render::PixelSample sampleAskedFor(const RenderJob& job) {
                                  width - 1, height - 1));
   }
   if (job.arguments.sample >= job.settings.image.sampleCount) {
-    throw UsageError(fmt::format("--sample {}: a pixel has {} samples, 0 to {}; --spp {} or more has this one",
+    throw UsageError(fmt::format("--sample {}: a pixel has {} samples (0 to {}); use --spp {} or more",
                                  job.arguments.sample, job.settings.image.sampleCount,
                                  job.settings.image.sampleCount - 1, job.arguments.sample + 1));
   }
@@ -52,7 +52,7 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
   writeJson(arguments.json, toJson(explanation));
 }
 
-// Draws both pictures at one sample per pixel to find the place.
+// Renders both images at one sample per pixel to find the pixel.
 ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Renderer& device,
                            render::Renderer& reference) {
   const std::optional<verify::PixelAgreement> pixels = [&] {

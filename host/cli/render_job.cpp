@@ -35,7 +35,7 @@ void requireMemoryForFilm(const render::Extent& size) {
                                      size.width, size.height, needed / kGiB, present / kGiB));
 }
 
-// Options that not every render reads.
+// Options that have an effect only on some renders.
 struct SpecialOption {
   const char* option;
   bool (*isRead)(const render::RenderSettings& settings);
@@ -82,7 +82,9 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
   if (settings.image.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
-  log.warning("no point light: --integrator whitted knows no other, so that surfaces show their own emission at most");
+  log.warning(
+      "the scene has no point light, and --integrator whitted ignores all others: surfaces show only their own "
+      "emission");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;
   page.verdict = agreementSentence(agreement);
   addPaths(agreement.pixels, page);
-  page.figures.push_back({"Samples per pixel, a side", fmt::to_string(agreement.mean.samples)});
+  page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.mean.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings.image.seed)});
   page.commands = {
       commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
@@ -86,9 +86,10 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   page.verdict = verification.verdict();
   page.tests = report::LightTests{light.regions, light.level};
   addPaths(verification.paths, page);
-  page.figures.push_back({"Samples per pixel, a side", fmt::format("{} in {} batches, {} looks", light.samplesPerPixel,
-                                                                   verify::kBatchCount, light.looks)});
-  page.figures.push_back({"Seed", fmt::format("{}, from which every batch has its own", job.settings.image.seed)});
+  page.figures.push_back(
+      {"Samples per pixel, each side",
+       fmt::format("{} in {} batches, {} looks", light.samplesPerPixel, verify::kBatchCount, light.looks)});
+  page.figures.push_back({"Seed", fmt::format("{}; each batch derives its own seed from it", job.settings.image.seed)});
   page.figures.push_back(
       {"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
   if (verification.exact) {

@@ -18,8 +18,8 @@
 namespace candela::cli {
 namespace {
 
-// Into the report, and as text. Where the paths of all pixels are equal there is nothing to explain, whatever the
-// verdict.
+// Adds the explanation to the report and prints it. If the paths of all pixels are equal, there is nothing to explain,
+// whatever the verdict.
 void explainWorst(const verify::VerifyReport& report, const RenderJob& job, render::Renderer& device,
                   render::Renderer& reference, bool asText, nlohmann::ordered_json& json) {
   const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,

@@ -48,7 +48,7 @@ void requirePaths(render::Integrator integrator);
 /// Traces the sample on both sides. The pixel is within the image.
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
                           const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference);
-/// The same from replays that are there; `scene` gives names to indices.
+/// Compares two replays. `scene` provides names for indices.
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
                            const render::PixelSample& sample, const render::Replay& device,
                            const render::Replay& reference);

@@ -12,8 +12,8 @@
 namespace candela::scene {
 
 struct LoadOptions {
-  bool lenient = false;  ///< unknown lines are skipped, short materials completed, each with a warning
-  std::vector<std::filesystem::path> allowedPaths{};  ///< folders outside the scene's own that a scene may read
+  bool lenient = false;  ///< skip unknown lines and complete short materials, each with a warning
+  std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which a scene may read
 };
 
 /// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...
@@ -29,7 +29,7 @@ struct LoadedScene {
 /// was found, and FileError if the file cannot be read or is larger than 1 GiB. A file without a view loads:
 /// Scene::camera is then empty, and the caller decides (requireCamera).
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
-/// Reads NFF or P3F from memory; `name` stands in messages, `folder` is where `env` paths start.
+/// Reads NFF or P3F from memory. `name` is used in messages; `env` paths are relative to `folder`.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});
 /// Throws SceneError, with the syntax of a view, if the scene has no view.

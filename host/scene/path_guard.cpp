@@ -42,8 +42,7 @@ bool PathGuard::permits(const fs::path& path) const {
 
 void PathGuard::require(const fs::path& path) const {
   if (permits(path)) return;
-  throw FileError(
-      fmt::format("{} leads outside the scene's folder; --allow-path FOLDER permits it", quote(path.string())));
+  throw FileError(fmt::format("{} is outside the scene's folder; --allow-path DIR permits it", quote(path.string())));
 }
 
 }  // namespace candela::scene

@@ -26,8 +26,8 @@ void addMesh(Scene& scene, Mesh mesh, std::uint32_t material);
 void addIndexedTriangles(Scene& scene, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                          std::uint32_t material);
 
-/// Appends the faces of a box, seen from outside, as triangles: 12, or 2 if the box is flat on one axis (of faces that
-/// coincide only one may shine), or none if it has no area.
+/// Appends the faces of a box, with their fronts outside, as triangles: 12; or 2 if the box is flat along one axis,
+/// since only one of two coincident faces may emit; or none if it has no area.
 void addBoxAsTriangles(Scene& scene, const Box& box, std::uint32_t material);
 
 /// Appends the parallelogram corner, corner + u, corner + u + v, corner + v as two triangles with normal u x v.

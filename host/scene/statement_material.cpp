@@ -11,9 +11,9 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::size_t kRequired = 8;  ///< numbers that every dialect has
-constexpr std::size_t kOptional = 7;  ///< that the longest has beyond them
-constexpr std::size_t kMinNumbers = 3;    ///< that --lenient completes: a colour
+constexpr std::size_t kRequired = 8;    ///< numbers that every dialect has
+constexpr std::size_t kOptional = 7;    ///< that the longest has beyond them
+constexpr std::size_t kMinNumbers = 3;  ///< that --lenient completes: a colour
 
 bool isDialect(std::size_t count) { return count == 8 || count == 9 || (count >= 11 && count <= 15 && count != 13); }
 

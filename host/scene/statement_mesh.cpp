@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::int64_t kMaxItems = 0xffffffff;
 
-/// 1-based; 0 and below count from the end, so that -1 is the last vertex and 0 is none.
+/// Reads an index. Indices are 1-based; negative indices count from the end, so that -1 is the last vertex. 0 is an
+/// error.
 std::uint32_t readIndex(Parser& parser, std::size_t vertexCount) {
   const auto count = static_cast<std::int64_t>(vertexCount);
   const std::int64_t index = parser.in.wholeNumber("a vertex index", -count, count);

@@ -60,8 +60,8 @@ struct AgreementReport {
   render::RenderStatistics deviceStatistics;
   PixelAgreement pixels;
   MeanAgreement mean;
-  render::BadSampleTallies badSamples;    ///< of all renders
-  image::Film deviceFilm, referenceFilm;  ///< of the many samples
+  render::BadSampleTallies badSamples;    ///< bad samples of all renders
+  image::Film deviceFilm, referenceFilm;  ///< films with `samples` samples per pixel
   bool interrupted = false;
 
   bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
@@ -74,8 +74,8 @@ Cause causeOf(const render::PathRecord& device, const render::PathRecord& refere
 /// Compares results of one sample per pixel that contain path records.
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
-/// Compares pictures of one sample per pixel; none if a render was interrupted, whose records end early. Adds the bad
-/// samples of both to `badSamples`.
+/// Renders and compares images of one sample per pixel, and adds the bad samples of both to `badSamples`. Returns
+/// nothing if a render was interrupted, since its records are incomplete.
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference,
                                            const render::RenderControl& control, render::BadSampleTallies& badSamples);

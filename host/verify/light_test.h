@@ -35,13 +35,13 @@ struct LightTestOptions {
 struct LightTestResult {
   std::uint64_t samplesPerPixel = 0;  ///< on each side, all batches together
   std::uint32_t looks = 0;
-  double level = 0;                                     ///< of each region's test at the last look
-  std::vector<RegionResult> regions;                    ///< the whole image by luminance first
-  statistics::Summary watchedDevice, watchedReference;  ///< over the batches; empty if nothing is watched
-  double information = 0;            ///< at the last look; 1: `bias` would have been seen with probability kPower
-  bool outOfTime = false;            ///< the time limit came before all information was there
+  double level = 0;                                     ///< level of each region's test at the last look
+  std::vector<RegionResult> regions;                    ///< the luminance of the whole image first
+  statistics::Summary watchedDevice, watchedReference;  ///< over the batches; empty without a watched region
+  double information = 0;            ///< at the last look; 1: `bias` would have been detected with probability kPower
+  bool outOfTime = false;            ///< the time limit was reached before all of the information was available
   bool interrupted = false;          ///< no verdict
-  render::BadSampleTallies tallies;  ///< of all batches
+  render::BadSampleTallies tallies;  ///< bad samples of all batches
   render::RenderStatistics deviceStatistics;
   image::Film deviceFilm, referenceFilm;  ///< of all samples; empty unless keepFilms is set
 

@@ -28,7 +28,7 @@ struct VerifyReport {
   LightTestResult light;           ///< 2: same light?
   std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their exact result
   double seconds = 0;
-  render::BadSampleTallies tallies;  ///< of all renders
+  render::BadSampleTallies tallies;  ///< bad samples of all renders
   bool interrupted = false;
 
   std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }

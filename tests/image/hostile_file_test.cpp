@@ -69,15 +69,15 @@ TEST_CASE("damaged PFM files are refused") { attack(encodePfm(testImage(20, 9)),
 TEST_CASE("damaged EXR files are refused") { attack(encodeExr(testImage(20, 9)), decodeExr, 0); }
 
 TEST_CASE("sizes beyond the limits are refused before memory is taken") {
-  CHECK_THROWS_WITH(decodePfm(toBytes("PF 65536 1 -1\n")), Catch::Contains("too many"));
-  CHECK_THROWS_WITH(decodePfm(toBytes("PF 65535 65535 -1\n")), Catch::Contains("too many"));
+  CHECK_THROWS_WITH(decodePfm(toBytes("PF 65536 1 -1\n")), Catch::Contains("exceed the limits"));
+  CHECK_THROWS_WITH(decodePfm(toBytes("PF 65535 65535 -1\n")), Catch::Contains("exceed the limits"));
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 60000 4000 -1\n")), Catch::Contains("truncated"));
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 0 5 -1\n")), Catch::Contains("no pixels"));
   CHECK_THROWS_AS(decodePfm(toBytes("PF -1 5 -1\n")), FileError);
   CHECK_THROWS_AS(decodePfm(toBytes("PF 99999999999999999999 5 -1\n")), FileError);
   CHECK_THROWS_AS(decodePfm(concatenated("PF 1 1 0\n", 12)), FileError);
   CHECK_THROWS_AS(decodePfm(concatenated("PF 1 1 nan\n", 12)), FileError);
-  CHECK_THROWS_WITH(decodeHdr(toBytes("#?RGBE\n\n-Y 70000 +X 5\n")), Catch::Contains("too many"));
+  CHECK_THROWS_WITH(decodeHdr(toBytes("#?RGBE\n\n-Y 70000 +X 5\n")), Catch::Contains("exceed the limits"));
   CHECK_THROWS_AS(decodeHdr(toBytes("#?RGBE\n\n-Y 60000 +X 4000\n")), FileError);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("HDR runs that leave their row are refused") {
   const std::string start = "\x02\x02\x00\x08"s;
   CHECK_THROWS_WITH(decodeHdr(toBytes(header + start + "\x89\x01"s)), Catch::Contains("longer than its row"));  // 9
   CHECK_THROWS_WITH(decodeHdr(toBytes(header + start + "\x00"s)), Catch::Contains("longer than its row"));
-  CHECK_THROWS_WITH(decodeHdr(toBytes(header + "\x02\x02\x00\x09"s)), Catch::Contains("another width"));
-  CHECK_THROWS_WITH(decodeHdr(toBytes(header + "\1\1\1\x05"s)), Catch::Contains("repeats nothing"));
+  CHECK_THROWS_WITH(decodeHdr(toBytes(header + "\x02\x02\x00\x09"s)), Catch::Contains("different width"));
+  CHECK_THROWS_WITH(decodeHdr(toBytes(header + "\1\1\1\x05"s)), Catch::Contains("no pixel to repeat"));
   CHECK_THROWS_WITH(decodeHdr(toBytes(header + "\2\3\4\5\1\1\1\x08"s)), Catch::Contains("longer than its row"));
 }

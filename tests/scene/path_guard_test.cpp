@@ -83,7 +83,7 @@ TEST_CASE("the refusal names the path and the option that permits it") {
   CHECK_NOTHROW(guard.require(folders.scene / "image.png"));
   CHECK_THROWS_AS(guard.require("/etc/passwd"), FileError);
   CHECK_THROWS_WITH(guard.require("/etc/passwd"),
-                    Catch::Contains("\"/etc/passwd\" leads outside") && Catch::Contains("--allow-path FOLDER"));
+                    Catch::Contains("\"/etc/passwd\" is outside") && Catch::Contains("--allow-path DIR"));
 }
 
 }  // namespace candela::scene
