@@ -103,6 +103,7 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint
   rows_ = rows;
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
+  cursor_.reset();
   governor_.reset();
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.fillBuffer(states_, 0);
@@ -185,12 +186,12 @@ void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
+  const render::Extent extent{width_, rows_.height};
+  if (!cursor_) cursor_ = cursorOver(extent, settings_);
   if (!governor_) {
     governor_.emplace(governorOptions(settings_, budget, pixels()));
     governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
   }
-  const render::Extent extent{width_, rows_.height};
-  TileCursor cursor = cursorOver(extent, settings_);
   UnfinishedRows unfinished(extent);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
   while (counters().finishedPixels < pixelsLeft) {
@@ -198,7 +199,7 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
       clearCounters();
       return false;
     }
-    const Rect region = cursor.next(unfinished.pixelsHolding(governor_->next().pixels, cursor.row()));
+    const Rect region = cursor_->next(unfinished.pixelsHolding(governor_->next().pixels, cursor_->row()));
     const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;

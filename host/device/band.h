@@ -10,6 +10,7 @@
 #include "host/device/governor.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
+#include "host/device/tile_cursor.h"
 #include "host/image/film.h"
 #include "host/render/session.h"
 #include "host/vulkan/binding_set.h"
@@ -61,7 +62,7 @@ class Band {
 
  private:
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
-  double dispatch(const struct Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget);
+  double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget);
   void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample);
   void clearCounters();
   /// Offset of the path records in results_.
@@ -78,6 +79,7 @@ class Band {
   std::uint32_t samplesSeen_ = 0;      ///< of the wrapping counter
   std::uint64_t samplesBefore_ = 0;    ///< sum of the sample indices at which load() started the pixels
   std::uint64_t truncatedBefore_ = 0;  ///< of ranges that are finished
+  std::optional<TileCursor> cursor_;  ///< goes on from one range to the next, so that no tile is left out for long
   std::optional<Governor> governor_;   ///< keeps what it learned from one range to the next
   vulkan::Buffer states_;
   vulkan::Buffer film_;

@@ -85,9 +85,11 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   }
 }
 
-void TileJob::reportProgress() const {
-  if (!control_.progress) return;
+// Tiles that were finished before are no progress.
+void TileJob::reportProgress() {
   const std::uint64_t done = samplesDone_.load();
+  if (!control_.progress || done == samplesReported_) return;
+  samplesReported_ = done;
   control_.progress(totalSamples_ > 0 ? static_cast<double>(done) / totalSamples_ : 1, done);
 }
 

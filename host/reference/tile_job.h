@@ -32,7 +32,7 @@ class TileJob {
   bool renderNextTile(Counters& shared);
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
-  void reportProgress() const;
+  void reportProgress();
 
   const PixelTracer& tracer_;
   render::Extent tile_;
@@ -44,6 +44,7 @@ class TileJob {
   double totalSamples_;
   std::atomic<std::uint64_t> nextTile_{0};
   std::atomic<std::uint64_t> samplesDone_{0};
+  std::uint64_t samplesReported_ = 0;
   std::atomic<bool> interrupted_{false};
 };
 
