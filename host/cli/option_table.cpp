@@ -62,7 +62,7 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.image.sampleCount);
   return {
-    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel"},
+    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
            orAbsent(wholeNumber(0, kMaxSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.image.seed; }),

@@ -79,7 +79,7 @@ class Band {
   std::uint32_t samplesSeen_ = 0;      ///< of the wrapping counter
   std::uint64_t samplesBefore_ = 0;    ///< sum of the sample indices at which load() started the pixels
   std::uint64_t truncatedBefore_ = 0;  ///< of ranges that are finished
-  std::optional<TileCursor> cursor_;  ///< goes on from one range to the next, so that no tile is left out for long
+  std::optional<TileCursor> cursor_;   ///< goes on from one range to the next, so that no tile is left out for long
   std::optional<Governor> governor_;   ///< keeps what it learned from one range to the next
   vulkan::Buffer states_;
   vulkan::Buffer film_;

@@ -134,7 +134,7 @@ TEST_CASE("no command has two options of one name") {
 
 TEST_CASE("an option shows the value that it was given") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> samples{
-      {"--spp", {"1", "16", "1073741824"}},
+      {"--spp", {"0", "1", "16", "1073741824"}},
       {"--seed", {"0", "4294967295"}},
       {"--size", {"1x1", "65535x65535"}},
       {"--max-depth", {"1", "5000"}},
@@ -173,7 +173,7 @@ TEST_CASE("an option shows the value that it was given") {
 
 TEST_CASE("a value out of range or of another kind is refused") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> bad{
-      {"--spp", {"0", "-1", "1.5", "", "16x", "4294967296", "1e3", " 4"}},
+      {"--spp", {"-1", "1.5", "", "16x", "4294967296", "1e3", " 4"}},
       {"--seed", {"-1", "4294967296"}},
       {"--size", {"0x1", "1x0", "65536x1", "1x65536", "12", "x", "1x", "x1", "1x1x1", "1X1"}},
       {"--max-depth", {"0"}},

@@ -36,7 +36,7 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   resolveRequests(byFile, scene, log);
   CHECK(byFile.settings.image.sampleCount == 225);
   CHECK(byFile.settings.structure.accel == render::AccelKind::none);
-  CHECK(sink.str() == "candela: 225 samples per pixel in total, as the file asks\n");
+  CHECK(sink.str() == "candela: 225 samples per pixel, as requested by the scene\n");
 
   Arguments byOption;
   byOption.sampleCount = 3;
