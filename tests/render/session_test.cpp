@@ -83,7 +83,7 @@ TEST_CASE("a film and its counts do not depend on how the samples are split into
   });
 }
 
-TEST_CASE("films of two ranges add up to the film of both") {
+TEST_CASE("films of two ranges add up to the film of both", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     const std::unique_ptr<render::Session> first = renderer.prepare(scene, sessionSettings());
@@ -97,7 +97,7 @@ TEST_CASE("films of two ranges add up to the film of both") {
   });
 }
 
-TEST_CASE("a session that was stopped goes on where it was") {
+TEST_CASE("a session that was stopped goes on where it was", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = sessionSettings();
   settings.execution.tile = render::Extent{16, 16};
@@ -141,7 +141,8 @@ TEST_CASE("a session continues a film that was stopped in another one") {
   });
 }
 
-TEST_CASE("a session that is reset renders with other random numbers, and again with the first ones") {
+TEST_CASE("a session that is reset renders with other random numbers, and again with the first ones",
+          "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     render::RenderSettings other = sessionSettings();
