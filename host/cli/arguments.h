@@ -48,6 +48,7 @@ struct Arguments {
   bool lenient = false;
   std::vector<std::filesystem::path> allowedPaths;
 
+  bool noCache = false;  ///< compiled pipelines are neither read nor written
   bool untuned = false;  ///< `auto` has its built-in meaning
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;

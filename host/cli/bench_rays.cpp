@@ -40,7 +40,8 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu")
     throw UsageError("bench rays --device cpu: the rays of the reference tracer cannot be timed alone");
-  vulkan::Device device = vulkan::Device::open(arguments.device);
+  CachedDevice cached(arguments, log);
+  vulkan::Device& device = cached.device();
   const render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
   RayReport report;
   report.device = device.info().name;

@@ -129,6 +129,8 @@ std::vector<Option> executionOptions() {
     valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.settings.execution.segmentsPerDispatch; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
+    flag({"--no-cache", kTracing | kTune, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},
+         [](auto& a) -> auto& { return a.noCache; }),
     valued({"-t,--threads", kTracing, kGroup, "threads of the reference tracer; 0: one per core"},
            wholeNumber(0, kMaxThreads), [](auto& a) -> auto& { return a.settings.execution.threads; }),
   };

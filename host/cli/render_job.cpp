@@ -128,9 +128,9 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
 
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") return reference::makeReferenceRenderer();
-  vulkan::Device device = vulkan::Device::open(arguments.device);
-  render::AutomaticChoices choices = automaticChoices(arguments, device.info(), log);
-  return std::make_unique<TunedRenderer>(device::makeGpuRenderer(std::move(device)), std::move(choices), log);
+  auto cached = std::make_unique<CachedDevice>(arguments, log);
+  render::AutomaticChoices choices = automaticChoices(arguments, cached->device().info(), log);
+  return std::make_unique<TunedRenderer>(std::move(cached), std::move(choices), log);
 }
 
 render::RenderControl makeControl(Progress& progress) {

@@ -4,7 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "host/cache/cache_folder.h"
 #include "host/cli/bench_output.h"
+#include "host/cli/cached_device.h"
 #include "host/cli/commands.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
@@ -23,12 +25,12 @@ using tune::TuneReport;
 using tune::Work;
 
 // Returns the file for the result. Throws FileError if it cannot be written.
-std::filesystem::path requireFile(const tune::TuningKey& key) {
-  const std::optional<std::filesystem::path> folder = tune::cacheFolder();
+std::filesystem::path requireFile(const cache::DeviceKey& key) {
+  const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (!folder) {
     throw FileError("no folder for the result: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or use --dry-run");
   }
-  const std::filesystem::path file = *folder / tune::fileNameOf(key);
+  const std::filesystem::path file = *folder / cache::fileNameOf("tune", key, "json");
   tune::requireTuningFile(file);
   return file;
 }
@@ -80,8 +82,9 @@ ExitCode runTune(const Arguments& arguments, const Log& log) {
   }
   watchInterrupts();
   for (const std::string& target : {arguments.json, arguments.markdown}) requireWritableReport(target);
-  vulkan::Device device = vulkan::Device::open(arguments.device);
-  const tune::TuningKey key = tune::keyOf(device.info());
+  CachedDevice cached(arguments, log);
+  vulkan::Device& device = cached.device();
+  const cache::DeviceKey key = cache::keyOf(device.info());
   TuneReport report;
   if (!arguments.dryRun) report.file = requireFile(key);
   std::vector<Work> works = worksOf(arguments, log);

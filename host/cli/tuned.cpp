@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "host/cache/cache_folder.h"
+
 namespace candela::cli {
 
 std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& log) {
-  const std::optional<std::filesystem::path> folder = tune::cacheFolder();
+  const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (!folder) return std::nullopt;
-  const tune::TuningKey key = tune::keyOf(info);
-  const std::filesystem::path file = *folder / tune::fileNameOf(key);
+  const cache::DeviceKey key = cache::keyOf(info);
+  const std::filesystem::path file = *folder / cache::fileNameOf("tune", key, "json");
   const tune::TuningLookup found = tune::readTuning(file, key, info);
   if (!found.problem.empty()) {
     log.warning(fmt::format("{} is ignored: {}; `candela tune` replaces it", file.string(), found.problem));

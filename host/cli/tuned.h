@@ -6,6 +6,8 @@
 #include <string>
 
 #include "host/cli/arguments.h"
+#include "host/cli/cached_device.h"
+#include "host/device/gpu_renderer.h"
 #include "host/render/renderer.h"
 #include "host/tune/tuning_file.h"
 
@@ -22,11 +24,14 @@ std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& 
 /// Returns the stored result, or the built-in choice if there is none or `--untuned` is given.
 render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log);
 
-/// Renders as another renderer does, with these choices, and logs the warnings of sessions, each once.
+/// Renders on a device with these choices, and logs the warnings of sessions, each once.
 class TunedRenderer final : public render::Renderer {
  public:
-  TunedRenderer(std::unique_ptr<render::Renderer> renderer, render::AutomaticChoices choices, const Log& log)
-      : renderer_(std::move(renderer)), choices_(std::move(choices)), log_(log) {}
+  TunedRenderer(std::unique_ptr<CachedDevice> device, render::AutomaticChoices choices, const Log& log)
+      : device_(std::move(device)),
+        renderer_(device::makeGpuRenderer(device_->device())),
+        choices_(std::move(choices)),
+        log_(log) {}
 
   std::unique_ptr<render::Session> prepare(const scene::Scene& scene, const render::RenderSettings& settings) override {
     render::RenderSettings tuned = settings;
@@ -39,6 +44,7 @@ class TunedRenderer final : public render::Renderer {
   }
 
  private:
+  std::unique_ptr<CachedDevice> device_;
   std::unique_ptr<render::Renderer> renderer_;
   render::AutomaticChoices choices_;
   const Log& log_;

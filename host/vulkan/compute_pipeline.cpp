@@ -25,9 +25,9 @@ vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::Descript
   return {device, info};
 }
 
-vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
+vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout,
                                 std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
-  const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
   std::vector<vk::SpecializationMapEntry> entries;
   for (const Specialisation& constant : options.specialisations) {
     const std::size_t offset = entries.size() * sizeof(Specialisation) + offsetof(Specialisation, value);
@@ -38,7 +38,7 @@ vk::raii::Pipeline makePipeline(const vk::raii::Device& device, vk::PipelineLayo
                                               options.specialisations.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str(),
                                                 &specialisation);
-  return {device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
+  return {device.handle, device.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     const vk::raii::Device& handle = device.impl()->handle;
     impl_->setLayout = makeSetLayout(handle, options.bindings);
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
-    impl_->handle = makePipeline(handle, *impl_->layout, spirv, options);
+    impl_->handle = makePipeline(*device.impl(), *impl_->layout, spirv, options);
   });
 }
 

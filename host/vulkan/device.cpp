@@ -45,6 +45,7 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   const std::uint32_t queueFamily = findComputeQueue(physicalDevice).value();
   handle = createDevice(physicalDevice, queueFamily);
   queue = handle.getQueue(queueFamily, 0);
+  pipelineCache = handle.createPipelineCache({});
   commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});
   const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);
   commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
@@ -98,6 +99,22 @@ Device Device::open(const DeviceInfo& info, const DeviceOptions& options) {
 
 const DeviceInfo& Device::info() const { return impl_->info; }
 MemoryUse Device::memoryUse() const { return impl_->memoryUse; }
+
+void Device::loadPipelines(std::span<const std::byte> data) {
+  guarded("load compiled pipelines", [&] {
+    const vk::PipelineCacheCreateInfo info({}, data.size(), data.data());
+    const vk::raii::PipelineCache loaded = impl_->handle.createPipelineCache(info);
+    impl_->pipelineCache.merge(*loaded);
+  });
+}
+
+std::vector<std::byte> Device::pipelineData() const {
+  return guarded("read compiled pipelines", [&] {
+    const std::vector<std::uint8_t> data = impl_->pipelineCache.getData();
+    const std::span bytes = std::as_bytes(std::span(data));
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+  });
+}
 
 double Device::run(const std::function<void(CommandRecorder&)>& record) {
   return impl_->run([&record](const CommandRecorder::Impl& commands) {

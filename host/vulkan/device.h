@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "host/vulkan/command_recorder.h"
 #include "host/vulkan/device_info.h"
@@ -44,6 +46,13 @@ class Device {
   /// (steady clock). All writes of the commands are then visible to the host and to later runs. Calls must not be
   /// nested.
   double run(const std::function<void(CommandRecorder&)>& record);
+
+  /// Adds the pipelines in `data`, which pipelineData() returned for the same device and driver, to the pipeline cache
+  /// of this device. Drivers trust such data, so it must not come from an unchecked file. Data of another device is
+  /// ignored.
+  void loadPipelines(std::span<const std::byte> data);
+  /// Returns the content of the pipeline cache: all pipelines loaded or made so far, as far as the driver keeps them.
+  std::vector<std::byte> pipelineData() const;
 
   struct Impl;
   const std::shared_ptr<Impl>& impl() const { return impl_; }

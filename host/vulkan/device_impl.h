@@ -31,6 +31,7 @@ struct Device::Impl {
   vk::PhysicalDeviceMemoryProperties memoryProperties;
   vk::raii::Device handle{nullptr};
   vk::raii::Queue queue{nullptr};
+  vk::raii::PipelineCache pipelineCache{nullptr};
   vk::raii::CommandPool commandPool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
   vk::raii::Fence fence{nullptr};

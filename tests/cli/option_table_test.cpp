@@ -74,6 +74,7 @@ TEST_CASE("every option has the promised name, value and default") {
                                       {"--tile", "WxH", "auto"},
                                       {"--segments-per-dispatch", "N", "auto"},
                                       {"--untuned", "", ""},
+                                      {"--no-cache", "", ""},
                                       {"-t,--threads", "N", "0"},
                                       {"--tonemap", "none|srgb|aces|agx|neutral", "srgb"},
                                       {"--exposure", "STOPS", "0"},

@@ -35,7 +35,9 @@ class Home {
 
   std::vector<std::string> kept() const {
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(cache())) files.push_back(entry.path().string());
+    for (const auto& entry : std::filesystem::directory_iterator(cache())) {
+      if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+    }
     return files;
   }
 
@@ -64,8 +66,8 @@ class Home {
   /// Keeps a choice, of values by their numbers, as if it had been the fastest; gives the file.
   std::string keep(const tune::Candidate& candidate) const {
     const char* const device = std::getenv("CANDELA_TEST_DEVICE");
-    const tune::TuningKey key = tune::keyOf(vulkan::selectDevice(device == nullptr ? "" : device));
-    const std::filesystem::path file = std::filesystem::path(cache()) / tune::fileNameOf(key);
+    const cache::DeviceKey key = cache::keyOf(vulkan::selectDevice(device == nullptr ? "" : device));
+    const std::filesystem::path file = std::filesystem::path(cache()) / cache::fileNameOf("tune", key, "json");
     tune::writeTuning(file, key, {candidate, "2026-01-31T12:00:00Z"});
     return file.string();
   }

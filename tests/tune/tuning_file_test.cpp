@@ -6,19 +6,17 @@
 #include <catch2/catch.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "host/core/errors.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/tune/made_rows.h"
-#include "tests/vulkan/environment_guard.h"
 
 namespace candela::tune {
 namespace {
 
 using nlohmann::ordered_json;
 
-const TuningKey kKey{"a device \"9\"", "a driver 1.2", "17", "0123", "abcd"};
+const cache::DeviceKey kKey{"a device \"9\"", "a driver 1.2", "17", "0123", "abcd"};
 const std::string kDate = "2026-01-31T12:00:00Z";
 
 Candidate someChoice() { return candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x16"}}); }
@@ -45,7 +43,7 @@ std::string changed(const std::function<void(ordered_json&)>& change) {
 
 TEST_CASE("a choice is read as it was written, from a folder that writing made") {
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "new" / "folder" / fileNameOf(kKey);
+  const std::filesystem::path file = folder.path() / "new" / "folder" / cache::fileNameOf("tune", kKey, "json");
   writeTuning(file, kKey, {builtIn(), kDate});
   writeTuning(file, kKey, {someChoice(), kDate});
   const TuningLookup found = readTuning(file, kKey, roomyDevice());
@@ -65,32 +63,18 @@ TEST_CASE("where nobody has tuned there is no choice and no problem") {
   }
 }
 
-TEST_CASE("another device, driver or set of kernels has another file, and the file is refused under its name") {
-  std::set<std::string> names{fileNameOf(kKey)};
+TEST_CASE("a file of another device, driver or set of kernels is refused") {
   const TemporaryFolder folder;
-  for (std::string TuningKey::*field : {&TuningKey::device, &TuningKey::driver, &TuningKey::driverVersion,
-                                        &TuningKey::pipelineCacheUuid, &TuningKey::kernels}) {
-    TuningKey other = kKey;
+  for (std::string cache::DeviceKey::*field :
+       {&cache::DeviceKey::device, &cache::DeviceKey::driver, &cache::DeviceKey::driverVersion,
+        &cache::DeviceKey::pipelineCacheUuid, &cache::DeviceKey::kernels}) {
+    cache::DeviceKey other = kKey;
     other.*field += "'";
-    CHECK(names.insert(fileNameOf(other)).second);
     writeTuning(folder / "a.json", kKey, {someChoice(), kDate});
     const TuningLookup found = readTuning(folder / "a.json", other, roomyDevice());
     CHECK_FALSE(found.tuning);
     CHECK_THAT(found.problem, Catch::Contains("another device, driver or set of kernels"));
   }
-}
-
-TEST_CASE("the key contains the properties of the device and the kernels of this program") {
-  vulkan::DeviceInfo info = roomyDevice();
-  info.driverVersion = 5;
-  info.pipelineCacheUuid = "00ff";
-  const TuningKey key = keyOf(info);
-  CHECK(key.device == "made device");
-  CHECK(key.driver == "made driver 1.2");
-  CHECK(key.driverVersion == "5");
-  CHECK(key.pipelineCacheUuid == "00ff");
-  CHECK(key.kernels.size() == 64);
-  CHECK(key.kernels.find_first_not_of("0123456789abcdef") == std::string::npos);
 }
 
 TEST_CASE("the order of the fields in a file does not matter") {
@@ -99,7 +83,7 @@ TEST_CASE("the order of the fields in a file does not matter") {
 
 TEST_CASE("names of devices that are not UTF-8 are stored, too") {
   const TemporaryFolder folder;
-  TuningKey key = kKey;
+  cache::DeviceKey key = kKey;
   key.device = "caf\xe9";
   writeTuning(folder / "a.json", key, {someChoice(), kDate});
   CHECK(readTuning(folder / "a.json", key, roomyDevice()).tuning);
@@ -203,19 +187,6 @@ TEST_CASE("a file that cannot be written is refused, both in advance and when it
   CHECK_NOTHROW(requireTuningFile(folder / "file"));
   CHECK_NOTHROW(requireTuningFile(folder.path() / "not" / "yet" / "a.json"));
   CHECK_FALSE(std::filesystem::exists(folder / "not"));
-}
-
-TEST_CASE("the folder is Candela's own variable's, else the user's cache, else in the home") {
-  const vulkan::EnvironmentGuard home("HOME", "/home/a");
-  const vulkan::EnvironmentGuard caches("XDG_CACHE_HOME", "/caches");
-  const vulkan::EnvironmentGuard own("CANDELA_CACHE_DIR", "own");
-  CHECK(cacheFolder() == "own");
-  const vulkan::EnvironmentGuard noOwn("CANDELA_CACHE_DIR", "");
-  CHECK(cacheFolder() == "/caches/candela");
-  const vulkan::EnvironmentGuard relative("XDG_CACHE_HOME", "caches");
-  CHECK(cacheFolder() == "/home/a/.cache/candela");
-  const vulkan::EnvironmentGuard noHome("HOME", "");
-  CHECK_FALSE(cacheFolder());
 }
 
 TEST_CASE("the present time is written as it is read") {

@@ -1,0 +1,34 @@
+// Makes keys of devices and the file names that follow from them.
+#include "host/cache/device_key.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/core/hash_text.h"
+#include "host/device/kernel.h"
+#include "host/scene/hash.h"
+
+namespace candela::cache {
+
+DeviceKey keyOf(const vulkan::DeviceInfo& info) {
+  return {info.name, info.driver, fmt::to_string(info.driverVersion), info.pipelineCacheUuid,
+          std::string(device::kernelsHash())};
+}
+
+std::string toText(const DeviceKey& key) {
+  const nlohmann::ordered_json object{{"device", key.device},
+                                      {"driver", key.driver},
+                                      {"driverVersion", key.driverVersion},
+                                      {"pipelineCacheUuid", key.pipelineCacheUuid},
+                                      {"kernels", key.kernels}};
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string fileNameOf(std::string_view kind, const DeviceKey& key, std::string_view extension) {
+  const std::string text = toText(key);
+  const std::uint64_t hash = scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return fmt::format("{}-{}.{}", kind, hashText(hash), extension);
+}
+
+}  // namespace candela::cache

@@ -1,0 +1,44 @@
+// Loads and stores the compiled pipelines of a device.
+#include "host/cli/cached_device.h"
+
+#include <fmt/format.h>
+
+#include "host/cache/cache_folder.h"
+#include "host/cache/pipeline_file.h"
+#include "host/core/errors.h"
+
+namespace candela::cli {
+
+CachedDevice::CachedDevice(const Arguments& arguments, const Log& log)
+    : log_(log), device_(vulkan::Device::open(arguments.device)) {
+  const std::optional<std::filesystem::path> folder = cache::cacheFolder();
+  if (arguments.noCache || !folder) return;
+  file_ = *folder / cache::fileNameOf("pipelines", cache::keyOf(device_.info()), "bin");
+  load();
+}
+
+CachedDevice::~CachedDevice() {
+  try {
+    if (!file_.empty()) store();
+  } catch (const std::exception& error) {
+    log_.detail(fmt::format("compiled pipelines are not stored: {}", error.what()));
+  }
+}
+
+void CachedDevice::load() {
+  cache::PipelineLookup found = cache::readPipelines(file_, cache::keyOf(device_.info()));
+  if (!found.problem.empty()) log_.detail(fmt::format("{} is ignored: {}", file_.string(), found.problem));
+  stored_ = std::move(found.data);
+  if (stored_.empty()) return;
+  device_.loadPipelines(stored_);
+  log_.detail(fmt::format("compiled pipelines: {} bytes from {}", stored_.size(), file_.string()));
+}
+
+void CachedDevice::store() {
+  const std::vector<std::byte> data = device_.pipelineData();
+  if (data == stored_) return;
+  cache::writePipelines(file_, cache::keyOf(device_.info()), data);
+  log_.detail(fmt::format("compiled pipelines: {} bytes to {}", data.size(), file_.string()));
+}
+
+}  // namespace candela::cli

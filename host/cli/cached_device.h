@@ -1,0 +1,35 @@
+// A device whose compiled pipelines are kept in the cache folder.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "host/cli/arguments.h"
+#include "host/core/log.h"
+#include "host/vulkan/device.h"
+
+namespace candela::cli {
+
+/// Opens the device of `arguments.device` with the pipelines that earlier commands compiled, and stores those of this
+/// command when it is destroyed, unless --no-cache is given. The cache never makes a command fail: whatever prevents
+/// reading or writing is a detail in the log, and the file is left or replaced. Throws NoDeviceError.
+class CachedDevice {
+ public:
+  CachedDevice(const Arguments& arguments, const Log& log);
+  CachedDevice(const CachedDevice&) = delete;
+  CachedDevice& operator=(const CachedDevice&) = delete;
+  ~CachedDevice();
+
+  vulkan::Device& device() { return device_; }
+
+ private:
+  void load();
+  void store();
+
+  const Log& log_;
+  vulkan::Device device_;
+  std::filesystem::path file_;     ///< empty: nothing is stored
+  std::vector<std::byte> stored_;  ///< the data in the file; empty if it cannot be used
+};
+
+}  // namespace candela::cli
