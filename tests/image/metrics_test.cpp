@@ -117,7 +117,7 @@ TEST_CASE("a difference picture is orange where brighter, blue where darker, bla
   // The bound 255 * (1, 0.55, 0.1) and 255 * (0.15, 0.5, 1), rounded.
   CHECK(signals == std::vector<int>{0, 0, 0, 255, 140, 26, 38, 128, 255, 255, 0, 255});
   // 5 % brighter at a range of 10 %, with a scale of 1 % of the mean: 0.05 / 1.01 / 0.1 = 0.4950 of full strength.
-  const Pixels8 half = toPixels8(differencePicture(row({{1.05f, 1.05f, 1.05f}}), row({{1, 1, 1}})), {});
-  CHECK(half.rgb[0] == 126);
+  const Pixels8 halved = toPixels8(differencePicture(row({{1.05f, 1.05f, 1.05f}}), row({{1, 1, 1}})), {});
+  CHECK(halved.rgb[0] == 126);
   CHECK_THROWS_AS(differencePicture(a, reference, 0), UsageError);
 }
