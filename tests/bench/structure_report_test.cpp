@@ -34,10 +34,10 @@ TEST_CASE("the structures compared are the report's two and the surface-area tre
 TEST_CASE("a structure with another image has no figures") {
   const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());
-  const auto json = toJson(report);
-  CHECK(json["rows"][0]["medianMs"] == 2000.0);
-  CHECK(json["rows"][1]["sameImage"] == false);
-  CHECK_FALSE(json["rows"][1].contains("medianMs"));
+  const auto document = toJson(report);
+  CHECK(document["rows"][0]["medianMs"] == 2000.0);
+  CHECK(document["rows"][1]["sameImage"] == false);
+  CHECK_FALSE(document["rows"][1].contains("medianMs"));
   CHECK_THAT(toText(report), Contains("differs") && Contains("2.00") && !Contains("0.50"));
 }
 
@@ -52,9 +52,9 @@ TEST_CASE("published seconds are shown beside measured ones, if there are any") 
 }
 
 TEST_CASE("the JSON has a schema, and scene, images and rates for each row") {
-  const auto json = toJson(structureReportOf({{1}, {1}, {1}}));
-  CHECK(json["schema"] == "candela-bench/1");
-  const auto& row = json["rows"][0];
+  const auto document = toJson(structureReportOf({{1}, {1}, {1}}));
+  CHECK(document["schema"] == "candela-bench/1");
+  const auto& row = document["rows"][0];
   for (const char* key : {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout",
                           "msamplesPerSecond", "mraysPerSecond", "medianMs", "spread", "buildMs", "stepsPerRay"}) {
     CHECK(row.contains(key));

@@ -35,9 +35,9 @@ SweepReport report() {
 }
 
 TEST_CASE("a sweep's rows have rates by kind of ray, dispatches, noise and what a driver took to compile") {
-  const nlohmann::json json = toJson(report());
-  CHECK(json["schema"] == "candela-bench/1");
-  const nlohmann::json& row = json["rows"][0];
+  const nlohmann::json document = toJson(report());
+  CHECK(document["schema"] == "candela-bench/1");
+  const nlohmann::json& row = document["rows"][0];
   CHECK(row["variant"] == "workgroup=8x8");
   CHECK(row["medianMs"] == 2000);
   CHECK(row["spread"] == 1.5);

@@ -111,7 +111,8 @@ TEST_CASE("every option has the promised name, value and default") {
   CHECK(optionTable().size() == promises.size());
   for (const Promise& promise : promises) {
     const std::string names = promise.names;
-    const Option& option = find(names.substr(names.rfind(',') + 1), promise.command);
+    const std::string lastName = names.substr(names.rfind(',') + 1);
+    const Option& option = find(lastName, promise.command);
     CHECK(option.names == names);
     CHECK(option.metavar == promise.metavar);
     CHECK(option.defaultText == promise.defaultText);
@@ -216,7 +217,8 @@ TEST_CASE("settings print as the command line that states them") {
 
 TEST_CASE("every option that is tuned is one of tracing, and has auto and all values that are tried") {
   for (const tune::Dimension& dimension : tune::dimensionTable()) {
-    const Option& option = find("--" + dimension.option);
+    const std::string name = "--" + dimension.option;
+    const Option& option = find(name);
     CHECK(option.isFor(Command::render));
     CHECK(option.group == OptionGroup::execution);
     CHECK(option.defaultText == "auto");

@@ -12,7 +12,8 @@ namespace {
 // Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
 scene::Scene lamps() {
   scene::Scene scene;
-  scene.materials = {scene::Material{}, scene::Material{.emission = {2, 2, 2}}};
+  scene.materials.resize(2);
+  scene.materials[1].emission = {2, 2, 2};
   scene.meshes = {{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 0, 1}, {0, 1, 1}}}};
   scene.primitives = {{scene::PrimitiveKind::triangle, 0, 0},
                       {scene::PrimitiveKind::triangle, 0, 1},
