@@ -1,4 +1,4 @@
-// A path as it waits in a buffer between two dispatches.
+// Packing of a path that is stored in a buffer between two dispatches, and access to the packed members.
 #ifndef CANDELA_PATH_STATE_GLSL
 #define CANDELA_PATH_STATE_GLSL
 #include "path.glsl"
@@ -22,7 +22,7 @@ PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }
 
-// As a vertex's record keeps them.
+// Packs decisions into the format of path records.
 uvec2 packDecisions(Decisions decisions) {
   uint survived = decisions.survived ? 1u << 16 : 0u;
   return uvec2(decisions.index, kRecordValid | survived | (decisions.shadow << 8) | decisions.lobe);

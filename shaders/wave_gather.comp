@@ -1,5 +1,5 @@
-// Entry point of the wavefront's first stage, once for each of its submissions: puts every pixel of the region that has
-// samples left into a queue.
+// Entry point of the wavefront's first stage, which runs once in each submission: it puts every pixel of the region
+// that has samples left into a queue.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"

@@ -1,4 +1,5 @@
-// Entry point of the wavefront's stage that adds the samples of ended paths to the film and starts each pixel's next.
+// Entry point of the wavefront's stage that adds the samples of ended paths to the film and starts the next sample of
+// each of their pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"

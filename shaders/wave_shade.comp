@@ -1,5 +1,5 @@
-// Entry point of the wavefront's stage that shades what the rays of paths hit: everything up to the next ray, but for
-// the shadow ray, which is queued.
+// Entry point of the wavefront's stage that shades the hits of the paths' rays: everything up to the next ray, except
+// for the shadow ray, which is enqueued.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
@@ -10,7 +10,7 @@ void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
   waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.light);
 }
 
-// What becomes of the shadow ray is not known yet.
+// Records the decisions. Whether the shadow ray is occluded is not known yet.
 void record(uint pixelIndex, uint depth, Decisions decisions) {
   waves[pixelIndex].hit.w = depth;
   if (depth > kRecordedVertices) return;

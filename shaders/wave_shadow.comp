@@ -1,4 +1,4 @@
-// Entry point of the wavefront's stage that traces shadow rays and adds what they bring.
+// Entry point of the wavefront's stage that traces shadow rays and adds their contributions.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
