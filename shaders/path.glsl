@@ -18,7 +18,7 @@ struct Path {
   uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
 };
 
-// What a segment decided, for comparison with another tracer.
+// Decisions of a segment, for comparison with another tracer.
 struct Decisions {
   uint index;
   uint lobe;

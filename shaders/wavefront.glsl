@@ -24,7 +24,7 @@ uint laneCount() { return gl_WorkGroupSize.x * gl_WorkGroupSize.y; }
 
 uint queueWord(uint queue, uint place) { return queue * dispatch.bandPixels + place; }
 
-// Takes the pixel of invocation `lane` of a workgroup from a queue. Returns false if the queue has fewer pixels.
+// Takes the pixel of a workgroup's invocation `lane` from a queue. Returns false if the queue has fewer pixels.
 bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
   uint place = (group.y * kGroupsPerRow + group.x) * laneCount() + lane;
   bool taken = place < heads[queue].count;

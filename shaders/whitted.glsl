@@ -28,7 +28,7 @@ struct Branches {
 
 const Branches kNoBranches = Branches(vec3(0.0), 0.0, vec3(0.0), 0.0);
 
-// What a node decided, for comparison with another tracer.
+// Decisions of a node, for comparison with another tracer.
 struct Decisions {
   uint index;
   uint lobe;

@@ -1,10 +1,10 @@
-// Which of the kernel's features a scene uses.
+// Determines which of the kernel's features a scene uses.
 #pragma once
 #include "host/flatten/flat_scene.h"
 
 namespace candela::flatten {
 
-/// All but the kinds of lights, which the light table tells.
+/// Returns all features except the kinds of lights, which follow from the light table.
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator);
 
 }  // namespace candela::flatten

@@ -1,4 +1,4 @@
-// Rows of the uniform grid.
+// Stores a uniform grid as 16-byte records.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace candela::flatten {
 
-/// Builds the grid over the finite primitives, appends its cells and items to `flat`, and returns these primitives'
-/// indices in the order in which its cells name them first. Without finite primitives there is no grid.
+/// Builds the grid over the finite primitives, appends its cells and items to `flat`, and returns the indices of these
+/// primitives in the order in which cells first refer to them. Without finite primitives there is no grid.
 std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float density, std::uint32_t maxSide,
                                       FlatScene& flat);
 

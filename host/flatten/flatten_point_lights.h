@@ -1,4 +1,4 @@
-// Rows of the lights of Whitted's tracer.
+// Stores the lights of the Whitted tracer as 16-byte records.
 #pragma once
 #include <span>
 
@@ -7,8 +7,8 @@
 
 namespace candela::flatten {
 
-/// All point lights in the given order, as squares of side `size` (0: points) that face the camera's target: see
-/// docs/light-transport.md section 9 and shaders/shared/scene_rows.h.
+/// Returns the records of all point lights in the given order, as squares of side `size` (0: points) that face the
+/// camera's target: see docs/light-transport.md section 9 and shaders/shared/scene_rows.h.
 Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
 
 }  // namespace candela::flatten

@@ -1,4 +1,4 @@
-// The path-tracing report's rule, on boxes few enough to follow by hand.
+// The midpoint split, on few enough boxes that the results can be checked by hand.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-// What reinsertion makes of trees: valid ones that cost no more, whatever the boxes, the depth limit and the threads.
+// Reinsertion: BVHs stay valid and never cost more, whatever the boxes, the depth limit and the threads.
 #include "host/accel/reinsertion.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<Aabb> furnishedRoom(std::size_t count) {
   return boxes;
 }
 
-// Of all moves that there are.
+// Returns the maximum gain over all possible moves.
 double largestGain(const LinkedTree& tree) {
   double largest = 0;
   const auto count = static_cast<std::uint32_t>(tree.nodes().size());

@@ -1,3 +1,4 @@
+// Tables as aligned text and as Markdown.
 #include "host/bench/text_table.h"
 
 #include <catch2/catch.hpp>

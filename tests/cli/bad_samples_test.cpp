@@ -1,4 +1,4 @@
-// What is said of bad samples, and the command that shows one again.
+// The messages about bad samples, and the command that replays one.
 #include "host/cli/bad_samples.h"
 
 #include <catch2/catch.hpp>

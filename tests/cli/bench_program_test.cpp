@@ -36,10 +36,10 @@ TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
   for (const json& row : report["rows"]) {
     CHECK(row["sameImage"] == true);
     CHECK(row["medianMs"] > 0);
-    CHECK_FALSE(row.contains("publishedSeconds"));  // the report's are of other work
+    CHECK_FALSE(row.contains("publishedSeconds"));  // the published seconds are for other work
   }
   CHECK(report["rows"][0]["filmHash"] != report["rows"][3]["filmHash"]);
-  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("report's"));
+  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("published"));
 }
 
 TEST_CASE("bench accel compares structures on any scenes") {
@@ -48,7 +48,7 @@ TEST_CASE("bench accel compares structures on any scenes") {
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("a.p3f") && Contains("uniform grid") && Contains("Mrays/s"));
-  CHECK_THAT(result.out, !Contains("report's"));
+  CHECK_THAT(result.out, !Contains("published"));
 }
 
 TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {

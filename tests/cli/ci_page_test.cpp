@@ -48,7 +48,7 @@ std::set<std::string> packagesToRun() {
   return packages;
 }
 
-// What stands in the place of `match` group 1 in every line of `text` that matches as a whole.
+// Returns group 1 of the match in every line of `text` that matches `pattern` as a whole.
 std::vector<std::string> captured(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::istringstream lines(text);

@@ -1,4 +1,4 @@
-// What `candela explain` refuses before it asks for a device.
+// Command lines that `candela explain` refuses before it opens a device.
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run_program.h"

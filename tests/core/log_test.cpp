@@ -1,4 +1,4 @@
-// Which lines each verbosity shows.
+// The lines that each verbosity shows.
 #include "host/core/log.h"
 
 #include <catch2/catch.hpp>

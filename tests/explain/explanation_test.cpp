@@ -1,4 +1,4 @@
-// Which difference is named first, and what is said of it.
+// The difference that is named first, and its description.
 #include <catch2/catch.hpp>
 #include <functional>
 #include <limits>

@@ -17,7 +17,7 @@ using Edge = std::pair<Point, Point>;
 
 Point key(const glm::vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Of each edge from a to b: how often there is one more of it than of b to a.
+/// For each edge from a to b: how many more of it there are than of the edge from b to a.
 std::map<Edge, int> unmatchedEdges(std::span<const scene::Triangle> triangles) {
   std::map<Edge, int> edges;
   for (const scene::Triangle& triangle : triangles) {

@@ -7,7 +7,7 @@
 namespace candela {
 namespace {
 
-/// What the file should hold, by the statements of the loader's report.
+/// Counts that the file should have, by the statements of the loader's report.
 struct Expectation {
   std::size_t spheres = 0;
   std::size_t cones = 0;

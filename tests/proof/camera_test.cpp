@@ -1,4 +1,4 @@
-// What the camera makes of a point and of an edge: a lens' circle of confusion, and pixel filters.
+// Images of a point and of an edge: a lens' circle of confusion, and pixel filters.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/leaves.h"
@@ -40,7 +40,7 @@ struct Moments {
   double farthest = 0;  // distance from the mean
 };
 
-// Of an image's light over the places of its pixels' centres.
+// Returns the moments of an image's light over the positions of its pixel centres.
 Moments momentsOf(const image::Film& film) {
   Moments moments;
   const auto forEachPixel = [&](const auto& body) {

@@ -39,7 +39,7 @@ class Cells {
   std::vector<double> counts_;
 };
 
-/// Of `total` places that are uniform on the unit square.
+/// Returns the expected counts of `total` points that are uniform on the unit square.
 inline std::vector<double> uniformCounts(int rows, int columns, double total) {
   Cells cells(rows, columns);
   std::fill(cells.counts().begin(), cells.counts().end() - 1, total / (double{1} * rows * columns));

@@ -1,3 +1,4 @@
+// Computes Pearson's statistic over cells of sufficient expected counts.
 #include "tests/proof/chi_square.h"
 
 #include <algorithm>

@@ -66,7 +66,7 @@ double probabilityOf(std::uint32_t entry) {
   return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
 }
 
-// What a density may be off by, relatively: rounding, and the table's probabilities, which are multiples of 2^-24.
+// Relative error that a density may have: rounding, and the table's probabilities, which are multiples of 2^-24.
 double densityTolerance(std::uint32_t entry) { return 30 * kRounding + 0x1p-24 / probabilityOf(entry); }
 
 }  // namespace

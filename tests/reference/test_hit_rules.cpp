@@ -1,4 +1,4 @@
-// Which hit counts: ties, sides, and what shadow rays see.
+// Rules that decide which hit counts: ties, sides, and the view of shadow rays.
 #include <catch2/catch.hpp>
 
 #include "host/reference/tracing.h"

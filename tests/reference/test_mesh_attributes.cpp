@@ -23,7 +23,7 @@ scene::Mesh fullMesh() {
   return mesh;
 }
 
-// Of the point (1, 2, 0), from above or from below.
+// Returns the attributes at the point (1, 2, 0), hit from above or from below.
 MeshAttributes attributesOf(const scene::Mesh& mesh, double height = 5) {
   scene::Scene scene;
   scene.materials.emplace_back();

@@ -1,4 +1,4 @@
-// What `automatic` stands for: AutomaticChoices where nothing was asked for and the scene fits.
+// Resolution of `automatic`: AutomaticChoices, unless the user chose or the scene does not fit.
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"

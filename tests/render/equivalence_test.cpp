@@ -16,7 +16,7 @@ render::RenderSettings settingsFor(const scene::Scene& scene, std::uint32_t side
   return settings;
 }
 
-// Of pictures of one sample per pixel.
+// Requires that pictures with one sample per pixel agree.
 void requireSamePixels(const scene::Scene& scene, render::RenderSettings settings) {
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),

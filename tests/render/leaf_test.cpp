@@ -71,7 +71,7 @@ TEST_CASE("warps and elementary functions are accurate to a few units in the las
     CAPTURE(i, u.x, u.y, u.z, u.w);
     REQUIRE(isNear({disc, 0}, {rows[4 * i].x, rows[4 * i].y, 0}, 3e-7));
     REQUIRE(isNear(direction, glm::vec3(rows[4 * i + 1]), 4e-7));
-    // Of a narrow cap the distance from its axis counts.
+    // For a narrow cap, the distance from its axis is compared.
     REQUIRE(std::hypot(rows[4 * i + 1].x - direction.x, rows[4 * i + 1].y - direction.y) <= 1e-6 * std::sqrt(u.w));
     REQUIRE(rows[4 * i + 2].x == Approx(std::log1p(-u.x)).epsilon(1e-6));
     REQUIRE(rows[4 * i + 2].y == Approx(std::expm1(-50 * u.y)).epsilon(4e-6));

@@ -93,9 +93,9 @@ TEST_CASE("paths of thousands of segments equal the reference, whatever the segm
 
 TEST_CASE("a kernel that overruns the device's loop limit is caught") {
   // The renderer is told that there is no limit, so that its dispatches overrun it where there is one.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
   render::RenderSettings settings = squareSettings(8, 1);
   settings.image.maxDepth = limited ? 100000 : 100;
   settings.execution.segmentsPerDispatch = 100000;

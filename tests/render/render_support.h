@@ -1,4 +1,4 @@
-// What the tests of rendering on a device share.
+// Common parts of the tests of rendering on a device.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -31,7 +31,7 @@ render::RenderResult renderOnDevice(const scene::Scene& scene, const render::Ren
 render::RenderResult renderOnReference(const scene::Scene& scene, const render::RenderSettings& settings);
 /// The renderer on that device, kept so that equal kernels are compiled once.
 render::Renderer& testRenderer();
-/// What CANDELA_TEST_DEVICE selects; empty: the best device.
+/// The device that CANDELA_TEST_DEVICE selects; empty: the best device.
 std::string testDevice();
 
 double meanLuminance(const image::Film& film);

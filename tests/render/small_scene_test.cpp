@@ -1,4 +1,4 @@
-// Which scenes are traced in a row, without a structure.
+// Scenes that are traced as a linear list, without a structure.
 #include "host/flatten/small_scene.h"
 
 #include <catch2/catch.hpp>

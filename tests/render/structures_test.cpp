@@ -60,7 +60,7 @@ scene::Scene spheresAroundTheCamera() {
   return spheres(all);
 }
 
-// So many spheres of all sizes that the larger part of a tree's nodes lies below its trunk.
+// Spheres of all sizes, so many that most nodes of the BVH are below its trunk.
 scene::Scene cloud() {
   std::mt19937 random(11);
   const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-32f - 0.5f; };
@@ -279,9 +279,9 @@ TEST_CASE("overlapping shells look the same through a grid, and through the coar
 
 TEST_CASE("a segment too long for the device's loop limit is caught, whatever the structure", "[swiftshader-slow]") {
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
   // The renderer is told that there is no limit, so that it takes brute force on.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   const scene::Scene scene = crowdedCell();
   for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {
     render::RenderSettings settings = along(way, squareSettings(8, 1));

@@ -194,9 +194,9 @@ TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slo
 TEST_CASE("segments add up towards a device's loop limit in the megakernel, and do not in the wavefront",
           "[swiftshader-slow]") {
   // The renderer is told that there is no limit.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
   const scene::Scene scene = generatedScene("balls", 4).scene;
   render::RenderSettings settings = squareSettings(8, 8);
   settings.structure.accel = render::AccelKind::none;

@@ -11,7 +11,7 @@
 namespace candela::scene {
 namespace {
 
-// What the numbers of an `f` line mean; the scene's material must be made of the same.
+// Expected meaning of the numbers of an `f` line. The scene's material must equal the material made from it.
 NffMaterial materialOf(const std::string& line) {
   std::istringstream words(line.substr(1));
   std::vector<float> numbers;

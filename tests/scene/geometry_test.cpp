@@ -1,4 +1,4 @@
-// What primitives become: order, orientation, splitting.
+// Conversion of statements to primitives: order, orientation, splitting.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

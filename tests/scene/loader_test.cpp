@@ -18,7 +18,7 @@ std::string chosen(std::string_view bytes, const std::string& name) {
   return std::string(chooseLoader(kLoaders, {bytes, name, "."}).name);
 }
 
-/// What loadScene says of a file with this text: the message of its only error.
+/// Returns the message of the only error that loadScene reports for a file with this text.
 Diagnostic errorOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);

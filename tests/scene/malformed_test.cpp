@@ -1,4 +1,4 @@
-// What is wrong with a scene is said with its exact place: every keyword and every count of an `f` line.
+// Errors of a scene are reported with their exact position: every keyword and every count of an `f` line.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Which files a scene may read: links and dots are resolved before folders are compared.
+// The files that a scene may read: links and dots are resolved before folders are compared.
 #include "host/scene/path_guard.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// What people and programs read of a search.
+// The text and the JSON that report a search.
 #include "host/tune/tune_report.h"
 
 #include <catch2/catch.hpp>

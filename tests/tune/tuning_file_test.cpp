@@ -28,7 +28,7 @@ std::string soundText() {
   return readText(folder / "a.json");
 }
 
-// What becomes of a file with this content.
+// Returns the result of reading a file with this content.
 TuningLookup lookUp(const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / "a.json", text);

@@ -1,3 +1,4 @@
+// The regions in which two images are compared, and the seeds of batches.
 #include "host/verify/regions.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// What the verdict says, and where.
+// The text of the verdict in each format.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

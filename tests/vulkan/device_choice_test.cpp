@@ -1,4 +1,4 @@
-// Which device a selector means, on lists made by hand.
+// The device that a selector denotes, on lists made by hand.
 #include "host/vulkan/device_choice.h"
 
 #include <catch2/catch.hpp>
