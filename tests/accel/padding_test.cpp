@@ -95,7 +95,7 @@ void count(const Ray<float>& ray, const scene::Scene& scene, const Aabb& box, Ta
 
 }  // namespace
 
-TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
+TEST_CASE("no hit at the edge of a primitive is lost by its padded box") {
   constexpr int kRays = 70000;
   for (const scene::PrimitiveKind kind : {scene::PrimitiveKind::sphere, scene::PrimitiveKind::triangle,
                                           scene::PrimitiveKind::box, scene::PrimitiveKind::cone}) {
@@ -124,7 +124,7 @@ TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
   }
 }
 
-TEST_CASE("without the pads hits are lost, so that the test above tests something") {
+TEST_CASE("hits are lost if boxes are not padded") {
   Random random(12);
   const Setting setting = kSettings[0];
   Tally tally;
@@ -144,7 +144,7 @@ TEST_CASE("without the pads hits are lost, so that the test above tests somethin
   CHECK(tally.lost > 10);
 }
 
-TEST_CASE("a needle's distance, clamped to its own box, is never in front of any box around it") {
+TEST_CASE("the distance of a needle, clamped to its own box, is never before the entry into a box around it") {
   Random random(14);
   int hits = 0, frontOfOwn = 0, frontOfAncestor = 0;
   for (int i = 0; i < 200000; ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("a needle's distance, clamped to its own box, is never in front of any
   CHECK(frontOfAncestor == 0);
 }
 
-TEST_CASE("a box accepted in single precision has accepted ancestors, at no greater distance") {
+TEST_CASE("if a box is hit in single precision, its ancestors are hit at no greater distance") {
   Random random(13);
   int accepted = 0;
   bool monotonic = true;

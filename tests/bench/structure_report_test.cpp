@@ -21,7 +21,7 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   return report;
 }
 
-TEST_CASE("the structures compared are the report's two and the surface-area tree") {
+TEST_CASE("the compared structures are a grid, a BVH with midpoint splits and a SAH BVH") {
   const auto variants = structureVariants(render::RenderSettings{});
   REQUIRE(variants.size() == 3);
   CHECK(variants[0].settings.structure.accel == render::AccelKind::grid);
@@ -31,7 +31,7 @@ TEST_CASE("the structures compared are the report's two and the surface-area tre
   CHECK(variants[2].settings.structure.bvhSplit == render::BvhSplit::sah);
 }
 
-TEST_CASE("a structure with another image has no figures") {
+TEST_CASE("a structure whose image differs has no figures") {
   const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());
   const auto json = toJson(report);
@@ -51,7 +51,7 @@ TEST_CASE("published seconds are shown beside measured ones, if there are any") 
   CHECK(toJson(report)["rows"][0]["publishedSeconds"] == 361.0);
 }
 
-TEST_CASE("the JSON has a schema, and scene, images and rates for each row") {
+TEST_CASE("JSON has the schema, and the scene, images and rates of each row") {
   const auto json = toJson(structureReportOf({{1}, {1}, {1}}));
   CHECK(json["schema"] == "candela-bench/1");
   const auto& row = json["rows"][0];

@@ -21,7 +21,7 @@ ProgramResult runBench(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
+TEST_CASE("bench table1 measures three structures on two built-in scenes, without files") {
   const TemporaryFolder folder;
   const std::string markdown = folder.path("table.md");
   const ProgramResult result = runBench({"table1", "--json", "-", "--markdown", markdown});
@@ -51,7 +51,7 @@ TEST_CASE("bench accel compares structures on any scenes") {
   CHECK_THAT(result.out, !Contains("published"));
 }
 
-TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {
+TEST_CASE("a benchmark that does not exist, or lacks its scene, is a usage error") {
   CHECK_THAT(runBench({"tabel1"}).err, Contains("did you mean table1?"));
   CHECK(runBench({"tabel1"}).exitCode == 1);
   CHECK(runBench({"accel"}).exitCode == 1);

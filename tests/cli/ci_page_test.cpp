@@ -104,7 +104,7 @@ class Repository {
 
 }  // namespace
 
-TEST_CASE("every block of the page on continuous integration is one that is checked") {
+TEST_CASE("every block of the page on continuous integration is checked") {
   const MarkedPage page = readPage();
   REQUIRE_FALSE(page.blocks.empty());
   for (const MarkedBlock& block : page.blocks) {
@@ -139,7 +139,7 @@ TEST_CASE("the workflow runs the commands that the page on continuous integratio
   }
 }
 
-TEST_CASE("every command of the page on continuous integration ends as the page says") {
+TEST_CASE("every command of the page on continuous integration has the stated result") {
   const MarkedPage page = readPage();
   const Repository repository;
   for (const MarkedBlock& block : page.blocks) {
@@ -165,7 +165,7 @@ TEST_CASE("every command of the page on continuous integration ends as the page 
   }
 }
 
-TEST_CASE("the page on continuous integration has the program's exit codes, and no option that there is not") {
+TEST_CASE("the page on continuous integration states the program's exit codes and only options that exist") {
   const MarkedPage page = readPage();
   const std::string help = cli::helpText(std::nullopt);
   CHECK(captured(page.prose, "\\| ([0-9]+) \\|.*") ==

@@ -64,7 +64,7 @@ TEST_CASE("the option --strict exits with 3 after bad samples and still writes t
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }
 
-TEST_CASE("the option --strict changes nothing where no sample is bad") {
+TEST_CASE("the option --strict changes nothing if no sample is bad") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");

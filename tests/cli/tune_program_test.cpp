@@ -104,7 +104,7 @@ TEST_CASE("a dry run stores nothing", "[slow]") {
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("tuned values are used and reported where an option is auto, and change no bit of the film",
+TEST_CASE("tuned values are used and reported if an option is auto, and change no bit of the film",
           "[swiftshader-slow]") {
   const Home home;
   const json plain = home.render();

@@ -63,7 +63,7 @@ TEST_CASE("the other views are shown like light") {
   }
 }
 
-TEST_CASE("the reach of ambient occlusion changes its image") {
+TEST_CASE("the option --ao-distance changes the image of ambient occlusion") {
   const image::Image near = renderView({"--integrator", "ao", "--ao-distance", "0.01"}).linear;
   const image::Image far = renderView({"--integrator", "ao", "--ao-distance", "10"}).linear;
   double nearSum = 0, farSum = 0;

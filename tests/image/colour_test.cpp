@@ -68,13 +68,13 @@ TEST_CASE("tone curves give the pixels of their published formulas") {
   }
 }
 
-TEST_CASE("exposure counts in stops") {
+TEST_CASE("exposure is measured in stops") {
   CHECK(display({0.5f, 0.25f, 0.125f}, ToneMap::none, 1) == glm::ivec3(255, 128, 64));
   CHECK(display({0.5f, 0.25f, 0.125f}, ToneMap::none, -1) == glm::ivec3(64, 32, 16));
   CHECK(display({0.18f, 0.18f, 0.18f}, ToneMap::aces, 2) == display({0.72f, 0.72f, 0.72f}, ToneMap::aces));
 }
 
-TEST_CASE("no tone curve trips over values that are no radiance") {
+TEST_CASE("every tone curve handles values that are no radiance") {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kMaxValue = std::numeric_limits<float>::max();
@@ -87,7 +87,7 @@ TEST_CASE("no tone curve trips over values that are no radiance") {
   }
 }
 
-TEST_CASE("tone curves never get darker as grey gets brighter") {
+TEST_CASE("the result of a tone curve never gets darker as grey gets brighter") {
   for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
     int last = 0;
     for (float stops = -14; stops < 8; stops += 0.01f) {

@@ -70,7 +70,7 @@ double tentBelow(double x) {
 
 }  // namespace
 
-TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, or over the square of a square lens",
+TEST_CASE("a point out of focus is spread uniformly over its circle of confusion, or over the square of a square lens",
           "[swiftshader-slow]") {
   constexpr std::uint32_t kSide = 64;
   constexpr double kFocus = 2, kDistance = 1.25, kAperture = 40;
@@ -105,7 +105,8 @@ TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, 
   }
 }
 
-TEST_CASE("an edge shows the pixel filter's distribution function, across and down", "[swiftshader-slow]") {
+TEST_CASE("the image of an edge is the pixel filter's distribution function, horizontally and vertically",
+          "[swiftshader-slow]") {
   constexpr std::uint32_t kSide = 8;
   const dvec2 edge(3.3, 4.6);  // in pixels from the upper left corner
   SceneBuilder b = cameraOf(40);

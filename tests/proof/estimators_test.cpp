@@ -83,7 +83,7 @@ void checkAgreement(const char* names, const Estimate& a, const Estimate& b) {
 
 }  // namespace
 
-TEST_CASE("light samples, lobe samples and both together find the same light", "[swiftshader-slow]") {
+TEST_CASE("light sampling, BSDF sampling and both combined give the same light", "[swiftshader-slow]") {
   const Estimate lights = byLightSamples(), lobes = rendered(false), both = rendered(true);
   checkAgreement("lights and lobes", lights, lobes);
   checkAgreement("lights and both", lights, both);

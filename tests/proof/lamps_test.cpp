@@ -56,7 +56,7 @@ render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples
 
 }  // namespace
 
-TEST_CASE("a ball, two triangles and a point light light the floor by their closed forms, each in its channel",
+TEST_CASE("a sphere, two triangles and a point light illuminate the floor by their closed forms, each in its channel",
           "[swiftshader-slow]") {
   for (const vec3& seen : {vec3(0), vec3(0.25f, -0.5f, 0)}) {  // places from which no lamp hides another
     const dvec3 at(seen);
@@ -76,7 +76,7 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
   }
 }
 
-TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without",
+TEST_CASE("furnaces made of a mesh with coplanar neighbours show 1 / (1 - albedo), with and without roulette",
           "[swiftshader-slow]") {
   for (const float albedo : {0.25f, 0.5f, 0.75f}) {
     scene::Scene furnace = boxMesh(1, 4).scene();

@@ -33,7 +33,7 @@ dvec2 unwarpTriangle(const dvec2& b) {
 
 }  // namespace
 
-TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
+TEST_CASE("the warps to disc, cosine hemisphere, triangle and tent have their densities") {
   const WarpValues values = warps(randomNumbers(kWarpSamples, 101), 1);
   checkUniform(values.disc, [](const dvec2& p) { return dvec2(dot(p, p), turns(p.x, p.y)); });
   // The share of a cosine hemisphere within the angle theta is sin^2 theta.
@@ -44,7 +44,7 @@ TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
   checkCounts(heights.counts(), uniformCounts(kWarpSide * kWarpSide, 1, kWarpSamples));
 }
 
-TEST_CASE("caps from a thousandth of the hemisphere to the whole sphere are uniform, of unit vectors") {
+TEST_CASE("the warps to caps from a thousandth of the hemisphere to the whole sphere give uniform unit vectors") {
   for (const float height : {1e-3f, 0.3f, 1.0f, 2.0f}) {
     CAPTURE(height);
     const WarpValues values = warps(randomNumbers(kWarpSamples, 102), height);

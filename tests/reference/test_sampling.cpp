@@ -115,7 +115,7 @@ TEST_CASE("a frame is orthonormal and right-handed around any direction") {
   }
 }
 
-TEST_CASE("a frame's tangents are those that the page states") {
+TEST_CASE("the tangents of a frame are those of docs/light-transport.md") {
   // n = (0.6, 0, 0.8): s = 1, a = -1/1.8, b = 0.
   const Frame up(dvec3(0.6, 0, 0.8));
   CHECK(length(up.tangent - dvec3(1 - 0.36 / 1.8, 0, -0.6)) < 1e-15);

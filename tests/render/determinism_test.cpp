@@ -63,7 +63,7 @@ TEST_CASE("the tile does not change the image") {
   }
 }
 
-TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slow]") {
+TEST_CASE("the structure and the type of scene loads do not change the image", "[swiftshader-slow]") {
   for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
     const scene::Scene scene = loadTestScene(name);
     render::RenderSettings settings = baseSettings();
@@ -82,7 +82,7 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
   }
 }
 
-TEST_CASE("the reference's threads do not change its image") {
+TEST_CASE("the number of threads does not change the reference's image") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = baseSettings();
   settings.execution.threads = 1;

@@ -130,7 +130,7 @@ pp 3
 1 0 1.4 0.5 0.8 0.1
 )";
 
-TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshader-slow]") {
+TEST_CASE("rules for unusual scenes agree with the reference", "[swiftshader-slow]") {
   const scene::Scene scene = sceneFromText(kSeldomMet);
   render::RenderSettings settings = squareSettings(128, 1);
   settings.image.nextEventEstimation = GENERATE(true, false);

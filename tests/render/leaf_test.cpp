@@ -78,7 +78,7 @@ TEST_CASE("warps and elementary functions are accurate to a few units in the las
   }
 }
 
-TEST_CASE("the device's film adds up to the host's") {
+TEST_CASE("the sums of the device's film equal the host's") {
   constexpr std::uint32_t kLanes = 500, kPerLane = 40;
   std::mt19937 random(11);
   std::vector<glm::vec4> samples;
@@ -122,7 +122,7 @@ TEST_CASE("the device's film adds up to the host's") {
   }
 }
 
-TEST_CASE("a carry of the device's film runs through a word that is full") {
+TEST_CASE("a carry in the device's film propagates through a full word") {
   // 2^24 - 2^-9 fills the middle one of three words, in units of 2^-40; 2^-9 more go into the last.
   std::vector<glm::vec4> samples(15, glm::vec4(0x1p20f));
   for (const float value : {0x1p20f - 0x1p-4f, 0x1p-4f - 0x1p-9f, 0x1p-9f}) samples.emplace_back(value);

@@ -50,13 +50,13 @@ void requirePublishedCounts(const render::RenderStatistics& statistics, const Pu
 
 }  // namespace
 
-TEST_CASE("the tetrahedron takes the rays that Haines published, on both tracers") {
+TEST_CASE("the tetrahedron takes the numbers of rays that Haines published, on both tracers") {
   const scene::Scene scene = generatedScene(kPublished[2].kind, kPublished[2].size).scene;
   requirePublishedCounts(renderOnDevice(scene, hainesSettings()).statistics, kPublished[2]);
   requirePublishedCounts(renderOnReference(scene, hainesSettings()).statistics, kPublished[2]);
 }
 
-TEST_CASE("every database takes the rays that Haines published, on both tracers", "[slow]") {
+TEST_CASE("every database takes the numbers of rays that Haines published, on both tracers", "[slow]") {
   for (const PublishedCounts& published : kPublished) {
     const scene::Scene scene = generatedScene(published.kind, published.size).scene;
     const render::RenderStatistics device = renderOnDevice(scene, hainesSettings()).statistics;

@@ -47,7 +47,7 @@ bool isRect(const Rect& rect, std::uint32_t x, std::uint32_t y, std::uint32_t wi
 
 }  // namespace
 
-TEST_CASE("each sweep covers each pixel once for random sizes of image, workgroup and pieces") {
+TEST_CASE("each sweep covers each pixel once for random sizes of image, workgroup and rectangles") {
   std::mt19937 random(7);
   const auto upTo = [&](std::uint32_t most) { return std::uniform_int_distribution<std::uint32_t>(1, most)(random); };
   for (int round = 0; round < 200; ++round) {
@@ -67,20 +67,20 @@ TEST_CASE("each sweep covers each pixel once for random sizes of image, workgrou
   }
 }
 
-TEST_CASE("pieces have at most the requested size, or one workgroup, and are aligned to workgroups") {
+TEST_CASE("rectangles have at most the requested size, or one workgroup, and are aligned to workgroups") {
   const std::vector<Rect> rects = pieces(TileCursor({100, 50}, {8, 8}), 8 * 20);
   CHECK(isRect(rects[0], 0, 0, 16, 8));
   CHECK(isRect(rects[1], 16, 0, 16, 8));
   CHECK(isRect(rects.back(), 56, 48, 44, 2));  // two rows are left: 80 across would do
 }
 
-TEST_CASE("an image requested as one region is one piece") {
+TEST_CASE("an image requested as one region is one rectangle") {
   CHECK(isRect(pieces(TileCursor({100, 50}, {8, 8}), 5000).at(0), 0, 0, 100, 50));
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), 5000).size() == 1);
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), ~std::uint64_t{0}).size() == 1);
 }
 
-TEST_CASE("full strips are divided evenly instead of leaving a small rest") {
+TEST_CASE("full strips are divided evenly without a small remainder") {
   const std::vector<Rect> rects = pieces(TileCursor({100, 1000}, {8, 8}), 100 * 300);
   REQUIRE(rects.size() == 4);  // 296 rows at most
   CHECK(isRect(rects[0], 0, 0, 100, 256));
@@ -103,7 +103,7 @@ TEST_CASE("fixed tiles of any size cover the image row by row") {
   CHECK(sweep(sweeping, {70, 40}, [] { return std::uint64_t{5}; }) == once({70, 40}));
 }
 
-TEST_CASE("an image as large as images may be is walked without overflow") {
+TEST_CASE("iterating over an image of the maximum size does not overflow") {
   TileCursor cursor({65535, 65535}, {8, 8});
   const Rect first = cursor.next(std::uint64_t{1} << 33);
   CHECK(isRect(first, 0, 0, 65535, 65535));

@@ -104,7 +104,7 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(bare["memory"]["bytesPerTriangle"].is_null());
 }
 
-TEST_CASE("text names what a person looks for") {
+TEST_CASE("the text names the figures of the scene") {
   const std::string text = toText(makeReport(load(kScene)));
   for (const char* part : {"test\n", "19: spheres 2, triangles 14", "-4 -2 -2 to 4 7.5 5", "64 x 32", "16 requested",
                            "warning     test:", "bytes per triangle", "background  0.1 0.2 0.3"}) {

@@ -31,7 +31,7 @@ TEST_CASE("Welch's test gives the values of a worked example") {
   CHECK(test.pValue == Approx(0.0071387).margin(1e-7));
 }
 
-TEST_CASE("samples that do not vary differ for certain, or not at all") {
+TEST_CASE("samples without variance differ with certainty, or not at all") {
   const Summary one = summarise(std::vector{1.0, 1.0, 1.0});
   const Summary two = summarise(std::vector{2.0, 2.0, 2.0});
   CHECK(welch(one, one).pValue == 1);
@@ -39,7 +39,7 @@ TEST_CASE("samples that do not vary differ for certain, or not at all") {
   CHECK(welch(one, two, 1.0).pValue == 1);
 }
 
-TEST_CASE("a difference counts only beyond its margin") {
+TEST_CASE("only a difference beyond the margin counts") {
   const Summary a = summarise(std::vector{1.0, 2.0, 3.0});
   const Summary b = summarise(std::vector{3.0, 4.0, 5.0});
   CHECK(welch(a, b, 2.0).pValue == 1);

@@ -58,7 +58,7 @@ TEST_CASE("device and reference raise no false alarm in 200 runs, and the expect
   CHECK(alarms <= 21);
 }
 
-TEST_CASE("an albedo that is higher on one side by the promised bias is seen in 198 of 200 runs", "[slow]") {
+TEST_CASE("an albedo that is higher on one side by the detectable bias is detected in 198 of 200 runs", "[slow]") {
   CHECK(alarmsOf(0.5f * static_cast<float>(1 + kBias), 1e-4) >= 198);
 }
 
