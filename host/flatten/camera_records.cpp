@@ -5,8 +5,8 @@
 #include <span>
 
 #include "host/flatten/camera_constants.h"
-#include "host/flatten/flatten_point_lights.h"
 #include "host/flatten/flatten_primitives.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {

@@ -24,6 +24,9 @@ struct SceneFeatures {
 #undef CANDELA_DECLARE_MEMBER
 };
 
+/// Returns all features of a scene except the kinds of lights, which follow from the light table.
+SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator);
+
 /// Name of a BVH's nodes, as in --layout; empty for structures that are no BVH.
 constexpr const char* layoutName(std::uint32_t structure) {
   if (structure == gpu::kStructureBvh) return "bvh2";
@@ -36,11 +39,9 @@ struct FlatScene {
   std::vector<gpu::uvec4> rows;
   gpu::RenderConstants constants{};
   SceneFeatures features;
-  std::uint32_t
-      structure = gpu::kStructureNone;  ///< kStructure...; none for a BVH of one leaf: all primitives are tested
-  std::uint32_t stackSize = 1;          ///< entries that the traversal of a BVH needs
-  std::uint32_t
-      uniformSlots = 0;  ///< number of primitives of a small scene, whose records are in `slotRows` too; 0: not small
+  std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; a BVH of one leaf is kStructureNone
+  std::uint32_t stackSize = 1;                    ///< entries that the traversal of a BVH needs
+  std::uint32_t uniformSlots = 0;                 ///< primitives of a small scene, in `slotRows` too; 0: not small
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
   bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead

@@ -11,12 +11,9 @@
 #include "host/flatten/camera_constants.h"
 #include "host/flatten/flat_rows.h"
 #include "host/flatten/flat_scene.h"
-#include "host/flatten/flatten_features.h"
-#include "host/flatten/flatten_grid.h"
 #include "host/flatten/flatten_hierarchy.h"
-#include "host/flatten/flatten_point_lights.h"
 #include "host/flatten/flatten_primitives.h"
-#include "host/flatten/flatten_sky.h"
+#include "host/flatten/flatten_sections.h"
 #include "host/flatten/light_table.h"
 #include "host/flatten/lobes.h"
 

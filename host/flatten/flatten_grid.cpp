@@ -1,10 +1,6 @@
 // Stores a uniform grid as 16-byte records.
-#include "host/flatten/flatten_grid.h"
-
-#include <span>
-
 #include "host/accel/grid.h"
-#include "host/flatten/flat_rows.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {

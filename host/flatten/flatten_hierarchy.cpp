@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "host/flatten/flat_rows.h"
-#include "host/flatten/flatten_wide_hierarchy.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {

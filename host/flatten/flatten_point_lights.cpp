@@ -1,5 +1,5 @@
 // Stores point lights as 16-byte records.
-#include "host/flatten/flatten_point_lights.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {

@@ -1,5 +1,5 @@
 // Stores an 8-wide BVH as 16-byte records.
-#include "host/flatten/flatten_wide_hierarchy.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
