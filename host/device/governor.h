@@ -9,8 +9,8 @@ struct GovernorOptions {
   double limitSeconds = 0.25;        ///< maximum duration; a longer submission makes the governor aim lower
   std::uint32_t maxSegments = 1024;  ///< maximum of Plan::segments, e.g. from the device's loop limit
   std::uint64_t totalPixels = 0;     ///< of the image, or the band of it, that is rendered; > 0
-  std::uint64_t
-      minimumPixels = 16384;  ///< fewer invocations would leave a large device idle; undercut only to limit the time
+  /// Fewer invocations would leave a large device idle. A dispatch has fewer only to limit the time.
+  std::uint64_t minimumPixels = 16384;
   std::uint32_t workgroupPixels = 64;  ///< Plan::pixels is a multiple of it, or totalPixels
   std::uint64_t fixedPixels = 0;       ///< size of every region if the user set it; 0: free
   std::uint32_t fixedSegments = 0;     ///< Plan::segments if the user set it; 0: free

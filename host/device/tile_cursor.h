@@ -34,9 +34,8 @@ class TileCursor {
   render::Extent image_;
   render::Extent step_;   ///< rectangles are multiples of it
   bool isTiled_ = false;  ///< rectangles are exactly step_
-  std::uint32_t
-      x_ = 0,
-      y_ = 0;  ///< where the next rectangle begins; everything above and, within step_.height, left of it is done
+  /// Where the next rectangle begins. Everything above it is done, and what is left of it within step_.height.
+  std::uint32_t x_ = 0, y_ = 0;
 };
 
 }  // namespace candela::device

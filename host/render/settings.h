@@ -58,8 +58,8 @@ struct ImageSettings {
   Extent size;                     ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
   std::uint32_t seed = 0;
-  std::uint32_t
-      maxDepth = 64;  ///< maximum length of a path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
+  /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
+  std::uint32_t maxDepth = 64;
   std::uint32_t rouletteStart = 4;  ///< number of path vertices before Russian roulette starts
   Integrator integrator = Integrator::path;
   std::optional<float> aoDistance;  ///< maximum length of `ao` rays in units of the scene, > 0; absent: |from - at| / 4
