@@ -26,7 +26,7 @@ void advancePixel(uvec2 inRegion) {
   uvec2 pixel = dispatch.regionOrigin + inRegion;
   uint pixelIndex = pixelIndexOf(pixel);
   PathState state = pathStates[pixelIndex];
-  uint firstSample = state.radianceSample.w;
+  uint firstSample = sampleIndexOf(state);
   uint sampleIndex = firstSample;
   uint sampleEnd = dispatch.sampleEnd;
   if (sampleIndex >= sampleEnd) return;

@@ -4,14 +4,22 @@
 #include "path.glsl"
 #include "shared/render_data.h"
 
+// Members of a PathState and of a WaveState by name. These are macros, because a function would copy the whole state
+// from its buffer, and its result could not be assigned to.
+#define sampleIndexOf(pathState) pathState.radianceSample.w
+#define depthOf(pathState) pathState.throughputDepth.w
+#define radianceBitsOf(pathState) pathState.radianceSample.xyz
+#define hitOf(waveState) waveState.hit.xyz
+#define shadedDepthOf(waveState) waveState.hit.w
+
 Path unpackPath(PathState state) {
   Path path;
   path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
                      state.directionLeaving.w);
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
-  path.depth = state.throughputDepth.w;
-  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
+  path.depth = depthOf(state);
+  path.radiance = uintBitsToFloat(radianceBitsOf(state));
   return path;
 }
 

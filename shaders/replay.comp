@@ -34,7 +34,7 @@ void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
 void main() {
   uvec2 pixel = dispatch.regionOrigin;
   PathState state = pathState;
-  uint sampleIndex = state.radianceSample.w;
+  uint sampleIndex = sampleIndexOf(state);
   SampleKey key = sampleKeyOf(pixel, sampleIndex);
   Path path = unpackPath(state);
   if (path.depth == 0u) startPath(path, key, pixel);

@@ -7,7 +7,7 @@
 // Adds the pixel's sample, if it has one, and returns the index of the next.
 uint finishSample(uint pixelIndex) {
   uvec4 radianceSample = waves[pixelIndex].path.radianceSample;
-  bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
+  bool hasPath = depthOf(waves[pixelIndex].path) > 0u;
   if (!hasPath) return radianceSample.w;
   FilmRows sums = film[pixelIndex];
   addSample(sums, uintBitsToFloat(radianceSample.xyz), radianceSample.w);

@@ -12,7 +12,7 @@ void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
 
 // Records the decisions. Whether the shadow ray is occluded is not known yet.
 void record(uint pixelIndex, uint depth, Decisions decisions) {
-  waves[pixelIndex].hit.w = depth;
+  shadedDepthOf(waves[pixelIndex]) = depth;
   if (depth > kRecordedVertices) return;
   uint word = recordWord(pixelIndex, depth);
   uvec2 packed = packDecisions(decisions);
@@ -24,16 +24,16 @@ void main() {
   uint pixelIndex;
   if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   PathState state = waves[pixelIndex].path;
-  uvec3 found = waves[pixelIndex].hit.xyz;
+  uvec3 found = hitOf(waves[pixelIndex]);
   Path path = unpackPath(state);
   RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
-  SampleKey key = sampleKeyOf(pixelAt(pixelIndex), state.radianceSample.w);
+  SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
-  waves[pixelIndex].path = packPath(path, state.radianceSample.w,
+  waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kRecordPaths) record(pixelIndex, depth, decisions);

@@ -85,7 +85,7 @@ struct PathCounts {
 };
 
 // A path between two dispatches: one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample has
-// started. Path state in GLSL is accessed by the functions of path_state.glsl.
+// started. path_state.glsl has macros that name the packed members.
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
   uvec4 directionLeaving;  // ray direction, leaving (slot of the origin primitive | kLeavingInward, or kNoSlot)
