@@ -13,7 +13,7 @@ using namespace candela::test;
 
 namespace {
 
-// The cells of a grid over `count` primitives in a box of this extent, around a point at `place`.
+// Returns the cells of a grid over `count` primitives in a box of this extent around `place`.
 glm::uvec3 sidesOf(const glm::dvec3& extent, std::size_t count, double density,
                    const glm::dvec3& place = glm::dvec3(0)) {
   return gridShape(boxAround(place, extent / 2.0), count, density).sides;

@@ -11,7 +11,7 @@ using namespace candela::test;
 
 namespace {
 
-// A place and a size for primitives and rays.
+// A position and a size for primitives and rays.
 struct Setting {
   const char* name;
   glm::dvec3 centre;
@@ -28,8 +28,8 @@ const Setting kSettings[] = {
 
 glm::dvec3 across(const glm::dvec3& v, Random& random) { return glm::normalize(glm::cross(v, random.direction())); }
 
-// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just meet, or miss: on an
-// edge, a rim, or, for a sphere, on the outline as seen from `eye`.
+// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just hit or miss: on an
+// edge, on a rim or, for a sphere, on the silhouette as seen from `eye`.
 glm::dvec3 makePrimitive(scene::PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
                          scene::Scene& scene) {
   const auto point = [&] { return glm::vec3(setting.centre + setting.scale * random.inCube(-1, 1)); };
@@ -89,7 +89,7 @@ void count(const Ray<float>& ray, const scene::Scene& scene, const Aabb& box, Ta
   const auto t = intersect(same, scene, scene.primitives[0]);
   if (!t) return;
   ++tally.hits;
-  // The box must not only be met but met in time, or a hit that is nearer than all others is still skipped.
+  // The box must not only be hit but hit in time: otherwise the closest hit would still be skipped.
   if (!SlabRay<float>(ray).enter(box, static_cast<float>(*t))) ++tally.lost;
 }
 

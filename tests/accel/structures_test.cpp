@@ -79,7 +79,7 @@ TEST_CASE("BVHs and grids give the hits of brute force in extreme scenes") {
 
 TEST_CASE("at equal distances the lower primitive index is hit in every structure") {
   for (const NamedScene& named : edgeScenes()) {
-    if (named.name != "mixed") continue;  // half of everything stands there twice
+    if (named.name != "mixed") continue;  // the scene contains half of its primitives twice
     constexpr int kRays = 5000;
     const Outcome outcome = searchAll<float>(named.scene, kRays, 7, true);
     CHECK(outcome.differing == Counts{});

@@ -1,4 +1,4 @@
-// The choice of wide nodes against every other one that there is.
+// The choice of the children of 8-wide nodes, compared with every other choice.
 #include "host/accel/wide_families.h"
 
 #include <algorithm>

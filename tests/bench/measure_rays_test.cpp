@@ -1,4 +1,4 @@
-// In which order rays are traced, what is compared, and what a report keeps to itself.
+// The order in which rays are traced, the comparison of their hits, and the figures that a report omits.
 #include "host/bench/measure_rays.h"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// `candela bench` as a person meets it, on the reference tracer.
+// `candela bench` as a user runs it, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// `candela bench SCENE --sweep` and `bench compare` as a person meets them, on the reference tracer.
+// `candela bench SCENE --sweep` and `bench compare` as a user runs them, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -23,7 +23,7 @@ scene::Scene boxesOf(const std::string& scene, const std::vector<std::string>& o
   return scene::loadScene(folder.path("boxes.nff")).scene;
 }
 
-// Twenty balls in a row, ever farther apart.
+// Twenty balls along a line at increasing distances.
 std::string row() {
   std::string text = kView;
   for (int i = 0; i < 20; ++i) text += "s " + std::to_string(0.01 * i * i * i) + " 0 0 0.1\n";

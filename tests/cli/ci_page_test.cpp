@@ -31,7 +31,7 @@ std::set<std::string> wordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// Packages that apt-get is asked for; nothing for other apt-get commands.
+// Returns the packages that an apt-get command installs; nothing for other apt-get commands.
 std::set<std::string> installedBy(const std::string& commands) {
   std::set<std::string> words = wordsOf(commands);
   if (!words.contains("install")) return {};
@@ -77,7 +77,7 @@ std::optional<std::string> fileOf(const std::string& mark) {
   return mark.starts_with(start) ? std::optional(mark.substr(start.size())) : std::nullopt;
 }
 
-// A repository as the page has it: Candela with its build beside some scenes. Links stand for what is not written to.
+// A repository as on the page: Candela with its build beside some scenes. Folders that are only read are links.
 class Repository {
  public:
   Repository() {
@@ -152,7 +152,7 @@ TEST_CASE("every command of the page on continuous integration has the stated re
     CHECK_THAT(result.out + result.err, Catch::Contains(expected->message));
   }
   for (const std::string& kept : captured(theBlock(page, "workflow").text, " *path: (.*)")) CHECK(repository.has(kept));
-  // The table of what is left has a file's name, or several, at the start of each row.
+  // The table of result files has one or more file names at the start of each row.
   const std::vector<std::string> rows = captured(page.prose, "\\| (`[a-z]+\\.[a-z]+`.*) \\|.*");
   REQUIRE(rows.size() >= 5);
   for (const std::string& row : rows) {

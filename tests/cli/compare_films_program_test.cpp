@@ -10,7 +10,7 @@ namespace {
 using Catch::Contains;
 using nlohmann::json;
 
-// A ball on a floor under a lamp of so much red, green and blue, 16x12 pixels, by the reference.
+// A ball on a floor under a light of the given red, green and blue, 16x12 pixels, by the reference.
 std::string renderFilm(const TemporaryFolder& folder, const std::string& name, const std::string& seed,
                        const std::string& lamp = "4 4 4", const std::vector<std::string>& options = {}) {
   std::string text = smallScene();

@@ -75,7 +75,7 @@ TEST_CASE("the option --no-cache stores no compiled pipelines") {
 
 TEST_CASE("a render succeeds if compiled pipelines cannot be stored") {
   const Cache cache;
-  cache.removeFolder();  // a file of that name takes its place
+  cache.removeFolder();  // replaced by a file of that name
   const ProgramResult result = cache.render();
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("compiled pipelines are not stored: "));

@@ -1,4 +1,4 @@
-// `candela render` as a person meets it, on the reference tracer.
+// `candela render` as a user runs it, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>

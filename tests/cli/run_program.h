@@ -50,7 +50,7 @@ class TemporaryFolder {
 
 std::string readFile(const std::string& path);
 
-/// A diffuse ball on a floor under a lamp, 16x12 pixels; `extra` lines are appended.
+/// A diffuse ball on a floor under a light, 16x12 pixels; `extra` lines are appended.
 std::string smallScene(const std::string& extra = "");
 
 }  // namespace candela

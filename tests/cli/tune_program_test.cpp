@@ -24,7 +24,7 @@ std::string sceneWithATree() {
 
 Surroundings inside(const std::vector<std::string>& environment) { return {environment, {}, {}}; }
 
-// A scene, a place for what is tuned, and the program with both.
+// A scene, a folder for tuning results, and the program with both.
 class Home {
  public:
   Home() : scene_(folder_.write("a.p3f", sceneWithATree())) { std::filesystem::create_directory(cache()); }

@@ -1,4 +1,4 @@
-// The views as a person asks for them, on the reference tracer.
+// The views as a user requests them, on the reference tracer.
 #include <catch2/catch.hpp>
 
 #include "host/image/image.h"

@@ -10,8 +10,8 @@ using namespace candela::explain;
 
 namespace {
 
-// Primitives: 0 lamp, 1 ball of glass, 2 shiny ball, 3 another far away, 4 and 5 floor. Materials in their order. None
-// of the changes below needs another kernel.
+// Primitives: 0 light, 1 glass ball, 2 glossy ball, 3 another one far away, 4 and 5 floor. Materials are in the same
+// order. None of the changes below needs another kernel.
 const char* const kScene =
     "b 0.1 0.2 0.3\nv\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
     "f 1 1 1 1 0 0 0 0 1 0 1 12 11 10\ns 2 -1 6 1\n"

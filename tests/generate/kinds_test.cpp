@@ -1,4 +1,4 @@
-// The table of kinds keeps its promises: ranges, limits, scenes that load.
+// The table of kinds: ranges, limits, scenes that can be loaded.
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>

@@ -32,7 +32,8 @@ TEST_CASE("sRGB signals decode to the values of IEC 61966-2-1") {
 TEST_CASE("sRGB encoding inverts decoding and is continuous at the joint of its pieces") {
   for (int i = 0; i <= 1000; ++i) {
     const double signal = i / 1000.0;
-    CHECK(srgbEncode(srgbDecode(signal)) == Approx(signal).margin(1e-7));  // the standard's pieces meet to 1e-8
+    CHECK(srgbEncode(srgbDecode(signal)) ==
+          Approx(signal).margin(1e-7));  // the standard's pieces agree to 1e-8 at their joint
   }
   CHECK(srgbEncode(0.0031308) == Approx(srgbEncode(std::nextafter(0.0031308, 1.0))).margin(1e-7));
 }

@@ -1,4 +1,4 @@
-// The film's sums, by hand.
+// The film's sums, compared with values computed by hand.
 #include "host/image/film.h"
 
 #include <algorithm>

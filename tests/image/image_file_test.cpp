@@ -1,4 +1,4 @@
-// Image files keep what they promise to keep.
+// Image files preserve what their formats can store.
 #include <catch2/catch.hpp>
 #include <cmath>
 

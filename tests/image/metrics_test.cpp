@@ -1,4 +1,4 @@
-// Image metrics by hand.
+// Image metrics, compared with values computed by hand.
 #include "host/image/metrics.h"
 
 #include <catch2/catch.hpp>

@@ -12,7 +12,7 @@ using test::SceneBuilder;
 
 namespace {
 
-// Only what camera rays meet.
+// Settings that show only what camera rays hit.
 render::RenderSettings directView(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = test::settingsOf(side, side, samples);
   settings.image.maxDepth = 1;
@@ -77,7 +77,7 @@ TEST_CASE("a point out of focus is spread uniformly over its circle of confusion
   // A point at distance z is spread over the lens' radius times |z - F| / z in the plane in focus, whose pixels are F
   // times as large as those at distance 1, in which the aperture is measured.
   constexpr double kRadius = kAperture * (kFocus - kDistance) / kDistance / kFocus;
-  constexpr double kPointSide = 10;  // the point is a square of so many pixels
+  constexpr double kPointSide = 10;  // the point is a square with this side in pixels
 
   SceneBuilder b = cameraOf(30);
   b.scene.camera->aperture = kAperture;

@@ -22,7 +22,7 @@ class Cells {
   const std::vector<double>& counts() const { return counts_; }
 
  private:
-  // Rounding may carry a place that belongs to the outermost cells beyond them.
+  // Rounding may move a point of the outermost cells beyond them.
   static constexpr double kSlack = 1e-6;
 
   std::size_t cellOf(const glm::dvec2& place) const {
@@ -46,7 +46,7 @@ inline std::vector<double> uniformCounts(int rows, int columns, double total) {
   return cells.counts();
 }
 
-/// The azimuth as a share of the full turn, in [0, 1).
+/// Returns the azimuth as a fraction of the full circle, in [0, 1).
 inline double turns(double x, double y) {
   const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
   return turn < 0 ? turn + 1 : turn;

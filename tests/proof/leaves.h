@@ -76,7 +76,7 @@ struct LitPoint {
   dvec3 emission{0};
 };
 struct FoundLight {
-  double distance = 0;  ///< 0: the ray does not meet it
+  double distance = 0;  ///< 0: the ray does not hit it
   double pdf = 0;       ///< with which light samples find it
 };
 struct ChosenLight {

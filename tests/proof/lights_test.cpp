@@ -37,7 +37,7 @@ dvec3 areaNormalOf(const scene::Triangle& triangle) {
   return cross(dvec3(triangle.p[1]) - origin, dvec3(triangle.p[2]) - origin) / 2.0;
 }
 
-// The share of a triangle's weights as a place in the unit square: see the proof of the warp.
+// Maps the weights of a triangle to the unit square: see the proof of the warp.
 dvec2 placeInTriangle(const dvec3& point, const scene::Triangle& triangle) {
   const dvec3 origin(triangle.p[0]), edge1 = dvec3(triangle.p[1]) - origin, edge2 = dvec3(triangle.p[2]) - origin;
   const dvec3 normal = cross(edge1, edge2), across = point - origin;
@@ -97,7 +97,7 @@ TEST_CASE("samples of a sphere are uniform in the cap of directions that it subt
     expected.back() += cells.counts().back();
     checkCounts(cells.counts(), expected);
     CHECK(worstPdf < densityTolerance(entry));
-    CHECK(worstPoint < 1e-3);  // grazing rays meet it near where they should
+    CHECK(worstPoint < 1e-3);  // grazing rays hit it near the expected point
   }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("all directions are sampled uniformly from inside a sphere and from it
       REQUIRE(length(from.position + lit.distance * lit.wi - dvec3(0, 0, 3)) == Approx(1).margin(kRounding));
       cells.add({(1 + lit.wi.z) / 2, turns(lit.wi.x, lit.wi.y)});
     }
-    // From the lowest point of the surface only directions that go up meet the sphere.
+    // From the lowest point of the surface, only directions that point up hit the sphere.
     std::vector<double> expected = uniformCounts(kLightSide, kLightSide, kLightSamples);
     for (std::size_t i = 0; onLight && i < kLightSide * kLightSide / 2; ++i) {
       expected.back() += expected[i];

@@ -1,4 +1,4 @@
-// Rays from inside closed meshes must meet them, also far from the origin, where single precision is coarse; after the
+// Rays from inside closed meshes must hit them, also far from the origin, where single precision is coarse; after the
 // watertightness test of Embree (Wald et al., SIGGRAPH 2014): at most 2e-5 of the rays may miss.
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,4 +1,4 @@
-// Lobes: weights, densities against sampling, reciprocity, energy, and the dielectric by hand.
+// Lobes: weights, densities compared with sampling, reciprocity, energy, and the dielectric by values computed by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>

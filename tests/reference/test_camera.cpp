@@ -1,4 +1,4 @@
-// Camera rays and the background, by hand.
+// Camera rays and the background, compared with values computed by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -74,7 +74,7 @@ TEST_CASE("rays without jitter pass through pixels' centres, or through the corn
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(0, 0), {-8, 4}));
   CHECK(isNear(at(4, 2), {8, -4}));
-  settings.image.size = {1, 3};  // one column keeps its centre
+  settings.image.size = {1, 3};  // a single column has its ray at the centre
   CHECK(isNear(at(0, 0), {0, 4}));
 }
 

@@ -1,4 +1,4 @@
-// The estimator as a whole, against answers that are known exactly or that two ways of estimating must share.
+// The whole estimator, compared with results that are known exactly or on which two kinds of estimates must agree.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -177,7 +177,7 @@ TEST_CASE("the contributions of many point lights add up") {
   b.material(diffuseMaterial(vec3(0), vec3(2))).sphere({0, 0, 12}, 1);  // seen by its cap: 2 / 144
   lookDownAt(b, 0, 0);
   b.scene.primitives[1].material = 1;
-  // The lamp is a shadow caster to none of the point lights, and they are none to it.
+  // The light does not occlude the point lights, and they do not occlude it.
   CHECK(renderScene(b.scene, onePixel(65536, 2)).film.mean(0, 0).x == Approx(4.5 + 2.0 / 144).epsilon(5e-3));
 }
 

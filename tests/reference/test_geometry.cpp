@@ -1,4 +1,4 @@
-// Intersections, against values by hand and against a second form.
+// Intersections, compared with values computed by hand and with a second formula.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>

@@ -1,4 +1,5 @@
-// The light table's thresholds by hand, and the sampling of lights against their densities.
+// The thresholds of the light table, compared with values computed by hand, and the sampling of lights with its
+// densities.
 #include <catch2/catch.hpp>
 #include <cmath>
 

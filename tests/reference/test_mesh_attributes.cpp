@@ -1,4 +1,4 @@
-// Attributes of meshes where rays meet them, against values by hand.
+// Attributes of meshes at the hits of rays, compared with values computed by hand.
 #include <catch2/catch.hpp>
 
 #include "host/reference/geometry.h"

@@ -11,7 +11,7 @@ using namespace candela::test;
 
 namespace {
 
-// A camera over a diffuse floor that sees it in a mirror; a lamp above, with a screen on one side of it.
+// A camera over a diffuse floor that is reflected in a mirror; a light above, with an occluder on one side of it.
 SceneBuilder mirroredFloor() {
   SceneBuilder b;
   b.material(mirrorMaterial(vec3(1))).plane({0, 0, -5}, {1, 0, -5}, {0, 1, -5});
@@ -150,7 +150,7 @@ TEST_CASE("a record contains the decisions of a path") {
   CHECK(cut.vertices[1].shadow == render::ShadowOutcome::notTraced);
 
   SceneBuilder screened = mirroredFloor();
-  screened.sphere({0.9f, 0, 3}, 0.8f);  // leaves the view free and hides nothing yet
+  screened.sphere({0.9f, 0, 3}, 0.8f);  // outside the view, and occludes nothing yet
   CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::visible);
   screened.scene.pointLights[0].position = {1.8f, 0, 1};
   CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::occluded);

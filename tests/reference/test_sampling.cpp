@@ -59,7 +59,7 @@ TEST_CASE("the disc warp is uniform in area") {
 TEST_CASE("the cosine warp has the moments of a cosine density") {
   const auto mean = meanOverSquare<dvec3>([](const dvec2& u) { return sampleCosineHemisphere(u); });
   CHECK(mean.x == Approx(0).margin(1e-12));
-  CHECK(mean.z == Approx(2.0 / 3).epsilon(5e-4));  // the midpoint rule meets a square root's edge
+  CHECK(mean.z == Approx(2.0 / 3).epsilon(5e-4));  // the midpoint rule at the edge of a square root
   const auto squared = meanOverSquare<double>([](const dvec2& u) { return std::pow(sampleCosineHemisphere(u).z, 2); });
   CHECK(squared == Approx(0.5).epsilon(1e-4));
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kRowBytes = 16;
 
-// A device that binds so many rows, and what is in use there of a scene of 100.
+// A device that can bind the given numbers of records, and the loads that it uses for a scene of 100 records.
 render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, render::SceneLoads asked,
                               render::SceneLoads preferred) {
   vulkan::DeviceInfo info;

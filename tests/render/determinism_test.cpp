@@ -38,8 +38,7 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
     render::RenderSettings settings = baseSettings();
     settings.execution.segmentsPerDispatch = segments;
-    settings.structure
-        .bvhLayout = render::BvhLayout::cwbvh;      // tests in a row would use up a device's loop limit sooner
+    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // a linear list would reach a device's loop limit sooner
     settings.execution.tile = settings.image.size;  // so that the number of dispatches depends on nothing else
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);

@@ -94,9 +94,9 @@ TEST_CASE("depth limit and roulette agree with the reference") {
   requireSamePixels(scene, settings);
 }
 
-// A row of objects on a floor: a sphere that is seen from inside only, with the camera outside; a flat box of glass; a
-// box so thin that it is flat at its distance; a lamp that lets light through; a capped mixture in white light; and,
-// above them, the back of a triangle with normals of its own.
+// Objects on a floor: a sphere that is visible only from inside, with the camera outside; a flat box of glass; a box so
+// thin that it is flat at its distance; a light that transmits light; a mixture scaled to 1 in white light; and, above
+// them, the back of a triangle with vertex normals.
 const char* const kSeldomMet = R"(
 b 0.3 0.4 0.5
 v

@@ -9,7 +9,7 @@ using namespace candela::device;
 
 namespace {
 
-// A lamp brighter than the film can hold.
+// A light brighter than the film can represent.
 scene::Scene tooBright() {
   return sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"

@@ -70,7 +70,7 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
 TEST_CASE("the record of a light refers to its primitive, and the primitive to the light") {
   const scene::Scene scene = loadFixture("cornell.p3f");
   const flatten::FlatScene flat = flatten::flattenScene(scene, smallSettings());
-  REQUIRE(flat.constants.lightCount == 2);  // the lamp's two triangles
+  REQUIRE(flat.constants.lightCount == 2);  // the light's two triangles
   for (std::uint32_t light = 0; light < 2; ++light) {
     const gpu::uvec4& head = flat.rows[flat.constants.firstLightRow + light * gpu::kLightRows];
     const std::uint32_t row = flat.constants.firstPrimitiveRow + head.w * gpu::kPrimitiveRows;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A ray that meets a boundary; `index` is the one behind it by the one before it.
+/// A ray that hits a boundary; `index` is the index of refraction behind it divided by the one before it.
 struct Incidence {
   double angle;
   double index;

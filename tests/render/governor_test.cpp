@@ -1,4 +1,4 @@
-// The governor keeps dispatches short on devices that are made up: slow, fast, noisy, changing.
+// The governor limits the duration of dispatches on simulated devices: slow, fast, noisy, changing.
 #include "host/device/governor.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Host and shader agree on the place of every member of every structure that they share.
+// Host and shader agree on the offset of every member of every structure that they share.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
@@ -30,7 +30,7 @@ class Module {
     }
   }
 
-  // The structure of this name that has explicit offsets. SPIR-V keeps one copy per layout.
+  // The structure of this name that has explicit offsets. SPIR-V has one copy per layout.
   Offsets offsetsOf(const std::string& name) const {
     for (const auto& [id, structName] : names_) {
       if (structName != name || !offsets_.contains(id)) continue;

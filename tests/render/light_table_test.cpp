@@ -1,4 +1,4 @@
-// Light probabilities against values worked out by hand.
+// Probabilities of lights, compared with values computed by hand.
 #include "host/flatten/light_table.h"
 
 #include <catch2/catch.hpp>

@@ -17,7 +17,7 @@ using namespace candela::device;
 
 namespace {
 
-// A rough height field under a lamp: `cells` x `cells` x 2 triangles and a sphere.
+// A rough height field under a light: `cells` x `cells` x 2 triangles and a sphere.
 scene::Scene heightField(std::uint32_t cells) {
   std::mt19937 random(7);
   scene::Scene scene = sceneFromText(
@@ -92,7 +92,7 @@ TEST_CASE("paths of thousands of segments equal the reference, whatever the segm
 }
 
 TEST_CASE("a kernel that exceeds the device's loop limit is detected") {
-  // The renderer is told that there is no limit, so that its dispatches overrun it where there is one.
+  // The renderer is configured without a limit, so that its dispatches exceed the limit of a device that has one.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
@@ -110,8 +110,8 @@ TEST_CASE("a kernel that exceeds the device's loop limit is detected") {
 }
 
 TEST_CASE("dispatches do not leak memory") {
-  // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or
-  // has a loop with such bounds, as the second scene's over its infinite plane, which is behind the BVH.
+  // lavapipe stores two megabytes of compiled code for each dispatch of a kernel that branches on uniform values, or
+  // has a loop with uniform bounds, such as the second scene's loop over its infinite plane, which is not in the BVH.
   const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
   render::RenderSettings settings = squareSettings(16, 1);
   settings.structure.bvhLayout = GENERATE(render::BvhLayout::automatic, render::BvhLayout::cwbvh);

@@ -1,5 +1,6 @@
 // The numbers of rays that Haines published with his databases (README of the Standard Procedural Databases): 513 x 513
-// rays through the corners of pixels, trees of depth 5. He expects tracers to differ by up to 10 %; 4 % are asked here.
+// rays through the corners of pixels, trees of depth 5. He expects tracers to differ by up to 10 %; these tests require
+// 4 %.
 #include <catch2/catch.hpp>
 #include <vector>
 

@@ -23,7 +23,7 @@ scene::Scene loadSpdScene(const std::string& fileName);
 /// A scene from text, without warnings printed.
 scene::Scene sceneFromText(const std::string& text);
 
-/// Square pictures of so many pixels a side and samples per pixel, other settings at their defaults.
+/// Settings for square pictures with this side in pixels and this number of samples per pixel; the rest are defaults.
 render::RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples);
 
 /// Renders on the device under test, and requires that no loop was truncated.

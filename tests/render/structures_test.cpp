@@ -82,7 +82,7 @@ scene::Scene flatScene() {
   return sceneFromText(text);
 }
 
-// Rays from the plane, up to far beyond what single precision tells apart, towards a lamp among small spheres.
+// Rays from the plane, up to far beyond the resolution of single precision, towards a light among small spheres.
 scene::Scene clusterOnPlane() {
   std::mt19937 random(5);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
@@ -93,7 +93,7 @@ scene::Scene clusterOnPlane() {
   return sceneFromText(text + "f 0 0 0 1 0 0 0 0 1 0 1 90 80 70\ns 0 0 1.3 .2\n");
 }
 
-// 70,000 spheres at one place and one far away, so that a grid has nearly all of them in one cell.
+// 70,000 spheres at one position and one far away, so that a grid has nearly all of them in one cell.
 scene::Scene crowdedCell() {
   scene::Scene scene = sceneFromText(std::string(kView) + "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns 1000 1000 1000 1\n");
   for (int i = 0; i < 70000; ++i) {
@@ -122,7 +122,7 @@ scene::Scene clustersOfAllSizes() {
   return sceneFromText(text);
 }
 
-// Red spheres, and green ones of higher numbers in the same places.
+// Red spheres, and green ones with higher indices at the same positions.
 scene::Scene coincidentSpheres() {
   std::string text = kView;
   for (const char* const colour : {"1 0 0", "0 1 0"}) {
@@ -150,7 +150,7 @@ render::RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   return settings;
 }
 
-// Renders all scenes one way before the next, since a renderer keeps its last kernel.
+// Renders all scenes in one way before the next, because compiled kernels are then reused.
 void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::RenderSettings& settings,
                       const std::vector<Way>& ways) {
   std::vector<std::set<std::uint64_t>> hashes(scenes.size());
@@ -281,7 +281,7 @@ TEST_CASE("a grid gives the same film of overlapping shells, also the coarser on
 TEST_CASE("a segment too long for the device's loop limit is detected, with every structure", "[swiftshader-slow]") {
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
-  // The renderer is told that there is no limit, so that it takes brute force on.
+  // The renderer is configured without a limit, so that it accepts brute force.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   const scene::Scene scene = crowdedCell();
   for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {

@@ -1,4 +1,4 @@
-// Every sweep covers every pixel once, whatever sizes are asked for.
+// Every sweep covers every pixel once, whatever sizes are requested.
 #include "host/device/tile_cursor.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,8 @@ using namespace candela::device;
 
 namespace {
 
-/// How often each pixel was in a piece of one sweep. Fails on a piece that is empty or leaves the image.
+/// Returns how often each pixel was in a rectangle of one sweep. Fails if a rectangle is empty or extends beyond the
+/// image.
 std::vector<int> sweep(
     TileCursor& cursor, render::Extent image, const std::function<std::uint64_t()>& wanted,
     const std::function<void(std::uint64_t, const Rect&)>& check = [](std::uint64_t, const Rect&) {}) {

@@ -52,7 +52,7 @@ scene::Scene lookingAt(const vec3& at, const vec3& from) {
 render::RenderSettings viewSettings(render::Integrator integrator, std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
   settings.image.integrator = integrator;
-  settings.execution.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
+  settings.execution.recordPaths = true;  // always, so that each view of a scene has one kernel
   return settings;
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("the view ao shows the cosine-weighted fraction of directions without 
       return lookingAt(foot, foot + vec3(0, 0, height));
     };
     CHECK(mean(renderScene(above(50, 4), settings).film) == 1);
-    // In the corner half of the directions meet the wall. 16384 samples: a standard deviation of 0.004.
+    // In the corner, half of the directions hit the wall. 16384 samples: a standard deviation of 0.004.
     CHECK(mean(renderScene(above(1e-3, 4), settings).film) == Approx(0.5).margin(0.016));
     // At distance d < D those do whose component towards the wall exceeds a = d/D, cosine-weighted a coordinate of the
     // unit disc: 1 - (acos a - a sqrt(1 - a^2)) / pi.
@@ -198,7 +198,8 @@ TEST_CASE("the view cost shows the traversal steps of the statistics, pixel by p
     const image::Film all = renderScene(scene, settings).film;
     for (std::uint32_t i = 0; i < 64; ++i) CHECK(all.mean(i, 63 - i) == dvec3(primitives));
     settings.structure.accel = render::AccelKind::bvh;
-    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // the device would else test so few in a row
+    settings.structure
+        .bvhLayout = render::BvhLayout::cwbvh;  // the device would test so few primitives as a linear list
     const render::RenderResult tree = renderScene(scene, settings);
     CHECK(mean(tree.film) * 4 * 64 * 64 == static_cast<double>(tree.statistics.traversalSteps));
     return mean(tree.film);

@@ -194,7 +194,7 @@ TEST_CASE("a wavefront render that is stopped returns the finished samples", "[s
 
 TEST_CASE("segments add up towards a device's loop limit in the megakernel, but not in the wavefront",
           "[swiftshader-slow]") {
-  // The renderer is told that there is no limit.
+  // The renderer is configured without a limit.
   const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
   const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;

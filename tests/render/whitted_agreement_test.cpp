@@ -64,7 +64,7 @@ TEST_CASE("images of procedural databases agree with the reference", "[swiftshad
   requireAgreement(loadDatabase("gears_1.nff"), whittedSettings(192), kFlat);
 }
 
-// teapot_1.nff is not among them: spout and handle are flat there, two surfaces in one place.
+// teapot_1.nff is omitted: its spout and handle are flat, with two surfaces at the same position.
 TEST_CASE("images of the other scenes and databases agree with the reference", "[slow]") {
   for (const char* file : {"rings_1.nff", "jacks_1.nff", "shells_1.nff"}) {
     requireAgreement(loadDatabase(file), whittedSettings(256), kCurvedMirrors);

@@ -1,4 +1,4 @@
-// Histograms against counts by hand, and the reduction of large pictures.
+// Histograms, compared with counts computed by hand, and the reduction of large pictures.
 #include "host/report/histogram.h"
 
 #include <catch2/catch.hpp>

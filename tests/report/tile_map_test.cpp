@@ -9,7 +9,7 @@ namespace {
 using verify::Region;
 using verify::RegionResult;
 
-// A tile of 8 pixels at x = 8 column, 0, whose t is so many times the critical one.
+// A tile of 8 pixels at x = 8 column, y = 0, whose t is this multiple of the critical t.
 RegionResult tile(std::uint32_t column, double difference, double timesCritical) {
   RegionResult result;
   result.region = {8 * column, 0, 8, 8, 8, Region::Quantity::luminance};

@@ -21,7 +21,7 @@ TEST_CASE("the variance of large numbers that hardly differ does not cancel") {
   CHECK(summary.variance == Approx(30));
 }
 
-// The expected values come from the formulas by hand, p from a numerical integral of Student's density.
+// The expected values are computed by hand from the formulas, p by numerical integration of Student's density.
 TEST_CASE("Welch's test gives the values of a worked example") {
   const std::vector<double> a{27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4};
   const std::vector<double> b{27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8, 20.2, 21.9, 22.1, 22.9, 30.5, 25.4};

@@ -1,4 +1,4 @@
-// Rows of measurements that nobody measured.
+// Rows of artificial measurements.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The file that keeps a choice: what it is for, and what happens to it.
+// The file that stores a choice: its key, and its behaviour if it is changed or damaged.
 #include "host/tune/tuning_file.h"
 
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
-// The test of two finished films: values by hand, false alarms and power on films whose truth is known, and refusals.
+// The test of two finished films: values computed by hand, false alarms and power on films of known light, and
+// refusals.
 #include "host/verify/film_test.h"
 
 #include <catch2/catch.hpp>

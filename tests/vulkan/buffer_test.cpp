@@ -1,4 +1,4 @@
-// Buffers hold what is written to them, whichever way it goes in and out, and keep to limits.
+// Buffers return what is written to them, in every way of writing and reading, and respect limits.
 #include "host/vulkan/buffer.h"
 
 #include <catch2/catch.hpp>

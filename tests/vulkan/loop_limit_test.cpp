@@ -1,4 +1,4 @@
-// The probe of the loop limit tells what the device does.
+// The probe of the loop limit reports the behaviour of the device.
 #include "host/vulkan/loop_limit.h"
 
 #include <catch2/catch.hpp>
