@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kRowBytes = 16;
 
-// A device that can bind the given numbers of records, and the loads that it uses for a scene of 100 records.
+// Returns the loads that a device with these limits, in records, uses for a scene of 100 records.
 render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, render::SceneLoads asked,
                               render::SceneLoads preferred) {
   vulkan::DeviceInfo info;
