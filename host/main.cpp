@@ -1,4 +1,4 @@
-// argv -> command -> exit code, and the only catch.
+// Maps the command line to a command and the command to an exit code. It is the only place that catches errors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,13 +28,13 @@ ExitCode runCommand(const std::vector<std::string>& words) {
   return cli::commandInfo(arguments.command).run(arguments, Log(std::cerr, arguments.verbosity()));
 }
 
-// A report that did not reach its reader is no success.
+// Output that could not be written is a failure.
 ExitCode afterOutput(ExitCode code) {
   if (std::cout.flush()) return code;
   throw FileError("cannot write to stdout");
 }
 
-// What the validation layer says, where it is asked for, is an error of the program whatever the image looks like.
+// Every message of the validation layer is an error of the program, whatever the image looks like.
 ExitCode afterValidation(ExitCode code) {
   const std::vector<std::string> messages = vulkan::validationMessages();
   const Log log(std::cerr, Verbosity::quiet);

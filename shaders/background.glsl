@@ -1,4 +1,4 @@
-// What a ray sees that hits nothing: a colour or a sky box (docs/light-transport.md section 7).
+// The radiance that a ray sees when it hits nothing: a colour or a sky box (docs/light-transport.md section 7).
 #ifndef CANDELA_BACKGROUND_GLSL
 #define CANDELA_BACKGROUND_GLSL
 #include "scene_access.glsl"
@@ -16,7 +16,8 @@ vec3 skyTexel(uvec4 face, int x, int y) {
   return vec3(linearFromByte(packed & 255u), linearFromByte((packed >> 8) & 255u), linearFromByte(packed >> 16));
 }
 
-// Face (right, left, top, bottom, front, back) and (sc, tc) of the dominant axis; ties go to x, then y.
+// Returns the face (right, left, top, bottom, front, back) that the direction's dominant axis selects, and the
+// coordinates (sc, tc) on it. Ties go to x, then to y.
 uint skyFace(vec3 d, out vec2 place) {
   vec3 size = abs(d);
   if (size.x >= size.y && size.x >= size.z) {
@@ -49,8 +50,8 @@ vec3 backgroundRadiance(vec3 direction) {
   return constants.background;
 }
 
-// The pdf with which light samples find the background in this direction, choice of the light included: it has no entry
-// in the light table.
+// Returns the pdf with which light sampling chooses this direction of the background, including the choice of the
+// light. It is 0 because the background has no entry in the light table.
 float backgroundPdf(vec3 direction) { return 0.0; }
 
 #endif

@@ -1,5 +1,5 @@
 // Materials as weighted lobes: docs/light-transport.md section 5. Directions are in the local frame of the shading
-// normal, z up, wo and wi pointing away from the surface.
+// normal, with z along the normal; wo and wi point away from the surface.
 #ifndef CANDELA_BSDF_GLSL
 #define CANDELA_BSDF_GLSL
 #include "material.glsl"
@@ -10,7 +10,7 @@
 struct BsdfSample {
   vec3 wi;
   vec3 weight;  // f |cos| / pdf
-  float pdf;    // solid angle, of the whole mixture; 0: delta
+  float pdf;    // solid angle, whole mixture; 0: delta
   uint lobe;    // kLobe...; kLobeNone: the path ends
 };
 
@@ -18,27 +18,28 @@ const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, kLobeNone);
 
 float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielectricWeight; }
 
-// Whether some lobe with a density, which light samples can therefore find, serves directions of this side.
+// Returns whether some lobe with a density scatters to this side of the surface. Light sampling can only contribute
+// there.
 bool scattersTo(Material m, bool transmitted) {
   return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
 }
 
 bool hasSmoothLobe(Material m) { return scattersTo(m, false) || scattersTo(m, true); }
 
-// Blinn's distribution, normalised so that the integral of D cosH is 1. From the sine, which keeps its relative
-// accuracy at the lobe's peak: cosH^n = exp(n/2 log(1 - sinH^2)).
+// Blinn's distribution, normalised so that the integral of D cosH is 1. It is computed from the sine, which keeps its
+// relative accuracy at the lobe's peak: cosH^n = exp(n/2 log(1 - sinH^2)).
 float blinnDistribution(vec3 h, float exponent) {
   float sinSquared = min(h.x * h.x + h.y * h.y, 1.0 - 1.0 / 16777216.0);
   float power = 1.0 + expMinusOne(0.5 * exponent * logOneMinus(sinSquared));
   return (exponent + 2.0) / (2.0 * kPi) * power;
 }
 
-// Torrance and Sparrow's V-grooves.
+// Shadowing and masking by Torrance and Sparrow's V-grooves.
 float grooves(float cosH, float cosO, float cosI, float cosOH) {
   return min(1.0, 2.0 * cosH * min(cosO, cosI) / cosOH);
 }
 
-// Half vector with pdf D cosH.
+// Samples a half vector with pdf D cosH.
 vec3 sampleBlinn(vec2 u, float exponent) {
   vec2 disc = sampleDisc(u).xy;
   float q = min(dot(disc, disc), 1.0 - 1.0 / 16777216.0);
@@ -62,8 +63,9 @@ void addGlossy(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
   pdf += m.glossyWeight / weightSum(m) * d * h.z / (4.0 * cosOH);
 }
 
-// f of all lobes with a density together, and the pdf with which sampleBsdf finds wi, any direction of the sphere: each
-// lobe adds to both on the side of the surface that it serves. The integrator multiplies f by |wi.z|.
+// Returns the sum of f over all lobes with a density, and the pdf with which sampleBsdf chooses wi, which may be any
+// direction of the sphere. Each lobe adds to both on the side of the surface to which it scatters. The integrator
+// multiplies f by |wi.z|.
 vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
   vec3 f = vec3(0.0);
   pdf = 0.0;
@@ -93,7 +95,7 @@ BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
   return result;
 }
 
-// `outside`: wo is on the side that the primitive's own normal points to.
+// Samples reflection or refraction. `outside`: wo is on the side to which the primitive's own normal points.
 BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
   BsdfSample result = kAbsorbed;
   result.weight = m.specular * weightSum(m);
@@ -111,7 +113,7 @@ BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
   return result;
 }
 
-// Numbers: x chooses the lobe, yz the direction.
+// Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
 BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
   if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);

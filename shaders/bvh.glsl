@@ -1,15 +1,18 @@
-// Stack traversal of the two-wide BVH, "while-while": all lanes descend to a leaf, then all test primitives.
+// Stack traversal of the binary BVH, "while-while" (Aila and Laine, HPG 2009): all invocations descend to a leaf, then
+// all test primitives.
 #ifndef CANDELA_BVH_GLSL
 #define CANDELA_BVH_GLSL
 
-// A subtree that waits or is current: count 0 is a node, otherwise `count` slots from `reference` on.
+// A subtree that is pending or current. If count is 0, `reference` is an interior node; otherwise it is the first of
+// `count` slots.
 struct Subtree {
   uint reference;
   uint count;
 };
 
-// The ray as box tests want it. Boxes are padded by the error of primitive tests in terms of the primitive's size; the
-// share that grows with the ray's own coordinates is put into the origin (host/accel/primitive_bounds.h).
+// A ray in the form that box tests need. Boxes are padded by the error of primitive tests relative to the primitive's
+// size; the part of the error that grows with the ray's own coordinates is added to the origin
+// (host/accel/primitive_bounds.h).
 struct BoxRay {
   vec3 lowOrigin;   // subtracted from the boxes' lower corners
   vec3 highOrigin;
@@ -21,7 +24,8 @@ BoxRay boxRay(Ray ray) {
   return BoxRay(ray.origin + pad, ray.origin - pad, inverseDirection(ray.direction));
 }
 
-// Where the ray meets a child's box, or kNoHit. The far side is widened by 1 + 2 gamma(3) (Ize, JCGT 2013).
+// Returns the distance at which the ray enters a child's box, or kNoHit. The far distance is widened by 1 + 2 gamma(3)
+// (Ize, JCGT 2013).
 float boxEntry(vec3 low, vec3 high, BoxRay ray, float limit) {
   vec3 t0 = (low - ray.lowOrigin) * ray.inverse;
   vec3 t1 = (high - ray.highOrigin) * ray.inverse;
@@ -36,7 +40,7 @@ float boxEntry(vec3 low, vec3 high, BoxRay ray, float limit) {
 uint packSubtree(Subtree tree) { return tree.reference | (tree.count << 27); }
 Subtree unpackSubtree(uint word) { return Subtree(word & 0x07ffffffu, word >> 27); }
 
-// The one traversal that a lane has under way. The builder bounds the depth of the tree, and kStackSize is that bound.
+// State of the invocation's current traversal. The builder bounds the depth of the BVH, and kStackSize is that bound.
 uint stack[kStackSize];
 uint stackTop;
 Subtree current;
@@ -50,7 +54,7 @@ void startTraversal() {
   unfinished = 1u;
 }
 
-// The next subtree that waits, or the end.
+// Makes the pending subtree on top of the stack current, or finishes the traversal if none is pending.
 void popSubtree() {
   finished = stackTop == 0u;
   unfinished = finished ? 0u : 1u;
@@ -59,7 +63,7 @@ void popSubtree() {
   if (!finished) current = next;
 }
 
-// Goes to the nearer child that the ray meets before `limit` and keeps the other.
+// Makes the nearer of the children that the ray intersects before `limit` current, and pushes the other onto the stack.
 void visitNode(BoxRay ray, float limit) {
   uint row = constants.firstStructureRow + current.reference * kNodeRows;
   uvec4 leftLow = sceneRow(row);

@@ -20,7 +20,7 @@ vec2 sampleFilter(vec2 u) {
   return u - 0.5;
 }
 
-// The ray of one sample of a pixel; numbers are those of filter x, y and lens u, v.
+// Computes the ray of one sample of a pixel. `numbers` are filter x, filter y, lens u and lens v.
 void cameraRay(uvec2 pixel, vec4 numbers, out vec3 origin, out vec3 direction) {
   vec2 pixelOrigin = vec2(constants.pixelOriginX, constants.pixelOriginY);
   vec2 inversePixels = vec2(constants.inversePixelsAcross, constants.inversePixelsDown);

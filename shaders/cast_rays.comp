@@ -1,4 +1,4 @@
-// Entry point that traces given rays and nothing else, one a lane.
+// Entry point of the kernel that only traces given rays, one per invocation.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/cast_ray.h"
@@ -10,8 +10,8 @@ layout(push_constant) uniform Dispatch { CastConstants range; };
 layout(set = 0, binding = kBindingPathStates, std430) readonly buffer Rays { CastRay rays[]; };
 layout(set = 0, binding = kBindingFilm, std430) writeonly buffer Hits { CastHit hits[]; };
 
-// Units of workgroups are taken in the order of a stride that is coprime to their number: docs/driver-workarounds.md
-// section 11.
+// Returns the index of this workgroup's work. Units of workgroups are processed in the order of a stride that is
+// coprime to their number: docs/driver-workarounds.md section 11.
 uint placeOfWorkgroup() {
   uint units = gl_NumWorkGroups.x / kCastUnit;
   uint unit = (gl_WorkGroupID.x / kCastUnit) * range.unitStride % units;

@@ -1,5 +1,5 @@
-// What the dispatches of all tracers have in common: their workgroups, their constants, the film, and where a pixel's
-// state and sums stand.
+// Declarations that the dispatches of all integrators share: the workgroup size, the push constants, the film, and the
+// index of a pixel in the buffers of the band.
 #ifndef CANDELA_DISPATCH_GLSL
 #define CANDELA_DISPATCH_GLSL
 #include "film.glsl"
@@ -10,7 +10,7 @@ layout(push_constant) uniform Dispatch { DispatchConstants pushed; };
 DispatchConstants dispatch = pushed;  // docs/driver-workarounds.md section 1
 layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 
-// Of a pixel of the image, in the band.
+// Returns the index in the band of a pixel of the image.
 uint pixelIndexOf(uvec2 pixel) { return (pixel.y - dispatch.firstRow) * constants.imageWidth + pixel.x; }
 
 #endif

@@ -6,8 +6,8 @@
 
 const float kFilmMaximum = 1048576.0;
 
-// floor(value 2^40) as 96 bits, least significant first; value in [0, 2^40]. Every step is exact: it takes the leading
-// bits off.
+// Returns floor(value 2^40) as 96 bits, least significant word first, for a value in [0, 2^40]. Every step is exact,
+// because it only removes leading bits.
 uvec3 toFixed(float value) {
   precise float high = floor(value * (1.0 / 16777216.0));
   precise float rest = (value - high * 16777216.0) * 256.0;
@@ -24,7 +24,8 @@ uvec3 addFixed(uvec3 sum, uvec3 term) {
   return uvec3(low, middleCarried, sum.z + term.z + carry1 + carry2);
 }
 
-// False for NaN, infinities and negative numbers, told by bits: NaN ordering is not relied on.
+// Returns false for NaN, infinities and negative numbers. It inspects the bits, because comparisons with NaN are not
+// relied on.
 bool inRange(float value) { return floatBitsToUint(value) < 0x7f800000u || value == 0.0; }
 
 void addSample(inout FilmRows film, vec3 radiance, uint sampleIndex) {

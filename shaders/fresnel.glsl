@@ -2,9 +2,10 @@
 #ifndef CANDELA_FRESNEL_GLSL
 #define CANDELA_FRESNEL_GLSL
 
-// Unpolarised, exact. c in (0, 1] is the cosine of incidence, n > 0 the index behind the boundary by that before it. With
-// g = n times the cosine of refraction, rs = (c - g) / (c + g) and rp = rs (c (g + c) - 1) / (c (g - c) + 1) (Cook and
-// Torrance 1982), where g - c = (n^2 - 1) / (g + c) does not cancel. Total reflection: 1, and g = 0.
+// Exact reflectance for unpolarised light. c in (0, 1] is the cosine of the angle of incidence, and n > 0 is the index
+// of refraction behind the boundary divided by that before it. With g = n times the cosine of refraction,
+// rs = (c - g) / (c + g) and rp = rs (c (g + c) - 1) / (c (g - c) + 1) (Cook and Torrance 1982), where
+// g - c = (n^2 - 1) / (g + c) does not cancel. With total reflection the result is 1, and g is 0.
 float fresnelReflectance(float c, float n, out float g) {
   float excess = (n - 1.0) * (n + 1.0);
   precise float gSquared = excess + c * c;

@@ -1,5 +1,5 @@
-// Ray-primitive tests in single precision: docs/light-transport.md section 4. Each returns the distance of the hit that
-// counts, or kNoHit. `leaving` says that the ray starts on this primitive.
+// Ray-primitive tests in single precision: docs/light-transport.md section 4. Each returns the distance of the closest
+// valid hit, or kNoHit. `leaving` says that the primitive is the ray's origin primitive.
 #ifndef CANDELA_GEOMETRY_GLSL
 #define CANDELA_GEOMETRY_GLSL
 #include "math.glsl"
@@ -11,12 +11,12 @@ const float kNoHit = kLargestFloat;
 struct Ray {
   vec3 origin;
   vec3 direction;  // unit
-  uint leaving;    // slot of the primitive that the ray leaves | kLeavingInward, or kNoSlot
+  uint leaving;    // slot of the origin primitive | kLeavingInward, or kNoSlot
   bvec2 along;     // the direction's largest component is x, or y; else it is z
-  vec3 shear;      // of `sheared`; set where there are triangles
+  vec3 shear;      // coefficients of `sheared`; set if the scene has triangles
 };
 
-// Turned so that the component which `along` names becomes z.
+// Permutes the components cyclically so that the one that `along` names becomes z.
 vec3 largestLast(vec3 v, bvec2 along) {
   vec3 w = mix(v, v.zxy, bvec3(along.y));
   return mix(w, v.yzx, bvec3(along.x));
@@ -35,28 +35,28 @@ Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
   return Ray(origin, direction, leaving, along, shear);
 }
 
-// The shear of Woop, Benthin and Wald (JCGT 2013): from the ray's origin, with the ray along (0, 0, 1).
+// The shear of Woop, Benthin and Wald (JCGT 2013). It maps the ray's origin to 0 and its direction to (0, 0, 1).
 vec3 sheared(vec3 p, Ray ray) {
   precise vec3 q = largestLast(p - ray.origin, ray.along);
   precise vec3 result = vec3(q.xy + ray.shear.xy * q.z, ray.shear.z * q.z);
   return result;
 }
 
-// Whether the ray starts on the primitive in this slot.
+// Returns whether the primitive in this slot is the ray's origin primitive.
 bool leaves(Ray ray, uint slot) { return (ray.leaving & ~kLeavingInward) == slot; }
 
 float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 
-// Sphere with a surface point `anchor` near the scene and k = (anchor - centre) / radius: with a = origin - anchor,
-// |o-c|^2 - r^2 = |a|^2 + 2 r a.k and (o-c).d = a.d + r k.d, free of the cancellation that a radius of 1e5 brings.
-// Without branches: lanes of a group would pay for both sides. For a ray that leaves the sphere c is 0, and the roots are
-// 0, which does not count, and -2 b.
+// Tests a sphere that is given by a surface point `anchor` near the scene and k = (anchor - centre) / radius. With
+// a = origin - anchor, |o-c|^2 - r^2 = |a|^2 + 2 r a.k and (o-c).d = a.d + r k.d, which avoids the cancellation of a
+// radius of 1e5. There are no branches, because the invocations of a subgroup would execute both sides. If the ray
+// starts on the sphere, c is 0 and the roots are 0, which is not a hit, and -2 b.
 float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, bool leaving) {
   vec3 a = ray.origin - anchor;
   precise float b = dot(a, ray.direction) + radius * dot(k, ray.direction);
   precise float aa = dot(a, a);
   precise float c = leaving ? 0.0 : aa + 2.0 * radius * dot(a, k);
-  // Far from a small sphere b*b - c cancels; the distance of the ray's closest approach does not.
+  // Far from a small sphere, b*b - c cancels; the distance between the centre and the ray's closest point does not.
   precise vec3 closest = (a + radius * k) - b * ray.direction;
   precise float near2 = b * b - c;
   precise float far2 = radius * radius - dot(closest, closest);
@@ -70,9 +70,9 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
   return discriminant >= 0.0 && t > 0.0 ? t : kNoHit;
 }
 
-// Woop, Benthin and Wald's watertight test: no epsilon anywhere. An edge shared by two triangles gives both the same
-// number but for its sign, so nothing slips between them. The distance is the weighted mean of the vertices' distances
-// along the ray, so it never leaves the triangle's bounds.
+// Woop, Benthin and Wald's watertight test, which needs no epsilon. An edge shared by two triangles gives both the same
+// number except for its sign, so no ray passes between them. The distance is the weighted mean of the vertices'
+// distances along the ray, so it always lies within the triangle's bounds.
 float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise vec3 a = sheared(p0, ray);
   precise vec3 b = sheared(p1, ray);
@@ -94,8 +94,8 @@ float hitPlane(Ray ray, vec3 point, vec3 normal) {
   return positiveOrNone(t);
 }
 
-// Distances at which the ray enters and leaves each pair of a box's planes. Where it runs parallel to them it is between
-// them always or never.
+// Computes the distances at which the ray enters and exits each pair of a box's planes. A ray parallel to a pair is
+// between its planes either always or never.
 void boxSlabs(Ray ray, vec3 low, vec3 high, out vec3 near, out vec3 far) {
   bvec3 parallel = equal(ray.direction, vec3(0.0));
   vec3 inverse = 1.0 / mix(ray.direction, vec3(1.0), parallel);
@@ -117,7 +117,7 @@ float hitBox(Ray ray, vec3 low, vec3 high, bool leaving, bool inward) {
   return entry > 0.0 ? entry : positiveOrNone(exit);
 }
 
-// What cone tests and normals share: z is the height above the base, rho the radius there.
+// Frame that cone tests and normals share: z is the height above the base, rho the radius at that height.
 struct ConeFrame {
   vec3 axis;
   float height;
@@ -138,8 +138,9 @@ float coneRootInRange(float t, float shift, float z, float dz, float height) {
   return at >= 0.0 && at <= height ? positiveOrNone(t + shift) : kNoHit;
 }
 
-// How far to move the origin before the quadratic is set up, so that its coefficients do not cancel: to where the ray is
-// closest to the axis' middle, and from there to where it is closest to the axis, but no farther than a hit can be.
+// Returns the distance by which the origin is moved before the quadratic is set up, so that its coefficients do not
+// cancel: to the point of the ray closest to the middle of the axis, and from there to the point closest to the axis
+// itself, but no farther than a hit can be.
 float coneShift(ConeFrame cone, vec3 fromBase, vec3 direction, vec3 dAcross, float reach) {
   float toMiddle = -dot(fromBase - 0.5 * cone.height * cone.axis, direction);
   vec3 middle = fromBase + toMiddle * direction;
@@ -182,8 +183,8 @@ vec3 coneNormal(vec3 position, vec3 base, float baseRadius, vec3 apex, float ape
   return unit(unit(across) - cone.slope * cone.axis);
 }
 
-// Outward normal of the face that the ray meets; the position's coordinate there becomes exact. The face follows from
-// the slabs and not from the position, which on a thin box may be nearer to the other side.
+// Returns the outward normal of the face that the ray hits, and makes the position's coordinate on that axis exact. The
+// face follows from the slabs and not from the position, which on a thin box may be closer to the opposite face.
 vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool leaving, inout vec3 position) {
   vec3 near, far;
   boxSlabs(ray, low, high, near, far);
@@ -197,13 +198,13 @@ vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool leaving, inout vec3 position) 
   return normal;
 }
 
-// Scaled so that products of the edges neither overflow nor vanish.
+// Normal of a triangle. The edges are scaled so that their products neither overflow nor underflow.
 vec3 triangleNormal(vec3 edge1, vec3 edge2) {
   float scale = 1.0 / max(largest(abs(edge1)), largest(abs(edge2)));
   return unit(cross(edge1 * scale, edge2 * scale));
 }
 
-// Barycentric weights of p1 and p2 at a point in the triangle's plane.
+// Returns the barycentric weights of p1 and p2 at a point in the triangle's plane.
 vec2 barycentrics(vec3 position, vec3 p0, vec3 p1, vec3 p2) {
   float scale = 1.0 / max(largest(abs(p1 - p0)), largest(abs(p2 - p0)));
   vec3 edge1 = (p1 - p0) * scale;
@@ -213,8 +214,9 @@ vec2 barycentrics(vec3 position, vec3 p0, vec3 p1, vec3 p2) {
   return vec2(dot(cross(toPosition, edge2), normal), dot(cross(edge1, toPosition), normal)) / dot(normal, normal);
 }
 
-// Moves a point that lies on a flat primitive off it, to the side that `direction` goes to, by more than the rounding of
-// its coordinates (after Waechter and Binder, Ray Tracing Gems 6), so that neighbours in the same plane are not met.
+// Moves a point off the flat primitive on which it lies, to the side to which `direction` points, by more than the
+// rounding error of its coordinates (after Waechter and Binder, Ray Tracing Gems 6). Rays therefore do not hit other
+// primitives in the same plane.
 vec3 offsetAlong(vec3 position, vec3 normal, vec3 direction) {
   float distance = largest(abs(position)) * (1.0 / 4194304.0);
   precise vec3 moved = position + normal * (dot(normal, direction) < 0.0 ? -distance : distance);

@@ -1,33 +1,35 @@
 // 3D-DDA through the uniform grid along a driving axis (Fujimoto, Tanaka and Iwata, "ARTS", IEEE CG&A 1986).
-// host/accel/grid.h says why it misses no hit. Each slice of cells is computed from its number alone, so that no rounding
-// adds up. A turn of the loop may take a lane to its next cell and test the first primitive there: cells hold so few that
-// lanes which look for cells while others test would wait for them more often than not (docs/performance.md).
+// host/accel/grid.h explains why no hit is lost. Each slice of cells is computed from its index alone, so that rounding
+// errors do not accumulate. One iteration of the loop may both step to the next cell and test the first primitive
+// there: cells hold so few primitives that invocations looking for cells would usually have to wait for invocations
+// testing primitives (docs/performance-journal.md, "Grids").
 #ifndef CANDELA_GRID_GLSL
 #define CANDELA_GRID_GLSL
 
-// The one walk that a lane has under way. Vectors have the driving axis first: that on which the ray crosses most cells.
+// State of the invocation's current grid traversal. Vectors have the driving axis first, which is the axis on which the
+// ray crosses most cells.
 struct GridWalk {
   vec3 origin;
   vec3 direction;
-  vec3 low;          // of the grid
+  vec3 low;          // lower corner of the grid
   vec3 scale;        // cells per unit of length
-  vec3 lastCell;     // on each axis, counted from 0
+  vec3 lastCell;     // on each axis, from 0
   uvec3 strides;
   float pad;
-  float nearOrigin;  // the driving coordinate as the planes that the ray comes to first want it, and the others
+  float nearOrigin;  // driving coordinate of the origin, padded for the near and the far planes of slices
   float farOrigin;
   float inverse;
-  float width;       // of a slice
-  float start;       // the ray is within the grid from this distance on
-  float exit;        // to this one
+  float width;       // thickness of a slice
+  float start;       // distance at which the ray enters the grid
+  float exit;        // distance at which it exits
   int slice;
-  uvec2 firstCell;   // those of the slice's cells that the ray may touch
-  uvec2 endCell;     // the last of them
+  uvec2 firstCell;   // first and last cell of the slice that the ray may touch
+  uvec2 endCell;     // the last one is included
   uvec2 cell;
-  uint item;         // of the cell's items the next, and the end
+  uint item;         // next item of the cell, and the end of its items
   uint itemEnd;
   bool finished;
-  uint unfinished;   // 1 until the walk ends: docs/driver-workarounds.md section 4
+  uint unfinished;   // 1 until the traversal ends: docs/driver-workarounds.md section 4
 };
 
 GridWalk walk;
@@ -35,7 +37,7 @@ GridWalk walk;
 vec3 drivingFirst(vec3 v, int driving) { return driving == 0 ? v : driving == 1 ? v.yzx : v.zxy; }
 uvec3 drivingFirst(uvec3 v, int driving) { return driving == 0 ? v : driving == 1 ? v.yzx : v.zxy; }
 
-// Where the ray is within the grid's bounds, widened by the walk's pad.
+// Computes the distances at which the ray enters and exits the grid's bounds, widened by the traversal's pad.
 void clipToGrid(Ray ray) {
   vec3 inverse = inverseDirection(ray.direction);
   vec3 t0 = (constants.gridLow - (ray.origin + walk.pad)) * inverse;
@@ -45,7 +47,7 @@ void clipToGrid(Ray ray) {
   walk.exit = min(far.x, min(far.y, far.z));
 }
 
-// The slice before the first: nextCell() enters the first one.
+// Starts at the slice before the first; nextCell() then enters the first one.
 void startSlices() {
   float signedPad = walk.inverse < 0.0 ? -walk.pad : walk.pad;
   walk.nearOrigin = walk.origin.x + signedPad;
@@ -78,7 +80,7 @@ void startWalk(Ray ray) {
   walk.unfinished = walk.finished ? 0u : 1u;
 }
 
-// The host's cellAt(), on the two axes across the driving one.
+// The counterpart of the host's cellAt(), on the two axes other than the driving one.
 uvec2 cellsAt(vec2 x) { return uvec2(clamp((x - walk.low.yz) * walk.scale.yz, vec2(0.0), walk.lastCell.yz)); }
 
 void enterNextSlice(float limit) {
@@ -98,7 +100,8 @@ void enterNextSlice(float limit) {
   walk.cell = walk.firstCell;
 }
 
-// Rows of starts hold three cells each: their starts and the end of the last, so that a cell takes one load.
+// Loads the range of the cell's items. A record of cells stores the starts of three cells and the end of the last, so
+// that a cell takes one load.
 void loadCell() {
   uint cell = uint(walk.slice) * walk.strides.x + walk.cell.x * walk.strides.y + walk.cell.y * walk.strides.z;
   uint row = cell / kCellsPerRow;
@@ -108,7 +111,7 @@ void loadCell() {
   walk.itemEnd = place == 0u ? starts.y : place == 1u ? starts.z : starts.w;
 }
 
-// Goes to the next cell that the ray may touch before `limit`, or ends the walk.
+// Steps to the next cell that the ray may touch before `limit`, or ends the traversal.
 void nextCell(float limit) {
   bool lineDone = walk.cell.x == walk.endCell.x;
   bool sliceDone = lineDone && walk.cell.y == walk.endCell.y;
@@ -123,7 +126,7 @@ uint gridItem(uint item) {
   return place < 2u ? (place == 0u ? row.x : row.y) : (place == 2u ? row.z : row.w);
 }
 
-// One turn: on to the next cell where the last one has no more to test.
+// Performs one iteration: steps to the next cell if the current one has no more items.
 void seekItem(float limit, inout Work work) {
   if (walk.item == walk.itemEnd) {
     nextCell(limit);

@@ -1,6 +1,6 @@
-// What entry points share whose samples are paths: one lane a pixel. A lane whose path ends takes its pixel's next
-// sample at once; after its share of segments or loop turns it keeps its path in a buffer and goes on in the next
-// dispatch.
+// The main loop of kernels whose samples are paths: one invocation per pixel. When its path ends, an invocation starts
+// the pixel's next sample at once. When it reaches its maximum number of segments or loop iterations, it stores its
+// path in a buffer and continues in the next dispatch.
 #ifndef CANDELA_LANES_GLSL
 #define CANDELA_LANES_GLSL
 #include "dispatch.glsl"
@@ -12,7 +12,8 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
   uvec2 records[];
 };
 
-// Of the entry point: traces the path's ray and everything up to the next one. True if the path goes on.
+// Defined by the entry point: traces the path's ray and computes everything up to the next ray. Returns true if the
+// path continues.
 bool extendSample(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions);
 
 void record(uint pixelIndex, uint depth, Decisions decisions) {
@@ -25,7 +26,7 @@ void advancePixel(uvec2 inRegion) {
   uvec2 pixel = dispatch.regionOrigin + inRegion;
   uint pixelIndex = pixelIndexOf(pixel);
   PathState state = pathStates[pixelIndex];
-  uint firstSample = state.radianceSample.w;
+  uint firstSample = sampleIndexOf(state);
   uint sampleIndex = firstSample;
   uint sampleEnd = dispatch.sampleEnd;
   if (sampleIndex >= sampleEnd) return;

@@ -1,7 +1,7 @@
-// Sampling the table of emitters and point lights: docs/light-transport.md section 6. Every kind of light has a function
-// that samples it from a surface, and one that gives the pdf with which this finds what a ray has found; the power, by
-// which lights are chosen, is in the probabilities of the table. Point lights are never found by rays. The background
-// has its pdf in background.glsl.
+// Sampling of the table of emitters and point lights: docs/light-transport.md section 6. Every kind of light has a
+// function that samples it from a surface, and one that returns the pdf of this sampling for a point that a ray has
+// hit. The power by which lights are chosen is in the probabilities of the table. Rays never hit point lights. The pdf
+// of the background is in background.glsl.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
 #include "primitives.glsl"
@@ -10,15 +10,15 @@
 
 struct LightSample {
   vec3 wi;
-  vec3 emission;   // radiance towards the surface; divided by nothing yet
-  float distance;  // to the lit point
-  float pdf;       // solid angle, choice of the light included; a point light: choice only
+  vec3 emission;   // radiance towards the surface; not yet divided by the pdf
+  float distance;  // to the sampled point
+  float pdf;       // solid angle, with the choice of the light; a point light: the choice only
   bool delta;      // a point light
 };
 
 const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false);
 
-// Height of the cap of directions that a sphere fills, seen from `position`; 2 (all directions) from inside it.
+// Height of the cap of directions that a sphere subtends, seen from `position`; 2 (all directions) from inside it.
 float sphereCapHeight(vec3 toCentre, float radius, bool leaving) {
   float distanceSquared = dot(toCentre, toCentre);
   float radiusSquared = radius * radius;
@@ -77,8 +77,8 @@ float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
   return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
 }
 
-// The pdf with which sampleLight, from the start of `ray`, would have found the emitter that the ray hit at distance t,
-// an entry of the table.
+// Returns the pdf with which sampleLight would have sampled, from the ray's origin, the point of an emitter that the
+// ray hit at distance t. The emitter is an entry of the light table.
 float lightPdf(Ray ray, Surface emitter, float t) {
   Light light = loadLight(emitter.light - 1u);
   if (kHasSphereLights && light.kind == kLightSphere) return sphereLightPdf(light, ray);

@@ -1,4 +1,4 @@
-// Counts how many turns of one loop the device lets one invocation run; see host/vulkan/loop_limit.h.
+// Counts how many iterations of one loop the device executes in one invocation; see host/vulkan/loop_limit.h.
 #version 450
 
 layout(local_size_x = 1) in;
@@ -14,7 +14,8 @@ void main() {
   uint state = probe.state;
   uint turns = 0u;
   while (turns < probe.turnsAsked) {
-    // A chain that no compiler can shorten, so that the turns are run and not computed.
+    // A chain of dependent operations that no compiler can shorten, so that the iterations are executed and not
+    // computed in closed form.
     state = (state ^ (state >> 15)) * 0x2c1b3c6du + turns;
     ++turns;
   }

@@ -1,4 +1,5 @@
-// Entry point that makes the rays of a benchmark, three a pixel: one lane a pixel, by the path tracer's own means.
+// Entry point of the kernel that generates the rays of a benchmark, three per pixel, with the functions of the path
+// tracer. It has one invocation per pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "camera.glsl"
@@ -13,7 +14,8 @@ layout(set = 0, binding = kBindingPathStates, std430) writeonly buffer Rays { Ca
 
 const CastRay kNoRay = CastRay(vec4(0.0), vec4(0.0, 0.0, 1.0, 0.0));
 
-// Off the surface by a few roundings of its coordinates, also where the path tracer knows better than to move.
+// Returns an origin off the surface by a few rounding errors of its coordinates, even where the path tracer needs no
+// offset.
 vec3 originBeside(Surface surface, Normals normals) {
   return surface.position + normals.geometric * (largest(abs(surface.position)) * (1.0 / 262144.0));
 }

@@ -17,7 +17,7 @@ struct Material {
   bool mirror;
 };
 
-// `index`: of the scene's materials.
+// Loads a material by its index in the scene.
 Material loadMaterial(uint index) {
   uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
@@ -52,7 +52,7 @@ Material loadMaterial(uint index) {
   return material;
 }
 
-// All that an integrator knows of a material comes from here, and the surface point is all that it depends on.
+// The only source of what integrators know about a material. It depends on nothing but the surface point.
 Material materialAt(Surface surface) { return loadMaterial(surface.kind >> kMaterialShift); }
 
 #endif

@@ -1,5 +1,5 @@
-// Elementary functions out of + - * / alone, so that they are equally accurate on every device (Vulkan's own may be off
-// by 2^-11 and worse). Relative errors are a few units in the last place.
+// Elementary functions that use only + - * /, so that they are equally accurate on every device (the errors of Vulkan's
+// built-in functions may be 2^-11 or more). Relative errors are a few units in the last place.
 #ifndef CANDELA_MATH_GLSL
 #define CANDELA_MATH_GLSL
 
@@ -7,10 +7,10 @@ const float kPi = 3.14159265358979;
 const float kLargestFloat = 3.402823e38;
 const uint kNotANumber = 0x7fc00000u;
 
-// By bits: comparisons with NaN are not relied on.
+// Inspects the bits, because comparisons with NaN are not relied on.
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7f800000u) != 0x7f800000u; }
 
-// Of two numbers, neither of which is NaN: docs/driver-workarounds.md section 8.
+// Maximum and minimum of two numbers, neither of which is NaN: docs/driver-workarounds.md section 8.
 float larger(float a, float b) { return a > b ? a : b; }
 float smaller(float a, float b) { return a < b ? a : b; }
 
@@ -22,8 +22,8 @@ vec2 cosSin(float x) {
   return vec2(c, s);
 }
 
-// log(1 - q) for q in [0, 1), without cancellation at small q. 1 - q = m 2^e with m in [1/sqrt 2, sqrt 2);
-// log m = 2 atanh((m-1)/(m+1)), whose series needs five terms there.
+// Returns log(1 - q) for q in [0, 1) without cancellation at small q. 1 - q = m 2^e with m in [1/sqrt 2, sqrt 2); log
+// m = 2 atanh((m-1)/(m+1)), whose series needs five terms in this interval.
 float logOneMinus(float q) {
   float rest = 1.0 - q;
   uint bits = floatBitsToUint(rest);
@@ -36,7 +36,8 @@ float logOneMinus(float q) {
   return 2.0 * f * series + float(exponent) * 0.693147180559945;
 }
 
-// exp(y) = x (1 + z) for y <= 0: y = k log 2 + r with |r| <= log(2)/2, Taylor series for r; log 2 in two parts.
+// Returns x and z such that exp(y) = x (1 + z), for y <= 0: y = k log 2 + r with |r| <= log(2)/2, and a Taylor series
+// for r. log 2 is split into two parts.
 vec2 exponentialParts(float y) {
   float bounded = max(y, -80.0);
   float k = floor(bounded * 1.44269504 + 0.5);
@@ -45,19 +46,19 @@ vec2 exponentialParts(float y) {
   return vec2(uintBitsToFloat(uint(int(k) + 127) << 23), series);
 }
 
-// For y <= 0; what is below exp(-80) is exp(-80).
+// Returns exp(y) for y <= 0; results below exp(-80) become exp(-80).
 float exponential(float y) {
   vec2 parts = exponentialParts(y);
   return parts.x + parts.x * parts.y;
 }
 
-// exp(y) - 1 for y <= 0.
+// Returns exp(y) - 1 for y <= 0.
 float expMinusOne(float y) {
   vec2 parts = exponentialParts(y);
   return parts.x * parts.y + (parts.x - 1.0);
 }
 
-// The device's own normalize() may use an approximate root.
+// Normalises v. The built-in normalize() may use an approximate square root.
 vec3 unit(vec3 v) { return v * (1.0 / sqrt(dot(v, v))); }
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }

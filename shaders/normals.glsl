@@ -1,9 +1,9 @@
-// The normals that a surface shows to a ray: docs/light-transport.md section 4.
+// The normals of a surface on the side of a ray: docs/light-transport.md section 4.
 #ifndef CANDELA_NORMALS_GLSL
 #define CANDELA_NORMALS_GLSL
 #include "primitives.glsl"
 
-// Both on the side of wo. (`outside` says where the oriented normal is, which dielectrics need.)
+// Normals on the side of wo. Dielectrics also need `outside`: wo is on the side of the primitive's own normal.
 struct Normals {
   vec3 geometric;
   vec3 shading;

@@ -1,4 +1,4 @@
-// The specialisation constants, by name.
+// The specialisation constants by name, and what follows from them.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
 #include "shared/features.h"
@@ -34,7 +34,7 @@ const uvec4 kKindsOfSlots0 = uvec4(kKinds0, kKinds1, kKinds2, kKinds3);
 const uvec4 kKindsOfSlots16 = uvec4(kKinds4, kKinds5, kKinds6, kKinds7);
 const uvec4 kKindsOfSlots32 = uvec4(kKinds8, kKinds9, 0u, 0u);
 
-// The kind of every primitive where the scene has only one; kManyKinds: each must be looked at.
+// The kind of all primitives if the scene has only one kind. kManyKinds: the kind of each primitive must be read.
 const uint kManyKinds = 7u;
 #define COUNT_KIND(kind, feature, name, value, flag) +uint(flag)
 const uint kKindCount = CANDELA_PRIMITIVE_KINDS(COUNT_KIND);

@@ -1,5 +1,5 @@
-// The path tracer, one segment at a time: docs/light-transport.md section 7. A path lives in a Path between segments, so
-// that it can stop after any of them and go on in another dispatch as if it had not.
+// The path tracer, one segment at a time: docs/light-transport.md section 7. Between segments, all state is in a Path,
+// so that a path can stop after any segment and continue in another dispatch with the same result.
 #ifndef CANDELA_PATH_GLSL
 #define CANDELA_PATH_GLSL
 #include "background.glsl"
@@ -15,10 +15,10 @@ struct Path {
   float pdf;        // of the ray's direction; 0: delta
   vec3 throughput;
   vec3 radiance;
-  uint depth;       // of the ray, 1 for the camera's; 0: the sample has not begun
+  uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
 };
 
-// What a segment decided, for comparison with another tracer.
+// Decisions of a segment, for comparison with another tracer.
 struct Decisions {
   uint index;
   uint lobe;
@@ -56,12 +56,14 @@ Shading shadingAt(Surface surface, vec3 wo) {
   return Shading(frame, normals.geometric, wo * frame, normals.outside);
 }
 
-// Whether a direction that is reflected, or transmitted, by the shading normal is so by the geometric normal, too.
+// Returns whether the geometric normal classifies a direction as the shading normal does, as reflected or as
+// transmitted.
 bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
   return (dot(direction, shading.facing) > 0.0) != transmitted;
 }
 
-// Emission found by the path itself, weighed against the chance that a light sample had found it.
+// Returns the emission of a surface that BSDF sampling hit, weighted against light sampling (multiple importance
+// sampling).
 vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
   if (kOneSided && isKind(surface.kind, kKindTriangle) && fromBehind) return vec3(0.0);
@@ -73,23 +75,23 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   return material.emission * weight;
 }
 
-// The same for the background.
+// Returns the background's radiance, weighted against light sampling.
 vec3 backgroundFound(Path path) {
   float otherPdf = backgroundPdf(path.ray.direction);
   float weight = path.pdf > 0.0 && otherPdf > 0.0 ? powerHeuristic(path.pdf, otherPdf) : 1.0;
   return backgroundRadiance(path.ray.direction) * weight;
 }
 
-// A ray to a sample of a light, and what it brings to the path if nothing stands between.
+// A ray to a light sample, and its contribution to the path if it is unoccluded.
 struct ShadowRay {
-  bool wanted;    // false: there is none, whatever the rest says
+  bool wanted;    // false: there is no shadow ray, and the other members are undefined
   Ray ray;
-  uint light;     // the light's slot, which does not block
+  uint light;     // slot of the light, which does not occlude itself
   float limit;
-  vec3 radiance;  // throughput included
+  vec3 radiance;  // the contribution, multiplied by the throughput
 };
 
-// Next-event estimation by one sample of the table.
+// Next-event estimation with one sample of the light table.
 void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface, Shading shading, Material material,
                        uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
@@ -109,7 +111,7 @@ void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface,
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
 
-// Chooses the next direction; true if the path goes on.
+// Samples the next direction. Returns true if the path continues.
 bool scatter(inout Path path, Surface surface, Shading shading, Material material, float lobeNumber, vec2 numbers,
              inout Decisions decisions) {
   BsdfSample next = sampleBsdf(material, shading.wo, shading.outside, vec3(lobeNumber, numbers));
@@ -121,7 +123,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
   noteScattering(next, direction);
-  // What is not finite must not end a path in silence: the film counts it as a bad sample.
+  // A value that is not finite must not end a path silently: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {
     path.radiance = vec3(uintBitsToFloat(kNotANumber));
     return false;
@@ -129,8 +131,8 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   return kept && largest(path.throughput) > 0.0;
 }
 
-// Russian roulette; true if the path survives. The square root of the throughput gives less noise for the same number of
-// rays than the throughput itself (docs/performance.md).
+// Plays Russian roulette. Returns true if the path survives. For the same number of rays, the square root of the
+// throughput gives less noise than the throughput itself (docs/performance-journal.md, "Russian roulette").
 bool survivesRoulette(inout Path path, float number) {
   if (path.depth <= constants.rouletteStart) return true;
   float survival = min(1.0, sqrt(largest(path.throughput)));
@@ -139,8 +141,8 @@ bool survivesRoulette(inout Path path, float number) {
   return number < survival;
 }
 
-// Everything from the hit of the path's ray to the next ray, but for the shadow ray, which is left to be traced. True if
-// the path goes on.
+// Computes everything from the hit of the path's ray to the next ray, except for tracing the shadow ray. Returns true
+// if the path continues.
 bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions,
               out ShadowRay shadow) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
@@ -175,7 +177,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   return decisions.survived;
 }
 
-// Adds what the shadow ray brings; whether it came through, kShadowVisible or kShadowOccluded.
+// Traces the shadow ray and adds its contribution if it is unoccluded. Returns kShadowVisible or kShadowOccluded.
 uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
   bool blocked = traceAny(shadow.ray, shadow.light, shadow.limit, work);
   if (!blocked) radiance += shadow.radiance;
@@ -184,7 +186,7 @@ uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
   return outcome;
 }
 
-// Traces the path's ray and everything up to the next one. True if the path goes on.
+// Traces the path's ray and computes everything up to the next ray. Returns true if the path continues.
 bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;

@@ -1,8 +1,16 @@
-// A path as it waits in a buffer between two dispatches.
+// Packing of a path that is stored in a buffer between two dispatches, and access to the packed members.
 #ifndef CANDELA_PATH_STATE_GLSL
 #define CANDELA_PATH_STATE_GLSL
 #include "path.glsl"
 #include "shared/render_data.h"
+
+// Members of a PathState and of a WaveState by name. These are macros, because a function would copy the whole state
+// from its buffer, and its result could not be assigned to.
+#define sampleIndexOf(pathState) pathState.radianceSample.w
+#define depthOf(pathState) pathState.throughputDepth.w
+#define radianceBitsOf(pathState) pathState.radianceSample.xyz
+#define hitOf(waveState) waveState.hit.xyz
+#define shadedDepthOf(waveState) waveState.hit.w
 
 Path unpackPath(PathState state) {
   Path path;
@@ -10,8 +18,8 @@ Path unpackPath(PathState state) {
                      state.directionLeaving.w);
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
-  path.depth = state.throughputDepth.w;
-  path.radiance = uintBitsToFloat(state.radianceSample.xyz);
+  path.depth = depthOf(state);
+  path.radiance = uintBitsToFloat(radianceBitsOf(state));
   return path;
 }
 
@@ -22,7 +30,7 @@ PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }
 
-// As a vertex's record keeps them.
+// Packs decisions into the format of path records.
 uvec2 packDecisions(Decisions decisions) {
   uint survived = decisions.survived ? 1u << 16 : 0u;
   return uvec2(decisions.index, kRecordValid | survived | (decisions.shadow << 8) | decisions.lobe);

@@ -1,4 +1,5 @@
-// A slot's primitive, whatever its kind: the one test that all traversals share, and what a hit's shading needs.
+// The primitive of a slot, whatever its kind: the intersection test that all traversals share, and the surface point
+// that shading needs.
 #ifndef CANDELA_PRIMITIVES_GLSL
 #define CANDELA_PRIMITIVES_GLSL
 #include "geometry.glsl"
@@ -30,7 +31,7 @@ float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool leaving, bool inward) 
   return kNoHit;
 }
 
-// --one-sided: the back of an opaque triangle or plane is not there.
+// Returns whether --one-sided lets the ray pass: it hits the back of an opaque triangle or plane.
 bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
   if (!kOneSided || (kind & kFlagOpaque) == 0u) return false;
   vec3 p0 = uintBitsToFloat(rows[0].xyz);
@@ -53,16 +54,16 @@ PrimitiveHit hitPrimitive(Ray ray, uint slot) {
   return hitRows(ray, slot, uvec4[3](sceneRow(row), sceneRow(row + 1u), last), last.w);
 }
 
-// Where a ray met a surface, all in world space.
+// The point at which a ray hit a surface, in world space.
 struct Surface {
   vec3 position;
   vec3 outward;     // geometric normal with the primitive's own orientation
   vec3 shading;     // shading normal with the orientation of `outward`
   uint slot;
   uint kind;        // kind, flags and material
-  uint light;       // place in the light table + 1; 0: not in it
+  uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
-  bool flatSurface; // the next ray's origin is offset
+  bool flatSurface; // the origin of rays that start here is offset
 };
 
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
@@ -87,7 +88,7 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.firstNormalRow + extra, weights);
 }
 
-// The surface of a slot at distance t of a ray that hits it.
+// Returns the surface point of a slot at distance t along a ray that hits it.
 Surface surfaceAt(Ray ray, uint slot, float t) {
   uint row = primitiveRow(slot);
   uvec4 bits0 = sceneRow(row);
@@ -129,7 +130,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   return surface;
 }
 
-// The ray that goes on from a surface.
+// Spawns a ray from a surface.
 Ray rayFrom(Surface surface, vec3 direction) {
   bool inward = dot(surface.outward, direction) < 0.0;
   vec3 origin = surface.position;

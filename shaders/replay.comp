@@ -1,6 +1,6 @@
-// Entry point of the replay: one lane traces one sample of one pixel again, by the very functions that path.comp calls,
-// and keeps what its path computes at each vertex. After its share of segments or loop turns it goes on in the next
-// dispatch.
+// Entry point of the replay: one invocation traces one sample of one pixel again, with the same functions as path.comp,
+// and stores what the path computes at each vertex. When it reaches its maximum number of segments or loop iterations,
+// it continues in the next dispatch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define CANDELA_TRACES_PATHS
@@ -23,7 +23,7 @@ void startVertex(Path path, SampleKey key) {
                         sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
 }
 
-// A direction below the surface ends the path like none at all; who plays roulette has one above it.
+// A direction below the surface ends the path and is not reported. If roulette was played, the direction was above it.
 void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
   bool played = (traced.throughputStages.w & kTracedRoulette) != 0u;
   noteStage((goesOn || played ? kTracedScatter : 0u) | (decisions.survived ? kTracedSurvived : 0u));
@@ -34,7 +34,7 @@ void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
 void main() {
   uvec2 pixel = dispatch.regionOrigin;
   PathState state = pathState;
-  uint sampleIndex = state.radianceSample.w;
+  uint sampleIndex = sampleIndexOf(state);
   SampleKey key = sampleKeyOf(pixel, sampleIndex);
   Path path = unpackPath(state);
   if (path.depth == 0u) startPath(path, key, pixel);

@@ -5,7 +5,7 @@
 #include "shared/dimensions.h"
 #include "sobol_points.glsl"
 
-// What all numbers of one pixel sample have in common.
+// The part of the key of a random number that is common to all dimensions of one sample of a pixel.
 struct SampleKey {
   uint pixel;   // x + 65536 y
   uint sampleIndex;
@@ -19,7 +19,7 @@ const uint kGroupSize = 4u;
 float toUnit(uint word) { return float(word >> 8) * (1.0 / 16777216.0); }
 vec4 toUnit(uvec4 words) { return vec4(words >> 8) * (1.0 / 16777216.0); }
 
-// Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
+// The hash pcg4d of Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
 uvec4 pcg4d(uvec4 v) {
   v = v * 1664525u + 1013904223u;
   v.x += v.y * v.w;
@@ -34,7 +34,7 @@ uvec4 pcg4d(uvec4 v) {
   return v;
 }
 
-// Laine and Karras' permutation with Burley's constants (JCGT 2020); on reversed bits an Owen scramble.
+// Laine and Karras' permutation with Burley's constants (JCGT 2020). On reversed bits it is an Owen scramble.
 uvec4 owenPermute(uvec4 x, uvec4 key) {
   x += key;
   x ^= x * 0x6c50b47cu;
@@ -44,7 +44,8 @@ uvec4 owenPermute(uvec4 x, uvec4 key) {
   return x;
 }
 
-// The first dimension is the van der Corput sequence: reversed, it is the index itself.
+// Returns four dimensions of the scrambled Sobol sequence. The first one is the van der Corput sequence, whose reversed
+// bits are the index itself.
 uvec4 sobolGroup(SampleKey key, uint group) {
   uvec4 seeds = pcg4d(uvec4(key.pixel, 0u, group, key.seed ^ kScrambleSeed));
   uint shuffle = seeds.x ^ seeds.y ^ seeds.z ^ seeds.w;
@@ -59,7 +60,7 @@ uint high32(uint a, uint b) {
   return high;
 }
 
-// Kensler, "Correlated Multi-Jittered Sampling", Pixar 13-01: a permutation of 0..length-1 chosen by `key`.
+// Kensler, "Correlated Multi-Jittered Sampling", Pixar 13-01: a permutation of 0..count-1 chosen by `key`.
 uint permute(uint i, uint count, uint key) {
   uint w = count - 1u;
   w |= w >> 1;
@@ -93,7 +94,7 @@ uint permute(uint i, uint count, uint key) {
   return (i % count + key % count) % count;
 }
 
-// First word of stratum `cell` of `count`; that of `count` itself wraps to 0.
+// Returns the first word of stratum `cell` of `count`. For cell = count, the result wraps to 0.
 uint stratumStart(uint cell, uint count) {
   uint quotient = 0xffffffffu / count;
   uint remainder = 0xffffffffu - quotient * count + 1u;
@@ -119,7 +120,8 @@ uint stratifySingle(SampleKey key, uint strata, uint permutationKey, uint jitter
   return stratum(permute(key.sampleIndex, count, permutationKey), count, jitter);
 }
 
-// Which dimensions of a group form pairs: the first group of a vertex is (1, 2, 1), all others (2, 2) or (2, 1, 1).
+// Returns a group of stratified numbers. Groups differ in which dimensions form pairs: the first group of a vertex is
+// (1, 2, 1), all others are (2, 2) or (2, 1, 1).
 uvec4 stratifiedGroup(SampleKey key, uint group) {
   uvec4 jitter = pcg4d(uvec4(key.pixel, key.sampleIndex, group, key.seed));
   uint n = key.strata;
@@ -140,14 +142,14 @@ uvec4 stratifiedGroup(SampleKey key, uint group) {
   return uvec4(first, stratifySingle(key, n, keys.z, jitter.z), stratifySingle(key, n, keys.w, jitter.w));
 }
 
-// The four words of dimensions 4 group .. 4 group + 3.
+// Returns the words of dimensions 4 group .. 4 group + 3.
 uvec4 sampleGroup(SampleKey key, uint group) {
   if (kSampler == kSamplerIndependent) return pcg4d(uvec4(key.pixel, key.sampleIndex, group, key.seed));
   if (kSampler == kSamplerStratified) return stratifiedGroup(key, group);
   return sobolGroup(key, group);
 }
 
-// The group of a vertex's dimension; depth counts from 1.
+// Returns the group of a vertex's dimension. depth counts from 1.
 uint vertexGroup(uint depth, uint dimension) {
   return (kCameraDimensionCount + (depth - 1u) * kVertexDimensionCount + dimension) / kGroupSize;
 }

@@ -1,4 +1,5 @@
-// The only file that declares scene buffers: rows in, values out.
+// The only file that declares the scene's buffers. Functions take indices and return values. A 16-byte record is called
+// a row in names: see shared/scene_rows.h.
 #ifndef CANDELA_SCENE_ACCESS_GLSL
 #define CANDELA_SCENE_ACCESS_GLSL
 #extension GL_EXT_control_flow_attributes : require
@@ -11,10 +12,11 @@ layout(set = 0, binding = kBindingSceneRows, std430) readonly buffer SceneRows {
 layout(set = 0, binding = kBindingSceneTexels) uniform usamplerBuffer sceneTexels;
 layout(set = 0, binding = kBindingUniforms, std140) uniform Uniforms { RenderUniforms uniforms; };
 
-// Read before any branch or loop: docs/driver-workarounds.md section 1.
+// The constants are read before any branch or loop: docs/driver-workarounds.md section 1.
 RenderConstants constants = uniforms.constants;
 
-// The same of slots' rows, where kRowsAhead, else one row that nobody asks for: docs/driver-workarounds.md section 2.
+// With kRowsAhead, the records of slots are read ahead as well; otherwise this is one record that is never used:
+// docs/driver-workarounds.md section 2.
 const uint kRowsReadAhead = kRowsAhead && kUniformSlots > 0u ? kUniformSlots * kPrimitiveRows : 1u;
 uvec4 slotRowsAhead[kRowsReadAhead];
 
@@ -23,14 +25,14 @@ bool readAhead() {
   return true;
 }
 
-bool rowsWereReadAhead = readAhead();  // an initialiser, which every kernel begins with
+bool rowsWereReadAhead = readAhead();  // an initialiser, which every kernel executes first
 
 uvec4 slotRow(uint row) {
   if (kRowsAhead) return slotRowsAhead[row];
   return uniforms.slotRows[row];
 }
 
-// Both ways give the same bits: docs/driver-workarounds.md section 9.
+// Reads a record of the scene. Both buffer types give the same bits: docs/driver-workarounds.md section 9.
 uvec4 sceneRow(uint row) {
   if (kTexelLoads) return texelFetch(sceneTexels, int(row));
   return sceneRows[row];
@@ -44,9 +46,9 @@ struct Light {
   float probability;
   uint kind;
   uint slot;
-  vec3 emission;  // radiance; a point light's colour
+  vec3 emission;  // radiance; of a point light: its colour
   float area;     // of a triangle
-  vec3 position;  // a sphere's centre, a point light's place
+  vec3 position;  // centre of a sphere, or position of a point light
   float radius;   // of a sphere
 };
 
@@ -62,12 +64,12 @@ Light loadLight(uint light) {
 
 struct PointLight {
   vec3 colour;
-  vec3 position;  // middle of the square that the light fills
+  vec3 position;  // centre of the square that the light fills
   vec3 edgeU;
   vec3 edgeV;
 };
 
-// Of the rows that Whitted's tracer has.
+// Loads a point light from the records of the Whitted tracer.
 PointLight loadPointLight(uint light) {
   uint row = constants.firstLightRow + light * kPointLightRows;
   PointLight result = PointLight(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, vec3(0.0), vec3(0.0));
@@ -78,7 +80,7 @@ PointLight loadPointLight(uint light) {
   return result;
 }
 
-// The first light whose threshold exceeds the 24-bit number k: a search of at most 32 turns.
+// Returns the first light whose threshold exceeds the 24-bit number k. The binary search takes at most 32 iterations.
 uint chooseLight(uint k, inout uint truncated) {
   uint low = 0u;
   uint high = constants.lightCount - 1u;

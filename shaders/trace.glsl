@@ -1,5 +1,5 @@
-// Notes what a path computes, for the kernel that replays one sample. In every other kernel a note is no code at all:
-// docs/driver-workarounds.md section 10.
+// Notes that record what a path computes, for the kernel that replays one sample. In every other kernel a note is no
+// code at all: docs/driver-workarounds.md section 10.
 #ifndef CANDELA_TRACE_GLSL
 #define CANDELA_TRACE_GLSL
 
@@ -9,7 +9,7 @@
 #include "normals.glsl"
 #include "shared/trace_rows.h"
 
-// The vertex at hand.
+// The current vertex.
 TracedVertex traced;
 
 void noteStage(uint stage) { traced.throughputStages.w |= stage; }
@@ -29,7 +29,7 @@ void noteEmission(vec3 emission, float weight) {
   traced.emissionWeight = vec4(emission * weight, weight);
 }
 
-// `k`: the 24-bit number that chooses.
+// Notes the choice of a light by the 24-bit number k.
 void noteLightChoice(uint k) {
   uint truncated = 0u;
   noteStage(kTracedLight);

@@ -1,17 +1,18 @@
-// The closest hit and the any-hit query, by BVH, grid or brute force: the result never depends on which.
+// The closest hit and the any-hit query, by BVH, grid or brute force. The result never depends on the structure.
 #ifndef CANDELA_TRAVERSAL_GLSL
 #define CANDELA_TRAVERSAL_GLSL
 #extension GL_EXT_control_flow_attributes : require
 #include "primitives.glsl"
 
 struct Hit {
-  float t;     // kNoHit: nothing, whatever the rest says
+  float t;     // kNoHit: no hit, and the other members are undefined
   uint slot;
-  uint index;  // primitive index: the lower wins between equal distances
+  uint index;  // primitive index; at equal distances the lower one wins
 };
 
-// Work done, and whether a device that limits loops stopped one before its end. Why loops test their conditions twice, and
-// why `truncated` is not computed from these conditions: docs/driver-workarounds.md sections 3 and 4.
+// Counts of traversal steps and of loops that a device with a loop limit stopped early. docs/driver-workarounds.md,
+// sections 3 and 4, explains why loops test their conditions twice, and why `truncated` is not computed from these
+// conditions.
 struct Work {
   uint steps;
   uint truncated;
@@ -24,7 +25,8 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
   hit.index = better ? candidate.index : hit.index;
 }
 
-// 0, as no component of a direction reaches 2; but a compiler cannot know: docs/driver-workarounds.md section 5.
+// Returns 0, because no component of a direction reaches 2. Compilers cannot know this: docs/driver-workarounds.md
+// section 5.
 uint zeroOfLane(Ray ray) { return (floatBitsToUint(ray.direction.x) >> 30) & 1u; }
 
 void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
@@ -55,8 +57,8 @@ bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout 
   return blocked;
 }
 
-// In a small scene, all primitives are tested, from the uniform buffer. Their kinds are known when the kernel is compiled,
-// and compilers may unroll the loops: docs/driver-workarounds.md section 6.
+// Small scenes: all primitives are read from the uniform buffer and tested. Their kinds are known when the kernel is
+// compiled, and compilers may unroll the loops: docs/driver-workarounds.md section 6.
 uint uniformKind(uint slot) {
   uvec4 kinds = slot < 16u ? kKindsOfSlots0 : slot < 32u ? kKindsOfSlots16 : kKindsOfSlots32;
   return (kinds[(slot >> 2) & 3u] >> (8u * (slot & 3u))) & 255u;
@@ -81,7 +83,8 @@ bool anyOfUniform(Ray ray, uint ignored, float limit, inout Work work) {
   return blocked;
 }
 
-// Zero components would make 0 * infinity = NaN at the face of a box; 2^-100 decides nothing.
+// Returns the componentwise inverse. A zero component would make 0 * infinity = NaN on the face of a box, so it becomes
+// 2^-100, which is too small to affect a result.
 vec3 inverseDirection(vec3 direction) {
   vec3 magnitude = max(abs(direction), vec3(7.9e-31));
   return 1.0 / mix(magnitude, -magnitude, lessThan(direction, vec3(0.0)));
@@ -102,7 +105,7 @@ Hit traceClosest(Ray ray, inout Work work) {
   return hit;
 }
 
-// True if something but `ignored` is hit before `limit`.
+// Returns true if a primitive other than `ignored` is hit before `limit`.
 bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
   if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, ignored, limit, work)) {
     return true;

@@ -1,4 +1,4 @@
-// What the camera ray meets, as a picture instead of radiance: docs/light-transport.md section 10.
+// Pictures of what camera rays hit instead of radiance: docs/light-transport.md section 10.
 #ifndef CANDELA_VIEWS_GLSL
 #define CANDELA_VIEWS_GLSL
 #include "path.glsl"
@@ -7,14 +7,14 @@ vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz 
 
 vec3 albedo(Material m) {
   if (kHasMirror && m.mirror) return m.specular;
-  // Where the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
+  // If the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
   vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);
   precise vec3 sum =
       (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.glossy + m.dielectricWeight * apart;
   return sum;
 }
 
-// 1: the hemisphere's ray of this sample meets nothing within reach.
+// Returns 1 if this sample's ray into the hemisphere hits nothing within constants.aoDistance, else 0.
 float openness(Surface surface, Normals normals, SampleKey key, inout Work work, inout RayCounts counts,
                inout Decisions decisions) {
   vec2 numbers = toUnit(sampleGroup(key, vertexGroup(1u, kDimensionBsdfU))).xy;
@@ -37,7 +37,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   return coded;
 }
 
-// The value of a whole sample.
+// Returns the value of a whole sample.
 vec3 viewSample(Ray ray, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
   uint stepsBefore = work.steps;

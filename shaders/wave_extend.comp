@@ -10,6 +10,6 @@ void main() {
   Ray ray = makeRay(uintBitsToFloat(waves[pixelIndex].path.originPdf.xyz), uintBitsToFloat(direction.xyz), direction.w);
   Work work = Work(0u, 0u);
   Hit hit = traceClosest(ray, work);
-  waves[pixelIndex].hit.xyz = uvec3(floatBitsToUint(hit.t), hit.slot, hit.index);
+  hitOf(waves[pixelIndex]) = uvec3(floatBitsToUint(hit.t), hit.slot, hit.index);
   addSteps(pixelIndex, work);
 }

@@ -1,4 +1,5 @@
-// Entry point of the wavefront's stage that adds the samples of ended paths to the film and starts each pixel's next.
+// Entry point of the wavefront's stage that adds the samples of ended paths to the film and starts the next sample of
+// each of their pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
@@ -6,7 +7,7 @@
 // Adds the pixel's sample, if it has one, and returns the index of the next.
 uint finishSample(uint pixelIndex) {
   uvec4 radianceSample = waves[pixelIndex].path.radianceSample;
-  bool hasPath = waves[pixelIndex].path.throughputDepth.w > 0u;
+  bool hasPath = depthOf(waves[pixelIndex].path) > 0u;
   if (!hasPath) return radianceSample.w;
   FilmRows sums = film[pixelIndex];
   addSample(sums, uintBitsToFloat(radianceSample.xyz), radianceSample.w);

@@ -1,5 +1,5 @@
-// Entry point of the wavefront's stage that shades what the rays of paths hit: everything up to the next ray, but for
-// the shadow ray, which is queued.
+// Entry point of the wavefront's stage that shades the hits of the paths' rays: everything up to the next ray, except
+// for the shadow ray, which is enqueued.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
@@ -10,9 +10,9 @@ void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
   waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.light);
 }
 
-// What becomes of the shadow ray is not known yet.
+// Records the decisions. Whether the shadow ray is occluded is not known yet.
 void record(uint pixelIndex, uint depth, Decisions decisions) {
-  waves[pixelIndex].hit.w = depth;
+  shadedDepthOf(waves[pixelIndex]) = depth;
   if (depth > kRecordedVertices) return;
   uint word = recordWord(pixelIndex, depth);
   uvec2 packed = packDecisions(decisions);
@@ -24,16 +24,16 @@ void main() {
   uint pixelIndex;
   if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   PathState state = waves[pixelIndex].path;
-  uvec3 found = waves[pixelIndex].hit.xyz;
+  uvec3 found = hitOf(waves[pixelIndex]);
   Path path = unpackPath(state);
   RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
-  SampleKey key = sampleKeyOf(pixelAt(pixelIndex), state.radianceSample.w);
+  SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
-  waves[pixelIndex].path = packPath(path, state.radianceSample.w,
+  waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kRecordPaths) record(pixelIndex, depth, decisions);

@@ -1,4 +1,4 @@
-// Entry point of the wavefront's stage that traces shadow rays and adds what they bring.
+// Entry point of the wavefront's stage that traces shadow rays and adds their contributions.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
@@ -14,11 +14,11 @@ ShadowRay loadShadowRay(uint pixelIndex) {
 void main() {
   uint pixelIndex;
   if (!takePixel(kQueueShadow, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
-  vec3 radiance = uintBitsToFloat(waves[pixelIndex].path.radianceSample.xyz);
+  vec3 radiance = uintBitsToFloat(radianceBitsOf(waves[pixelIndex].path));
   Work work = Work(0u, 0u);
   uint outcome = traceShadow(loadShadowRay(pixelIndex), radiance, work);
-  waves[pixelIndex].path.radianceSample.xyz = floatBitsToUint(radiance);
+  radianceBitsOf(waves[pixelIndex].path) = floatBitsToUint(radiance);
   addSteps(pixelIndex, work);
-  uint depth = waves[pixelIndex].hit.w;
+  uint depth = shadedDepthOf(waves[pixelIndex]);
   if (kRecordPaths && depth <= kRecordedVertices) words[recordWord(pixelIndex, depth) + 1u] |= outcome << 8;
 }

@@ -1,7 +1,8 @@
-// What the stages of the wavefront path tracer share (Laine, Karras and Aila, Megakernels Considered Harmful, HPG
-// 2013): the states of paths, and the queues in which pixels wait for a stage. A segment is four dispatches: the path's
-// ray is traced (wave_extend), its hit is shaded (wave_shade), shadow rays are traced (wave_shadow), and paths that ended
-// make way for the pixel's next sample (wave_renew). Each lane of a dispatch has a pixel that needs just this.
+// Declarations that the stages of the wavefront path tracer share (Laine, Karras and Aila, Megakernels Considered
+// Harmful, HPG 2013): the states of paths, and the queues of pixels that are pending for a stage. A segment is four
+// dispatches: wave_extend traces the paths' rays, wave_shade shades their hits, wave_shadow traces shadow rays, and
+// wave_renew replaces paths that ended by the pixel's next sample. Each invocation of a dispatch has a pixel that needs
+// the dispatch's stage.
 #ifndef CANDELA_WAVEFRONT_GLSL
 #define CANDELA_WAVEFRONT_GLSL
 #include "dispatch.glsl"
@@ -18,12 +19,12 @@ uint extendQueue(uint parity) { return parity == 0u ? kQueueExtendEven : kQueueE
 uint queueNow() { return extendQueue(dispatch.roundParity); }
 uint queueOfNextRound() { return extendQueue(1u - dispatch.roundParity); }
 
-// Lanes of a workgroup.
+// Number of invocations of a workgroup.
 uint laneCount() { return gl_WorkGroupSize.x * gl_WorkGroupSize.y; }
 
 uint queueWord(uint queue, uint place) { return queue * dispatch.bandPixels + place; }
 
-// Takes the pixel of lane `lane` of a workgroup from a queue. False: there are fewer.
+// Takes the pixel of a workgroup's invocation `lane` from a queue. Returns false if the queue has fewer pixels.
 bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
   uint place = (group.y * kGroupsPerRow + group.x) * laneCount() + lane;
   bool taken = place < heads[queue].count;
@@ -31,7 +32,7 @@ bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
   return taken;
 }
 
-// Puts a pixel into a queue; the first of a workgroup makes sure of the workgroup.
+// Puts a pixel into a queue. The invocation that fills the first position of a workgroup also requests that workgroup.
 void pushPixel(uint queue, uint pixelIndex) {
   uint place = atomicAdd(heads[queue].count, 1u);
   words[queueWord(queue, place)] = pixelIndex;
@@ -51,7 +52,7 @@ void addSteps(uint pixelIndex, Work work) {
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
 }
 
-// The word of a path record behind the queues: see `records` in lanes.glsl.
+// Returns the offset in `words` of a path record, behind the queues: see `records` in lanes.glsl.
 uint recordWord(uint pixelIndex, uint depth) {
   return queueWord(kQueueCount, 0u) + 2u * (pixelIndex * kRecordedVertices + depth - 1u);
 }

@@ -1,5 +1,6 @@
-// Entry point of Whitted's tracer: one lane a pixel. A lane whose tree is done takes its pixel's next sample at once;
-// after its share of rays or loop turns it keeps its tree in a buffer and goes on in the next dispatch.
+// Entry point of the Whitted tracer: one invocation per pixel. When its tree is done, an invocation starts the pixel's
+// next sample at once. When it reaches its maximum number of rays or loop iterations, it stores its tree in a buffer
+// and continues in the next dispatch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "dispatch.glsl"
@@ -46,7 +47,7 @@ void keepWaiting(inout Tree tree, uint treeRow, uint depth, Ray ray, float weigh
   tree.waiting |= 1u << depth;
 }
 
-// Takes the deepest ray that waits: it is the sibling of a reflected ray on the way to `node`.
+// Makes the deepest pending ray current. It is the sibling of a reflected ray on the way from the root to `node`.
 void takeWaiting(inout Tree tree, uint treeRow) {
   uint depth = uint(findMSB(tree.waiting));
   uint row = waitingRow(treeRow, depth);
@@ -58,7 +59,7 @@ void takeWaiting(inout Tree tree, uint treeRow) {
   tree.waiting ^= 1u << depth;
 }
 
-// Goes to the next node: the reflected child, else the deepest ray that waits. True if there is one.
+// Goes to the next node: the reflected child, else the deepest pending ray. Returns true if there is one.
 bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches branches, inout RayCounts counts) {
   float weight = tree.weight;
   tree.nextLight = 0u;
@@ -79,7 +80,7 @@ bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches bra
   return waits;
 }
 
-// A node whose lights take several segments adds to its record.
+// Records a node's decisions. A node whose lights take several segments adds to its record.
 void record(uint pixelIndex, uint number, Decisions decisions) {
   if (number >= kRecordedVertices) return;
   uint place = pixelIndex * kRecordedVertices + number;

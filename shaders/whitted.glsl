@@ -1,5 +1,5 @@
-// Whitted's ray tracer, one ray of the tree at a time: docs/light-transport.md section 9. A tree lives in a Tree between
-// rays, so that it can stop after any of them and go on in another dispatch as if it had not.
+// The Whitted ray tracer, one ray of the tree at a time: docs/light-transport.md section 9. Between rays, all state is
+// in a Tree, so that a tree can stop after any ray and continue in another dispatch with the same result.
 #ifndef CANDELA_WHITTED_GLSL
 #define CANDELA_WHITTED_GLSL
 #include "background.glsl"
@@ -10,15 +10,15 @@
 #include "traversal.glsl"
 
 struct Tree {
-  Ray ray;         // at hand
-  float weight;    // of what it sees in the pixel
-  uint node;       // 1: the camera's ray; n reflects 2n and refracts 2n + 1. 0: the sample has not begun
-  uint waiting;    // bit d: the refracted ray of depth d, beside the way to `node`, waits
-  uint nextLight;  // of this node, whose lights before it are done
+  Ray ray;         // the current ray
+  float weight;    // of the ray's radiance in the sample
+  uint node;       // 1: the camera ray; n reflects 2n and refracts 2n + 1. 0: the sample has not started
+  uint waiting;    // bit d: the refracted ray of depth d, a sibling of an ancestor of `node`, is pending
+  uint nextLight;  // of this node; the lights before it are done
   vec3 radiance;
 };
 
-// The rays that go on from a node, and their factors; 0: there is none.
+// The rays that a node spawns, and their factors. 0: there is no such ray.
 struct Branches {
   vec3 reflected;
   float reflectedFactor;
@@ -28,7 +28,7 @@ struct Branches {
 
 const Branches kNoBranches = Branches(vec3(0.0), 0.0, vec3(0.0), 0.0);
 
-// What a node decided, for comparison with another tracer.
+// Decisions of a node, for comparison with another tracer.
 struct Decisions {
   uint index;
   uint lobe;
@@ -57,14 +57,14 @@ void startTree(inout Tree tree, SampleKey key, uvec2 pixel) {
   tree.radiance = vec3(0.0);
 }
 
-// The point of a light that a node looks at; words are its light u and light v.
+// Returns the point of a light that a node samples. `words` are its dimensions light u and light v.
 vec3 lightPoint(PointLight light, uint number, uvec2 words) {
   if (!kHasAreaLights) return light.position;
   uvec2 turned = words + number * 0x9e3779b9u;
   return light.position + ((toUnit(turned.x) - 0.5) * light.edgeU + (toUnit(turned.y) - 0.5) * light.edgeV);
 }
 
-// (N.H)^Shine, from the sine, which keeps its relative accuracy at the highlight's peak.
+// Returns (N.H)^Shine, computed from the sine, which keeps its relative accuracy at the highlight's peak.
 float highlight(vec3 normal, vec3 wo, vec3 wi, float shine) {
   vec3 across = cross(normal, unit(wo + wi));
   float sinSquared = min(dot(across, across), 1.0 - 1.0 / 16777216.0);
@@ -79,7 +79,7 @@ vec3 localColour(Material m, Normals normals, vec3 wo, vec3 wi) {
   return colour;
 }
 
-// What one light shows at a surface.
+// Returns the contribution of one light at a surface.
 vec3 lightShown(PointLight light, vec3 place, Surface surface, Normals normals, Material material, vec3 wo, inout Work work,
                 inout uint shadow) {
   vec3 toLight = place - surface.position;
@@ -93,7 +93,7 @@ vec3 lightShown(PointLight light, vec3 place, Surface surface, Normals normals, 
   return occluded ? vec3(0.0) : light.colour * localColour(material, normals, wo, wi);
 }
 
-// What the next lights, kLightsPerSegment of them at most, show at a node.
+// Returns the contribution of the next lights at a node, at most kLightsPerSegment of them.
 vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normals, Material material, inout Work work,
                  inout RayCounts counts, inout Decisions decisions) {
   uvec2 words = uvec2(0u);
@@ -117,8 +117,8 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
   return sum;
 }
 
-// The rays of a smooth boundary. (wo + n wt) is along the normal, where wt is the refracted direction and n the relative
-// index: so wt is along (c - g) N - wo.
+// Returns the rays of a smooth boundary. wo + n wt is along the normal, where wt is the refracted direction and n the
+// relative index of refraction; therefore wt is along (c - g) N - wo.
 Branches glassBranches(Normals normals, vec3 wo, float ior) {
   float c = dot(normals.shading, wo);
   float g;
@@ -133,7 +133,7 @@ Branches mirrorBranches(Normals normals, vec3 wo, float ks) {
   return Branches(reflected, ks, vec3(0.0), 0.0);
 }
 
-// Rays that end up on the wrong side of the geometric normal are not there.
+// Returns the rays that a node spawns. Rays on the wrong side of the geometric normal are dropped.
 Branches branchesAt(Normals normals, Material material, vec3 wo) {
   Branches branches = kNoBranches;
   if (kHasMirror && material.mirror) branches = mirrorBranches(normals, wo, material.glossyWeight);
@@ -151,8 +151,8 @@ uint lobeOf(Branches branches, Material material) {
   return kLobeNone;
 }
 
-// Traces the ray at hand and shades what it meets. True if the node is done, and its branches are to be followed; else
-// some of its lights are left.
+// Traces the current ray and shades its hit. Returns true if the node is done and its branches can be followed;
+// otherwise some of its lights are left.
 bool visitNode(inout Tree tree, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions,
                out Surface surface, out Branches branches) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, 0u);
@@ -176,7 +176,7 @@ bool visitNode(inout Tree tree, SampleKey key, inout Work work, inout RayCounts 
     if (tree.nextLight < constants.lightCount) return false;
   }
   if (depthOf(tree.node) < constants.maxDepth) branches = branchesAt(normals, material, wo);
-  // What is not finite must not be lost in silence: the film counts it as a bad sample.
+  // A value that is not finite must not be lost silently: the film counts it as a bad sample.
   bool sound = isSound(branches.reflected, branches.reflectedFactor) && isSound(branches.refracted, branches.refractedFactor);
   if (!sound) tree.radiance = vec3(uintBitsToFloat(kNotANumber));
   decisions.lobe = lobeOf(branches, material);

@@ -1,20 +1,21 @@
-// Stack traversal of the compressed eight-wide BVH (Ylitie, Karras and Laine, HPG 2017), "while-while" as that of the
-// two-wide one. host/accel/wide_bvh.h has the nodes, host/accel/quantised_boxes.h why the box test misses nothing.
+// Stack traversal of the compressed 8-wide BVH (Ylitie, Karras and Laine, HPG 2017), "while-while" like that of the
+// binary one. host/accel/wide_bvh.h describes the nodes, host/accel/quantised_boxes.h explains why the box test loses
+// no hit.
 #ifndef CANDELA_WIDE_BVH_GLSL
 #define CANDELA_WIDE_BVH_GLSL
 
-// The ray as box tests want it. The share of the boxes' padding that grows with the ray's own coordinates is in the
-// origins, as in BoxRay.
+// A ray in the form that box tests need. As in BoxRay, the part of the boxes' padding that grows with the ray's own
+// coordinates is added to the origins.
 struct WideRay {
-  vec3 nearOrigin;  // subtracted from the planes that the ray comes to first
+  vec3 nearOrigin;  // subtracted from the near planes
   vec3 farOrigin;
   vec3 inverse;
-  bvec3 backward;   // the direction is negative
-  uint octant;      // the same as bits
+  bvec3 backward;   // components of the direction that are negative
+  uint octant;      // `backward` as bits
 };
 
-// A plane's number times an inverse direction must not overflow, or it could meet its opposite and become NaN.
-// Coordinates are below 2^41, and 2^-80 still decides nothing.
+// The product of a plane's index and an inverse direction must not overflow, because it could cancel against its
+// opposite and become NaN. Coordinates are below 2^41, and 2^-80 is still too small to affect a result.
 const float kMinComponent = 8.3e-25;
 
 WideRay wideRay(Ray ray) {
@@ -30,14 +31,15 @@ WideRay wideRay(Ray ray) {
   return result;
 }
 
-// A node's grid in units of the ray's distance.
+// A node's grid of planes in units of the ray's distance.
 struct PlaneDistances {
   vec3 step;
-  vec3 near;  // of plane 0 as the near side, and as the far one
+  vec3 near;  // of plane 0 as a near plane, and as a far plane
   vec3 far;
 };
 
-// Of the four children whose planes are in these words, by axis, bit i where the ray meets child i before `limit`.
+// Returns bit i for each child i that the ray intersects before `limit`. The words contain the planes of four children
+// for each axis.
 uint hitOne(uvec3 near, uvec3 far, uint byte, PlaneDistances at, float limit) {
   vec3 t0 = vec3(ivec3((near >> (8u * byte)) & 255u)) * at.step + at.near;
   vec3 t1 = vec3(ivec3((far >> (8u * byte)) & 255u)) * at.step + at.far;
@@ -51,17 +53,18 @@ uint hitFour(uvec3 near, uvec3 far, PlaneDistances at, float limit) {
          hitOne(near, far, 3u, at, limit);
 }
 
-// The number of the lowest bit that is set: a power of two as a float has it in its exponent. Not for 0 or bit 31.
+// Returns the index of the lowest bit that is set, by converting this power of two to a float and reading its exponent.
+// Not for 0 or bit 31.
 uint lowestBit(uint bits) { return (floatBitsToUint(float(int(bits & (~bits + 1u)))) >> 23) - 127u; }
 
-// Eight bits, bit i moved to i ^ octant: children by number to children from near to far.
+// Moves bit i of eight to i ^ octant: from the order of the children's indices to the order from near to far.
 uint fromNearToFar(uint bits, uint octant) {
   uint x = (octant & 1u) == 0u ? bits : ((bits & 0x55u) << 1) | ((bits >> 1) & 0x55u);
   uint y = (octant & 2u) == 0u ? x : ((x & 0x33u) << 2) | ((x >> 2) & 0x33u);
   return (octant & 4u) == 0u ? y : ((y & 0x0fu) << 4) | (y >> 4);
 }
 
-// Eight bits, each become three.
+// Repeats each of eight bits three times.
 uint tripled(uint bits) {
   uint x = (bits | (bits << 8)) & 0x00f00fu;
   x = (x | (x << 4)) & 0x0c30c3u;
@@ -69,18 +72,18 @@ uint tripled(uint bits) {
   return x | (x << 1) | (x << 2);
 }
 
-// The one traversal that a lane has under way. A word says which nodes of a block wait: the block << 8, and a bit for each
-// node, from near to far; none does if the bits are 0.
+// State of the invocation's current traversal. A word states which nodes of a block are pending: the block << 8, and a
+// bit for each node, from near to far. If the bits are 0, no node is pending.
 uint waiting;
-uint left;            // of a block, once its nearest node was visited
-uint leafHits;        // of the current node's leaf mask, what is still to be tested
+uint left;            // the rest of the block once its nearest node has been visited
+uint leafHits;        // bits of the current node's leaf mask whose primitives are still to be tested
 uint leafMask;
 uint firstPrimitive;
-bool noneWaits;       // of all nodes
+bool noneWaits;       // no node of any block is pending
 uint wideUnfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
-// The words above the current block's, the last one first, the rest 0; trees that need more words use bvh.glsl's array:
-// docs/driver-workarounds.md section 7.
+// The stack of words below the current block, the last one first, the rest 0. BVHs that need more words use the array
+// of bvh.glsl: docs/driver-workarounds.md section 7.
 const uint kWordsKept = 12u;
 uvec4 kept0;
 uvec4 kept1;
@@ -99,7 +102,7 @@ void startWideTraversal(WideRay ray) {
 
 void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
 
-// Tests the children of the nearest node that waits.
+// Tests the children of the nearest pending node.
 void visitWideNode(WideRay ray, float limit) {
   uint child = lowestBit(waiting & 255u) ^ ray.octant;
   uint row = constants.firstStructureRow + ((waiting >> 8) + child) * kWideNodeRows;
@@ -152,7 +155,8 @@ void nextOfStack() {
   waiting = anyWaits(waiting) ? waiting : back ? top : left;
 }
 
-// Goes on in the block of the node's children, else with what was left of its own, else with the last one kept.
+// Continues with the block of the node's children, else with the rest of its own block, else with the last block on the
+// stack.
 void nextBlock() {
   if (kStackSize <= kWordsKept) nextOfKept();
   else nextOfStack();
@@ -169,7 +173,7 @@ void descendToLeaves(WideRay ray, float limit, inout Work work) {
   }
 }
 
-// The slot of the next primitive to be tested.
+// Returns the slot of the next primitive to test.
 uint takeLeafHit() {
   uint bit = lowestBit(leafHits);
   leafHits &= leafHits - 1u;

@@ -18,8 +18,8 @@ class BlockPacker {
  private:
   void moveWindow(std::uint32_t slots);
 
-  std::uint32_t
-      start_ = 0;  ///< start of the window, which ends at the last occupied slot; slots before it are not used any more
+  /// Start of the window, which ends at the last occupied slot. Slots before it are not used any more.
+  std::uint32_t start_ = 0;
   std::uint64_t taken_ = 1;  ///< bit i: slot start_ + i is occupied
 };
 

@@ -13,7 +13,7 @@ namespace candela::accel {
 enum class SplitRule {
   binnedSah,  ///< the split with minimum cost by the surface area heuristic (Wald 2007)
   coarseSah,  ///< the same with half of the bins, along one axis
-  midpoint,   ///< the rule of the path-tracing report: the centre of the longest axis, see splitAtMidpoint()
+  midpoint,   ///< the centre of the longest axis, see splitAtMidpoint()
 };
 
 /// The nodes of a built BVH that are moved to better positions, see reinsert().

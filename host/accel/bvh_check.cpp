@@ -112,16 +112,16 @@ BvhQuality quality(const Bvh& bvh, const BvhOptions& options) {
     stack.pop_back();
     const BvhNode& node = bvh.nodes[visit.node];
     // If the root has no area, every node is assumed to be hit.
-    const double chance = rootArea > 0 ? node.bounds.surfaceArea() / rootArea : 1;
+    const double hitProbability = rootArea > 0 ? node.bounds.surfaceArea() / rootArea : 1;
     ++result.nodeCount;
     result.depth = std::max(result.depth, visit.depth);
     if (node.isLeaf()) {
       ++result.leafCount;
       result.maxLeafSize = std::max(result.maxLeafSize, node.count);
-      result.sahCost += chance * double{options.intersectionCost} * node.count;
+      result.sahCost += hitProbability * double{options.intersectionCost} * node.count;
       continue;
     }
-    result.sahCost += chance * double{options.traversalCost};
+    result.sahCost += hitProbability * double{options.traversalCost};
     for (std::uint32_t child : {node.first, node.first + 1}) stack.push_back({child, visit.depth + 1});
   }
   result.averageLeafSize = static_cast<double>(bvh.primitiveIndices.size()) / result.leafCount;

@@ -1,4 +1,4 @@
-// The report's rule for the number of cells, with the exceptions of grid_shape.h.
+// The rule for the number of cells, with the exceptions of grid_shape.h.
 #include "host/accel/grid_shape.h"
 
 #include <cmath>

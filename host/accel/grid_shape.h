@@ -1,9 +1,9 @@
 // The geometry of a uniform grid: its cells without their content.
 //
-// The rule is that of the path-tracing report: with the density m, the extent w of the box around N primitives, and s =
-// (N / (w_x w_y w_z))^(1/3), axis i has trunc(m w_i s) + 1 cells, so that there are about m^3 cells per primitive. This
-// rule divides by 0 if the box is flat, and has no limit: a long thin box around one primitive would get as many cells
-// as the ratio of its length to its width. Three things are therefore different here.
+// The rule is a classical one: with the density m, the extent w of the box around N primitives, and s = (N / (w_x w_y
+// w_z))^(1/3), axis i has trunc(m w_i s) + 1 cells, so that there are about m^3 cells per primitive. This rule divides
+// by 0 if the box is flat, and has no limit: a long thin box around one primitive would get as many cells as the ratio
+// of its length to its width. Three things are therefore different here.
 //
 // - Only axes with an extent take part: s = (N / product of their w_i)^(1/k) over k = 3, 2 or 1 axes; the others have
 //   one cell. An extent within the padding of the boxes (kThinnestCell times the largest coordinate) counts as none.

@@ -121,7 +121,7 @@ void apply(const std::vector<SubtreeMove>& moves, std::uint32_t maxDepth, Linked
   }
 }
 
-Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOptions& options) {
+Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double minGain, const BvhOptions& options) {
   LinkedTree tree(bvh, nodeLimit);
   if (tree.nodes().size() < 5) return bvh;
   TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadsFor(options.threads));
@@ -134,7 +134,7 @@ Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double leastGain, const BvhOpt
     if (sum >= (1 - kMinGainOfPass) * before) break;
   }
   // Moves of one pass that affect each other might even increase the cost.
-  return sum < (1 - leastGain) * start ? tree.layOut(bvh) : std::move(bvh);
+  return sum < (1 - minGain) * start ? tree.layOut(bvh) : std::move(bvh);
 }
 
 }  // namespace

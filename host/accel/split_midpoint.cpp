@@ -1,4 +1,4 @@
-// The midpoint rule of the path-tracing report, and the median split, which is used where it would become too deep.
+// The midpoint split, and the median split, which is used if the midpoint split would become too deep.
 #include <algorithm>
 #include <utility>
 

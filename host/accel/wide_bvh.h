@@ -28,10 +28,10 @@ struct WideNode {
   QuantisedBoxes boxes;
   std::uint32_t block = 0;     ///< an interior child i is node block + i
   std::uint8_t innerMask = 0;  ///< bit i: child i is an interior node
-  std::uint32_t
-      firstPrimitive = 0;  ///< first primitive of the leaves, which follow each other in the order of the children
-  std::uint32_t
-      leafMask = 0;  ///< bits 3 i to 3 i + 2: the number of primitives of child i in unary, from the lowest bit
+  /// First primitive of the leaves, which follow each other in the order of the children.
+  std::uint32_t firstPrimitive = 0;
+  /// Bits 3 i to 3 i + 2: the number of primitives of child i in unary, from the lowest bit.
+  std::uint32_t leafMask = 0;
 };
 
 /// The root is node 0. Blocks are nearly in depth-first order, except for those near the root. Nodes without a parent

@@ -55,7 +55,7 @@ class Sessions {
   std::vector<std::unique_ptr<render::Session>> sessions_;
 };
 
-// How often each film came of an image.
+// Number of runs that gave each film of an image.
 using RunsByHash = std::map<std::uint64_t, std::uint32_t>;
 
 // Returns the hash of the film that more than half of the runs gave, or 0 if there is none.

@@ -23,7 +23,7 @@ struct Measurement {
   render::RenderStatistics statistics{};  ///< statistics of the last run; rays and steps are the same in every run
   std::uint64_t filmHash = 0;
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without compilation of the pipeline
-  std::vector<double> buildSeconds{};  ///< build times of the search structure, one per preparation, ascending
+  std::vector<double> buildSeconds{};  ///< build times of the acceleration structure, one per preparation, ascending
   double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
   bool agrees = true;                  ///< every run was complete and gave the film of most runs of the same image
   /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
@@ -46,7 +46,7 @@ double spread(std::span<const double> ascending);
 /// How often the sessions of variants are prepared.
 enum class Preparation {
   once,     ///< once: the session is kept and reset
-  everyRun  ///< for each run, so that the build of the search structure is measured as often as tracing
+  everyRun  ///< for each run, so that the build of the acceleration structure is measured as often as tracing
 };
 
 /// Runs every variant `repeats` times, interleaved. Returns one measurement per variant, in their order, or none at all

@@ -55,7 +55,7 @@ TextTable tableOf(const StructureReport& report) {
   table.header = {"scene",  "structure",  "build ms", "KiB",          "trace s",
                   "spread", "Msamples/s", "Mrays/s",  "steps per ray"};
   const bool published = hasPublished(report);
-  if (published) table.header.emplace_back("the report's s");
+  if (published) table.header.emplace_back("published s");
   for (const StructureRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, structureText(row.measurement)};
     for (std::string& figure : structureFigures(row.measurement)) cells.push_back(std::move(figure));

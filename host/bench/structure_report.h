@@ -25,7 +25,7 @@ struct StructureReport {
   bool agree() const;
 };
 
-/// Returns the structures of the path-tracing report, a uniform grid and a BVH with midpoint splits, and a SAH BVH.
+/// Returns a uniform grid, a BVH with midpoint splits, and a SAH BVH.
 std::vector<Variant> structureVariants(const render::RenderSettings& settings);
 
 /// A row whose image differs from the others shows the word "differs" instead of figures.

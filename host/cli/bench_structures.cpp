@@ -21,7 +21,7 @@ using bench::StructureReport;
 using bench::StructureRow;
 using bench::Variant;
 
-// A scene of the path-tracing report's Table 1, and its seconds at 512 x 512 with 15 x 15 rays per pixel.
+// A built-in scene, and its published seconds at 512 x 512 with 15 x 15 rays per pixel (docs/comparison.md).
 struct PublishedScene {
   const char* name;
   const std::string_view& text;

@@ -25,9 +25,8 @@ std::span<const CommandInfo> commandTable() {
        "write a procedural scene; `candela generate --help` lists the kinds", "kind", 1, 1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "write the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
-       "time renders of scenes, acceleration structures (table1: on the scenes of the path-tracing report's Table 1) "
-       "or "
-       "rays alone, or compare two of the resulting reports",
+       "time renders of scenes, acceleration structures (table1: on the built-in scenes mirror and balls) or rays "
+       "alone, or compare two of the resulting reports",
        "benchmark", 1, kAnyNumber, runBench},
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,

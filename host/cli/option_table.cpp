@@ -110,7 +110,7 @@ std::vector<Option> executionOptions() {
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "acceleration structure"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),
-    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how the nodes of a BVH are split: by the surface area heuristic, or at the midpoint as in the path-tracing report"},
+    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis"},
            choice<render::BvhSplit>({{"sah", render::BvhSplit::sah}, {"midpoint", render::BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.structure.bvhSplit; }),
     valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "build quality of a device's SAH BVH: `fast` builds faster, `high` traces faster"},
            choice<render::BuildQuality>({{"fast", render::BuildQuality::fast}, {"default", render::BuildQuality::standard}, {"high", render::BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.structure.bvhQuality; }),

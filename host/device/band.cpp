@@ -1,3 +1,4 @@
+// Allocates the buffers of a band, and dispatches tiles until the band is finished.
 #include "host/device/band.h"
 
 #include <fmt/format.h>
@@ -16,14 +17,14 @@ namespace candela::device {
 namespace {
 
 constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
-constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // of path states that are copied at a time
+constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // path states are copied in chunks of this size
 
 // A pixel's state starts with a PathState or a TreeState, both of which have the sample index at the same offset.
 constexpr std::size_t kSampleIndexOffset = offsetof(gpu::PathState, radianceSample) + 3 * sizeof(gpu::uint);
 static_assert(offsetof(gpu::TreeState, radianceSample) == offsetof(gpu::PathState, radianceSample));
 static_assert(offsetof(gpu::WaveState, path) == 0);
 
-/// What stands before the path records of so many pixels.
+/// Bytes before the path records of `pixels` pixels.
 std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
   return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
 }
@@ -75,7 +76,7 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes) {
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.size.width;
-  // A quarter of the memory for the largest of a band's buffers leaves room for the others and for the scene.
+  // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
   const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
   const std::uint64_t head = headBytes(kernel, 0);
   const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
@@ -117,7 +118,7 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint
   setFirstSamples(film, firstSample);
 }
 
-// The other words of a state whose sample has not begun are 0.
+// All other words of a state whose sample has not started are 0.
 void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample) {
   const std::uint64_t size = kernel_.stateBytes;
   const std::uint64_t chunk = std::min(pixels(), kChunkBytes / size);
@@ -147,7 +148,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
                                          .firstRow = rows_.first,
                                          .maxSegments = segments,
                                          .sampleEnd = sampleEnd,
-                                         .maxIterations = budget.laneTurns,
+                                         .maxIterations = budget.maxIterations,
                                          .roundParity = 0,
                                          .bandPixels = static_cast<std::uint32_t>(pixels())};
   const render::Extent workgroup = settings_.execution.workgroupInUse();

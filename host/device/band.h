@@ -24,37 +24,37 @@ struct BandRows {
   std::uint32_t height = 0;
 };
 
-/// Height of the tallest band whose largest buffer has at most `maxBytes` and can be bound by the device, at least 1.
-/// Throws FileError if one row of the image is too much.
+/// Returns the maximum height of a band whose largest buffer has at most `maxBytes` and can be bound by the device, at
+/// least 1. Throws FileError if one row of the image is too large.
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes);
 
-/// Buffers for one band, made once and used for each band of the image in turn.
+/// Buffers for one band. They are created once and used for one band of the image after the other.
 class Band {
  public:
-  /// `pipelines` are made of the kernel's modules, in that order.
+  /// `pipelines` are those of the kernel's modules, in their order.
   Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::ComputePipeline> pipelines,
        const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight);
 
-  /// Makes these rows the band. `film` has their pixels, row by row, with consecutive samples from `firstSample` on; it
-  /// may be empty, then no pixel has a sample. Paths start with the first sample that their pixel lacks.
+  /// Makes these rows the band. `film` contains their pixels, row by row, with consecutive samples from `firstSample`
+  /// on; if it is empty, no pixel has a sample. Paths start with the first sample that their pixel lacks.
   void load(BandRows rows, std::span<const image::FilmPixel> film, std::uint32_t firstSample);
-  /// The rows that load() was called with last.
+  /// The rows of the last call of load().
   BandRows rows() const { return rows_; }
 
-  /// Other specialisations of the same kernel, for the dispatches to come.
+  /// Sets other specialisations of the same kernel for the following dispatches.
   void setPipelines(std::vector<vulkan::ComputePipeline> pipelines) { pipelines_ = std::move(pipelines); }
 
-  /// One workgroup traces one segment, so that drivers compile the kernel; it may take as long as it likes.
+  /// Traces one segment in one workgroup, so that drivers compile the kernel. Its duration is not limited.
   void warmUp(std::uint32_t sampleEnd, const LoopBudget& budget);
-  /// Dispatches until every pixel has its samples up to `sampleEnd`, exclusive; `pixelsLeft` are the pixels that lack
-  /// some. False if `control` stopped it. Calls `samplesFinished` with the number of samples that each dispatch
-  /// finished.
+  /// Dispatches until every pixel has its samples up to `sampleEnd`, exclusive; `pixelsLeft` is the number of pixels
+  /// that lack samples. Returns false if `control` stopped it. Calls `samplesFinished` with the number of samples that
+  /// each dispatch finished.
   bool finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
               const render::RenderControl& control, render::RenderStatistics& statistics,
               const std::function<void(std::uint64_t)>& samplesFinished);
 
-  /// Copies the band's film, which has as many pixels as the band.
+  /// Copies the band's film. `film` has as many pixels as the band.
   void readFilm(std::span<image::FilmPixel> film) const;
   /// Adds the counts of all work since load().
   void addCounts(render::RenderStatistics& statistics) const;
@@ -76,15 +76,16 @@ class Band {
   const render::RenderSettings& settings_;
   std::uint32_t width_;
   BandRows rows_;
-  std::uint32_t samplesSeen_ = 0;      ///< of the wrapping counter
+  std::uint32_t samplesSeen_ = 0;      ///< last value of the wrapping counter
   std::uint64_t samplesBefore_ = 0;    ///< sum of the sample indices at which load() started the pixels
-  std::uint64_t truncatedBefore_ = 0;  ///< of ranges that are finished
-  std::optional<TileCursor> cursor_;   ///< goes on from one range to the next, so that no tile is left out for long
-  std::optional<Governor> governor_;   ///< keeps what it learned from one range to the next
+  std::uint64_t truncatedBefore_ = 0;  ///< in ranges that are finished
+  std::optional<TileCursor>
+      cursor_;  ///< continues from one range to the next, so that every tile is processed regularly
+  std::optional<Governor> governor_;  ///< preserves its measurements from one range to the next
   vulkan::Buffer states_;
   vulkan::Buffer film_;
   vulkan::Buffer results_;
-  vulkan::Buffer counters_;  ///< copy of the head of results_, for the host
+  vulkan::Buffer counters_;  ///< copy of the header of results_, for the host
   vulkan::BindingSet bindings_;
 };
 

@@ -1,4 +1,4 @@
-// What all sessions on a device share.
+// The device and its limits, which all sessions on it share.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -10,8 +10,8 @@ namespace candela::device {
 
 struct DeviceContext {
   vulkan::Device device;
-  std::uint32_t loopLimit;     ///< loop iterations that the device grants an invocation: host/vulkan/loop_limit.h
-  std::uint64_t maxBandBytes;  ///< of the largest of a band's buffers
+  std::uint32_t loopLimit;     ///< loop iterations that the device executes in an invocation: host/vulkan/loop_limit.h
+  std::uint64_t maxBandBytes;  ///< maximum size of a band's largest buffer
   PipelineStore pipelines{};
 };
 

@@ -14,10 +14,11 @@
 namespace candela::device {
 namespace {
 
-// One lane's share of a dispatch: some milliseconds even where a segment tests thousands of primitives.
+// Maximum number of segments of the single invocation in a dispatch: some milliseconds, even if a segment tests
+// thousands of primitives.
 constexpr std::uint32_t kSegmentsPerDispatch = 64;
 
-// A path that has not begun, of this sample.
+// Returns the state of a path of this sample that has not started.
 gpu::PathState stateBefore(const render::PixelSample& sample) {
   gpu::PathState state{};
   state.radianceSample.w = sample.index;
@@ -44,7 +45,7 @@ render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePi
   constants.regionOrigin = {sample.x, sample.y};
   constants.regionSize = {1, 1};
   constants.maxSegments = std::min(kSegmentsPerDispatch, budget.maxSegments);
-  constants.maxIterations = budget.laneTurns;
+  constants.maxIterations = budget.maxIterations;
   gpu::Counters counters{};
   while (counters.finishedSamples == 0 && counters.truncated == 0) {
     device.run([&](vulkan::CommandRecorder& recorder) {

@@ -1,4 +1,4 @@
-// Traces one sample again on the device, and reads what its path left behind.
+// Traces one sample again on the device, and reads back what its path computed.
 #pragma once
 #include "host/device/device_scene.h"
 #include "host/device/kernel.h"
@@ -8,10 +8,11 @@
 
 namespace candela::device {
 
-/// The kernel that traces one sample of the path tracer.
+/// Returns the kernel that traces one sample of the path tracer.
 Kernel replayKernel();
 
-/// Adds loops that the device stopped to `statistics.truncated`. `pipeline` is made of replayKernel() for the scene.
+/// Returns the trace of one sample. Adds the loops that the device stopped to `statistics.truncated`. `pipeline` is
+/// made from replayKernel() for the scene.
 render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
                                  const DeviceScene& scene, const render::PixelSample& sample, const LoopBudget& budget,
                                  render::RenderStatistics& statistics);

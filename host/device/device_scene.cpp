@@ -1,4 +1,4 @@
-// Uploads a scene, in the load type that fits the device.
+// Uploads a scene, through the buffer type that fits the device.
 #include "host/device/device_scene.h"
 
 #include <fmt/format.h>

@@ -9,23 +9,24 @@
 
 namespace candela::device {
 
-/// Whether a device can bind the scene's rows read so; automatic: in one way or the other.
+/// Returns whether a device can bind the scene's records with this buffer type; automatic: with at least one of the
+/// types.
 bool canBind(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads loads);
 
-/// How the device is to read the rows, texel or storage: as `settings` ask, or where they do not as their
-/// AutomaticChoices say; the other way where the rows do not fit so. Throws FileError, which names both sizes, if the
-/// rows exceed what the device can bind.
+/// Returns the buffer type through which the device reads the records, texel or storage: the one that `settings`
+/// request, or that their AutomaticChoices name; if they leave the choice and the records do not fit, the other one.
+/// Throws FileError, which names both sizes, if the records exceed what the device can bind.
 render::SceneLoads loadsFor(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
                             const render::RenderSettings& settings);
 
-/// Buffers that the kernel's scene bindings stand for. The rows are bound twice, as storage and as texels; which of the
-/// two the kernel reads is compiled into it, and the other is a single row.
+/// Buffers for the kernel's scene bindings. The records have two bindings, as storage and as texels. Which of the two
+/// the kernel reads is compiled into it; the other one is a single record.
 class DeviceScene {
  public:
-  /// `loads` as loadsFor() gives them.
+  /// `loads` is the result of loadsFor().
   DeviceScene(vulkan::Device& device, const flatten::FlatScene& flat, render::SceneLoads loads);
 
-  /// Replaces what depends on the camera.
+  /// Replaces the records that depend on the camera.
   void update(const flatten::CameraRecords& records);
 
   bool readsTexels() const { return readsTexels_; }

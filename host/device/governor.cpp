@@ -6,12 +6,13 @@
 namespace candela::device {
 namespace {
 
-// Storing and loading a path costs as much as two or three segments (docs/performance.md).
+// Storing and loading a path costs as much as two or three segments (docs/performance-journal.md, "First kernel").
 constexpr std::uint32_t kPreferredSegments = 128;
 constexpr double kGrowth = 2.0;         // per step, near the target
-constexpr double kFastGrowth = 8.0;     // per step, while dispatches are so short that even this keeps to the target
-constexpr double kSmoothing = 0.3;      // share of a step upwards taken at once, near the target
-constexpr double kAimRecovery = 1.001;  // per dispatch: what was dear once, a strip of the image say, comes again
+constexpr double kFastGrowth = 8.0;     // per step, while even this growth stays below the target
+constexpr double kSmoothing = 0.3;      // fraction of an increase applied at once, near the target
+constexpr double kAimRecovery = 1.001;  // per dispatch: expensive regions, such as a strip of the image, come again in
+                                        // the next sweep
 
 std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
   if (pixels >= static_cast<double>(most)) return most;
@@ -52,7 +53,7 @@ void Governor::record(const Plan& plan, std::uint64_t activePixels, double secon
     return;
   }
   const double units = static_cast<double>(std::max<std::uint64_t>(1, activePixels)) * plan.segments;
-  // The image's last strip, or one that is nearly finished: its duration is mostly overhead and says nothing.
+  // The image's last strip, or one that is nearly finished. Its duration is mostly overhead and has no information.
   if (units < budget_ / 2 && seconds < options_.targetSeconds / 2) return;
 
   const bool isOverLimit = seconds > options_.limitSeconds;

@@ -1,4 +1,4 @@
-// Makes the device renderer.
+// Creates the device renderer.
 #include "host/device/gpu_renderer.h"
 
 #include "host/device/gpu_session.h"

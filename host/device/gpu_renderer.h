@@ -1,4 +1,4 @@
-// The compute-shader tracer.
+// Creates the compute-shader tracer.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,17 +14,17 @@ class Device;
 namespace candela::device {
 
 struct GpuRendererOptions {
-  /// Loop iterations that the device grants an invocation; absent: measured. Only tests state a limit of their own.
+  /// Loop iterations that the device executes in an invocation; absent: measured. Only tests set it.
   std::optional<std::uint32_t> loopLimit;
-  /// Maximum size of a buffer of path states or film. The default is what every device allocates in one piece; tests
-  /// divide small images into bands with less.
+  /// Maximum size of a buffer of path states or film. Every device can allocate the default in one piece; tests set
+  /// less in order to divide small images into bands.
   std::uint64_t maxBandBytes = std::uint64_t{1} << 30;
 };
 
 /// The compute-shader tracer on the device that `selector` names (see selectDevice).
 /// Throws NoDeviceError.
 std::unique_ptr<render::Renderer> makeGpuRenderer(const std::string& selector, const GpuRendererOptions& options = {});
-/// The compute-shader tracer on a device that is open already.
+/// The compute-shader tracer on a device that is already open.
 std::unique_ptr<render::Renderer> makeGpuRenderer(vulkan::Device device, const GpuRendererOptions& options = {});
 
 }  // namespace candela::device

@@ -1,4 +1,4 @@
-// Rendering band by band under the governor; a band stays on the device until another one takes its buffers.
+// Rendering band by band under the governor. A band stays on the device until another one needs its buffers.
 #include "host/device/gpu_session.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ void describeBuild(const render::StructureSettings& structure, render::RenderSta
   statistics.bvhQuality = flatten::buildQualityName(structure.bvhQuality);
 }
 
-// What a pixel's consecutive samples leave to be done.
+// Returns the number of pixels that lack samples before `sampleEnd`. Each pixel has consecutive samples from
+// `firstSample` on.
 std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd) {
   return static_cast<std::uint64_t>(std::ranges::count_if(
       film, [&](const image::FilmPixel& pixel) { return firstSample + pixel.sampleCount < sampleEnd; }));
@@ -40,7 +41,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   Stopwatch watch;
   const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
-  preferTree(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
+  preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
   flat_ = flatten::flattenScene(scene_, settings_,
                                 {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
@@ -105,7 +106,7 @@ void GpuSession::startCounting() {
   paths_.clear();
 }
 
-// The next band to be made resident starts from film_.
+// The next band that becomes resident starts from film_.
 void GpuSession::empty() {
   std::ranges::fill(film_.pixels(), image::FilmPixel{});
   coverage_ = {};
@@ -125,7 +126,7 @@ void GpuSession::setCamera(const scene::Camera& camera) {
   flatten::moveCamera(scene_, camera, settings_.image, cameraRecords_);
   flat_.constants = cameraRecords_.constants;
   deviceScene_->update(cameraRecords_);
-  if (band_) band_->setPipelines(pipelinesOf(kernel_));  // others if there is a lens now, or no longer
+  if (band_) band_->setPipelines(pipelinesOf(kernel_));  // they differ if the camera gained or lost a lens
   empty();
 }
 
@@ -148,7 +149,7 @@ void GpuSession::fetchFilm() {
   statistics_.seconds["readBack"] += watch.lap();
 }
 
-// Not while the session is prepared, since a session that only replays samples needs no band.
+// Not called during preparation, because a session that only replays samples needs no band.
 void GpuSession::makeBand() {
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   band_ = std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,

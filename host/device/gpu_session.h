@@ -48,20 +48,20 @@ class GpuSession final : public render::Session {
   std::shared_ptr<DeviceContext> context_;
   const scene::Scene& scene_;
   render::RenderSettings settings_;
-  flatten::FlatScene flat_;  ///< without its rows
+  flatten::FlatScene flat_;  ///< without its records
   flatten::CameraRecords cameraRecords_;
   Kernel kernel_;
   LoopBudget budget_;
   std::unique_ptr<DeviceScene> deviceScene_;
   std::uint32_t bandHeight_ = 0;
-  std::unique_ptr<Band> band_;  ///< made when it is first needed
+  std::unique_ptr<Band> band_;  ///< created when it is first needed
   bool warm_ = false;           ///< the driver has compiled the pipelines
 
-  image::Film film_;                       ///< but for the resident band, whose newer film is on the device
-  render::FilmCoverage coverage_;          ///< of the film, device included
+  image::Film film_;                       ///< except for the resident band, whose newer film is on the device
+  render::FilmCoverage coverage_;          ///< of the film, including the part on the device
   std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
   render::RenderStatistics prepared_;      ///< of preparation
-  render::RenderStatistics statistics_;    ///< of all work but the resident band's counts
+  render::RenderStatistics statistics_;    ///< of all work, except for the resident band's counts
   std::uint64_t samplesLoaded_ = 0;        ///< samples and bad samples of the film that was loaded
   std::uint64_t badSamplesLoaded_ = 0;
   render::PathRecords paths_;  ///< of the bands before the resident one

@@ -27,7 +27,7 @@ State headOf(std::span<const std::byte> bytes) {
 
 void addPathCounts(std::span<const std::byte> bytes, render::RenderStatistics& statistics) {
   const auto state = headOf<gpu::PathState>(bytes);
-  // The wavefront may have made a camera ray that is not traced yet.
+  // The wavefront may have generated a camera ray that is not traced yet.
   const bool underWay = state.throughputDepth.w > 1;
   statistics.cameraRays += state.radianceSample.w + (underWay ? 1 : 0);
   statistics.bounceRays += state.counts.bounceRays;

@@ -1,4 +1,4 @@
-// What tells one kernel from another: the code, what it keeps of each pixel between dispatches, and what it costs.
+// The properties in which kernels differ: the code, the state of a pixel between dispatches, and the costs.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace candela::device {
 
 struct Kernel {
   const char* name = "";                              ///< as in RenderStatistics::kernel
-  std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront by WaveStage
+  std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront, indexed by WaveStage
   std::uint32_t stateBytes = 0;                       ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
   void (*addCounts)(std::span<const std::byte> state, render::RenderStatistics& statistics) = nullptr;
@@ -21,16 +21,16 @@ struct Kernel {
   bool isWavefront() const { return spirv.size() > 1; }
 };
 
-/// Of the code of all kernels, as 64 hexadecimal digits.
+/// SHA-256 over the code of all kernels, 64 hexadecimal digits.
 std::string_view kernelsHash();
 
-/// The most rays that one segment traces.
+/// Maximum number of rays that one segment traces.
 std::uint32_t maxRaysPerSegment(const scene::Scene& scene, const render::RenderSettings& settings);
 
-/// Throws UsageError if the settings ask for the wavefront of an integrator that has none.
+/// Throws UsageError if the settings request the wavefront of an integrator that has none.
 void requireKernel(const render::RenderSettings& settings);
 
-/// The kernel of the integrator that `settings` ask for. Throws as requireKernel().
+/// Returns the kernel of the integrator that `settings` request. Throws as requireKernel().
 Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings);
 
 }  // namespace candela::device

@@ -1,4 +1,4 @@
-// Caches pipelines by their specialisation.
+// Caches pipelines by their code and specialisation.
 #include "host/device/pipeline_store.h"
 
 #include <algorithm>

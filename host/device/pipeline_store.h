@@ -1,4 +1,4 @@
-// The pipelines that a renderer has made: drivers take long to compile one, and the next render often needs the same.
+// Caches the pipelines of a renderer: drivers take long to compile one, and the next render often needs the same.
 #pragma once
 #include <cstddef>
 #include <list>
@@ -8,14 +8,15 @@
 
 namespace candela::device {
 
-/// Keeps the pipelines that were used last.
+/// Caches the pipelines that were used last.
 class PipelineStore {
  public:
-  /// A render and its replay, with some settings of each, find their pipelines again; a sweep forgets the oldest.
+  /// Maximum number of pipelines. It suffices for a render and its replay with several settings each; a sweep evicts
+  /// the oldest.
   static constexpr std::size_t kCapacity = 16;
 
-  /// The pipeline of this code with these options; made if it is not there. Two modules are told apart by the address
-  /// of their words. Throws what ComputePipeline's constructor throws.
+  /// Returns the pipeline of this code with these options, and creates it if it is not cached. Modules are identified
+  /// by the address of their words. Throws what ComputePipeline's constructor throws.
   vulkan::ComputePipeline get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
                               const vulkan::PipelineOptions& options);
 
@@ -26,7 +27,7 @@ class PipelineStore {
     vulkan::ComputePipeline pipeline;
   };
 
-  std::list<Entry> entries_;  // the one used last comes first
+  std::list<Entry> entries_;  // most recently used first
 };
 
 }  // namespace candela::device

@@ -19,28 +19,29 @@ namespace {
 
 constexpr std::uint32_t kFirstChunk = 1u << 14;
 constexpr std::uint32_t kLastChunk = 1u << 21;
-constexpr double kShortSeconds = 0.025;  // a dispatch below it may be twice as large
+constexpr double kShortSeconds = 0.025;  // a shorter dispatch may be twice as large
 
 std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
-std::uint32_t lanesOf(const render::Extent& workgroup) { return workgroup.width * workgroup.height; }
+std::uint32_t invocationsOf(const render::Extent& workgroup) { return workgroup.width * workgroup.height; }
 
-// Prime to `units`, and near their golden section: any run of units is then spread over all of the rays.
+// Returns a number that is coprime to `units` and near their golden section. Any run of units is then spread over all
+// of the rays.
 std::uint32_t strideOver(std::uint32_t units) {
   auto stride = std::max(1u, static_cast<std::uint32_t>(units / std::numbers::phi));
   while (std::gcd(stride, units) != 1) ++stride;
   return stride;
 }
 
-// Bit i becomes bit 2 i.
+// Moves bit i to bit 2 i.
 std::uint32_t spread(std::uint32_t bits) {
   std::uint32_t result = 0;
   for (std::uint32_t i = 0; i < 16; ++i) result |= (bits >> i & 1) << (2 * i);
   return result;
 }
 
-// Row-major numbers of an image's pixels along Morton's curve, so that the lanes of a group have neighbours on all
-// sides.
+// Returns the row-major indices of an image's pixels along Morton's curve, so that the invocations of a subgroup have
+// neighbours on all sides.
 std::vector<std::uint32_t> alongMortonCurve(const render::Extent& size) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> keyed;
   keyed.reserve(std::size_t{size.width} * size.height);
@@ -87,12 +88,12 @@ RayCaster::RayCaster(vulkan::Device& device, flatten::FlatScene flat, const rend
 
 double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan::BindingSet& bindings,
                            std::uint32_t count) {
-  const std::uint32_t lanes = lanesOf(settings_.execution.workgroupInUse());
+  const std::uint32_t invocations = invocationsOf(settings_.execution.workgroupInUse());
   double seconds = 0;
   for (std::uint32_t first = 0; first < count;) {
     const std::uint32_t end = first + std::min(count - first, chunk_);
-    const std::uint32_t units = divideUp(divideUp(end - first, lanes), gpu::kCastUnit);
-    const gpu::CastConstants constants{first, end, lanes, strideOver(units)};
+    const std::uint32_t units = divideUp(divideUp(end - first, invocations), gpu::kCastUnit);
+    const gpu::CastConstants constants{first, end, invocations, strideOver(units)};
     const double took = device_.run([&](vulkan::CommandRecorder& recorder) {
       recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {units * gpu::kCastUnit});
     });
@@ -100,7 +101,7 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
     const bool whole = end - first == chunk_;
     first = end;
     if (whole && took < kShortSeconds)
-      chunk_ = std::min({2 * chunk_, kLastChunk, 65535 / gpu::kCastUnit * gpu::kCastUnit * lanes});
+      chunk_ = std::min({2 * chunk_, kLastChunk, 65535 / gpu::kCastUnit * gpu::kCastUnit * invocations});
   }
   return seconds;
 }

@@ -1,4 +1,4 @@
-// Traces rays alone on a device: what a benchmark of traversal measures, without paths, shading or film.
+// Traces rays alone on a device, for benchmarks of traversal without paths, shading and film.
 #pragma once
 #include <array>
 #include <span>
@@ -14,28 +14,28 @@
 
 namespace candela::device {
 
-/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve; pixels that have no such ray are
-/// left out.
+/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve. Pixels without such a ray are left
+/// out.
 using RaySets = std::array<std::vector<gpu::CastRay>, gpu::kRayKindCount>;
 
 /// One scene in one layout on a device, ready to trace rays through it.
 class RayCaster {
  public:
-  /// `flat`: made with the same settings. Throws FileError if the device cannot bind the scene, UsageError for a
-  /// workgroup that it does not have.
+  /// `flat` must have been made with the same settings. Throws FileError if the device cannot bind the scene,
+  /// UsageError if it does not support the workgroup.
   RayCaster(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings);
 
-  /// A primary ray for each pixel, and where it hits something a diffuse ray, and a ray to a light if there are lights.
-  /// Throws InternalError if the device stopped a loop.
+  /// Returns a primary ray for each pixel; if it hits something, also a diffuse ray, and a ray to a light if there are
+  /// lights. Throws InternalError if the device stopped a loop.
   RaySets makeRays();
 
-  /// Puts rays on the device in the place of those that were there; `anyHit`: whether something is hit at all before a
-  /// ray's limit, else what is hit first, however far.
+  /// Replaces the rays on the device. `anyHit`: whether anything is hit before a ray's maximum distance is to be found;
+  /// otherwise the closest hit, at any distance.
   void load(std::span<const gpu::CastRay> rays, bool anyHit);
-  /// Traces the loaded rays once. Returns the seconds that the device's dispatches took, the first of which, after
-  /// load(), includes what a driver compiles.
+  /// Traces the loaded rays once. Returns the duration of the device's dispatches in seconds. The first one after
+  /// load() includes the driver's compilation.
   double trace();
-  /// Of the loaded rays, after trace(). Throws InternalError if the device stopped a loop.
+  /// Returns the hits of the loaded rays, after trace(). Throws InternalError if the device stopped a loop.
   std::vector<gpu::CastHit> hits() const;
 
   const flatten::FlatScene& scene() const { return flat_; }
@@ -48,13 +48,13 @@ class RayCaster {
   render::RenderSettings settings_;
   flatten::FlatScene flat_;
   DeviceScene deviceScene_;
-  std::array<vulkan::ComputePipeline, 2> casts_;  ///< closest, any
+  std::array<vulkan::ComputePipeline, 2> casts_;  ///< closest hit, any hit
   vulkan::Buffer unused_;
   vulkan::Buffer rays_;
   vulkan::Buffer hits_;
   std::uint32_t rayCount_ = 0;
   bool anyHit_ = false;
-  std::uint32_t chunk_;  ///< rays of one dispatch, so few that it is short
+  std::uint32_t chunk_;  ///< rays of one dispatch, few enough that it is short
 };
 
 }  // namespace candela::device

@@ -7,11 +7,11 @@
 
 namespace candela::device {
 
-/// `texels`: scene rows are read through the texel buffer.
+/// Returns the specialisation constants. `texels`: the scene is read through the texel buffer.
 std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
                                                bool texels);
 
-/// The same, and the bindings of shared/bindings.h, which all kernels have that read a scene.
+/// Returns these constants and the bindings of shared/bindings.h, which all kernels have that read a scene.
 vulkan::PipelineOptions kernelOptions(const flatten::FlatScene& flat, const render::RenderSettings& settings,
                                       bool texels, std::uint32_t pushConstantBytes);
 

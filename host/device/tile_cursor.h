@@ -1,4 +1,4 @@
-// Walks over an image in rectangles, so that each sweep covers every pixel once.
+// Iterates over an image in rectangles, so that each sweep covers every pixel once.
 #pragma once
 #include <cstdint>
 
@@ -11,31 +11,31 @@ struct Rect {
   std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Sweeps over `image` from top to bottom, again and again. The size of the pieces may change from one to the next.
+/// Sweeps over `image` from top to bottom, repeatedly. The size of the rectangles may change from one to the next.
 class TileCursor {
  public:
-  /// Pieces are whole workgroups except at the right and lower edge. All extents > 0.
+  /// Rectangles are whole workgroups, except at the right and lower edge. All extents must be > 0.
   TileCursor(render::Extent image, render::Extent workgroup) : image_(image), step_(workgroup) {}
-  /// Every piece is one `tile`, cut only at the right and lower edge.
+  /// Every rectangle is one `tile`, cut only at the right and lower edge.
   static TileCursor ofTiles(render::Extent image, render::Extent tile);
 
-  /// The next piece, of at most `pixelsWanted` pixels (but never less than a workgroup): strips over the full width if
-  /// that is enough for them, else pieces of a strip that is one workgroup high. What is left of a strip or of the
-  /// image is divided evenly, so that no small remainder comes last.
+  /// Returns the next rectangle, of at most `pixelsWanted` pixels (but at least one workgroup): a strip over the full
+  /// width if that has few enough pixels, else a part of a strip that is one workgroup high. The rest of a strip or of
+  /// the image is divided evenly, so that no small remainder comes last.
   Rect next(std::uint64_t pixelsWanted);
-  /// First row of the next piece.
+  /// First row of the next rectangle.
   std::uint32_t row() const { return y_; }
-  /// Whether the next piece is the first of a sweep.
+  /// Returns whether the next rectangle is the first of a sweep.
   bool isAtStart() const { return x_ == 0 && y_ == 0; }
 
  private:
   Rect advance(std::uint32_t width, std::uint32_t height);
 
   render::Extent image_;
-  render::Extent step_;   ///< pieces are multiples of it
-  bool isTiled_ = false;  ///< pieces are exactly step_
-  std::uint32_t x_ = 0,
-                y_ = 0;  ///< where the next piece begins; all above and, within step_.height, left of it is done
+  render::Extent step_;   ///< rectangles are multiples of it
+  bool isTiled_ = false;  ///< rectangles are exactly step_
+  /// Where the next rectangle begins. Everything above it is done, and what is left of it within step_.height.
+  std::uint32_t x_ = 0, y_ = 0;
 };
 
 }  // namespace candela::device

@@ -1,4 +1,4 @@
-// Finds the rows of a band that have samples left.
+// Estimates the unfinished pixels of the rows of a band.
 #include "host/device/unfinished_rows.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How many pixels of each row of a band still have samples to do, as far as the host can tell.
+// Estimates for each row of a band how many pixels still have samples to do.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,18 +7,19 @@
 
 namespace candela::device {
 
-/// The device reports how many pixels a dispatch finished, not which: they are spread evenly over the dispatch's rows.
+/// The device reports how many pixels a dispatch finished, but not which. They are assumed to be spread evenly over the
+/// dispatch's rows.
 class UnfinishedRows {
  public:
   explicit UnfinishedRows(const render::Extent& band)
       : width_(band.width), rows_(band.height, static_cast<double>(band.width)) {}
 
-  /// Pixels of the region that have work left, at least 1.
+  /// Number of pixels of the region that have work left, at least 1.
   std::uint64_t activeIn(const Rect& region) const;
-  /// Size in pixels of full-width rows, from `firstRow` on, that hold `active` pixels with work left (or all there
+  /// Number of pixels of full-width rows, from `firstRow` on, that contain `active` pixels with work left (or all there
   /// are).
   std::uint64_t pixelsHolding(std::uint64_t active, std::uint32_t firstRow) const;
-  /// `count` pixels of the region are finished that were not before.
+  /// Records that `count` more pixels of the region are finished.
   void finish(const Rect& region, std::uint64_t count);
 
  private:

@@ -1,4 +1,4 @@
-// From the rows that the replay's kernel writes to what they say.
+// Unpacks the records that the replay kernel writes.
 #pragma once
 #include "host/render/path_trace.h"
 #include "shaders/shared/trace_rows.h"

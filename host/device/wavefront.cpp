@@ -16,7 +16,7 @@ class Rounds {
 
   /// Fills the queues of the first round.
   void begin(vulkan::GroupCount regionGroups) {
-    constants_.roundParity = 1;  // as if a round of odd number had just ended
+    constants_.roundParity = 1;  // as if a round of odd index had just ended
     empty(0, gpu::kQueueCount);
     recorder_.dispatch(pipeline(WaveStage::gather), bindings_, push(), regionGroups);
     run(WaveStage::renew, gpu::kQueueRenew);
@@ -25,7 +25,7 @@ class Rounds {
   void round(std::uint32_t number) {
     constants_.roundParity = number % 2;
     const bool even = constants_.roundParity == 0;
-    // All but the queue of the paths that this round extends.
+    // Empties all queues except that of the paths that this round extends.
     empty(even ? gpu::kQueueShadow : gpu::kQueueExtendEven, gpu::kQueueCount - 1);
     const std::uint32_t extended = even ? gpu::kQueueExtendEven : gpu::kQueueExtendOdd;
     run(WaveStage::extend, extended);

@@ -1,4 +1,5 @@
-// The wavefront's rounds: which of its stages run when, and on what queues. shaders/wavefront.glsl says what they do.
+// The rounds of the wavefront: which of its stages run when, and on which queues. shaders/wavefront.glsl describes the
+// stages.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,20 +12,20 @@
 
 namespace candela::device {
 
-/// In the order of Kernel::spirv.
+/// The stages, in the order of Kernel::spirv.
 enum class WaveStage { gather, extend, shade, shadow, renew };
 
-/// So many rounds may be recorded into one submission, each of five commands.
+/// Maximum number of rounds recorded into one submission. Each round is five commands.
 inline constexpr std::uint32_t kMaxRounds = 1024;
 
-/// What the queues of a band of so many pixels take between the counters and the path records.
+/// Bytes of the queues of a band of `pixels`, which are stored between the counters and the path records.
 constexpr std::uint64_t queueBytes(std::uint64_t pixels) {
   return gpu::kQueueCount * (sizeof(gpu::QueueHead) + sizeof(gpu::uint) * pixels);
 }
 
-/// Records so many rounds, each a segment of every unfinished path of the region in `constants`, whose `work` has the
-/// band's pixels in the place of loop turns. `results`, among `bindings`, is made for Usage::indirect; `regionGroups`
-/// cover the region.
+/// Records `rounds` rounds, each a segment of every unfinished path of the region in `constants`, whose `bandPixels` is
+/// the number of pixels of the band. `results`, one of the `bindings`, must have been created for Usage::indirect;
+/// `regionGroups` cover the region.
 void recordRounds(vulkan::CommandRecorder& recorder, const std::vector<vulkan::ComputePipeline>& stages,
                   const vulkan::BindingSet& bindings, const vulkan::Buffer& results, gpu::DispatchConstants constants,
                   vulkan::GroupCount regionGroups, std::uint32_t rounds);

@@ -1,4 +1,4 @@
-// Whether a device has workgroups of some size.
+// Checks whether a device supports a workgroup size.
 #pragma once
 #include "host/render/extent.h"
 #include "host/vulkan/device_info.h"
@@ -6,7 +6,7 @@
 namespace candela::device {
 
 bool hasWorkgroup(const vulkan::DeviceInfo& info, const render::Extent& workgroup);
-/// Throws UsageError, which names the device's limits, if it has not.
+/// Throws UsageError, which names the device's limits, if it does not.
 void requireWorkgroup(const vulkan::DeviceInfo& info, const render::Extent& workgroup);
 
 }  // namespace candela::device

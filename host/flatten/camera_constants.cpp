@@ -7,7 +7,8 @@
 namespace candela::flatten {
 namespace {
 
-// One direction of the image: pixels that fill the view, and where in them rays go that are not jittered.
+// One direction of the image: the number of pixels that fill the view, and the position within them of rays without
+// jitter.
 struct Axis {
   std::uint32_t pixels;
   float origin;
@@ -18,7 +19,7 @@ Axis axisOf(std::uint32_t extent, render::PixelOrigin origin) {
   return {extent, 0.5f};
 }
 
-// The maximum length of the rays of `ao`.
+// Maximum length of `ao` rays.
 float aoDistance(const scene::Camera& camera, const render::ImageSettings& image) {
   if (image.aoDistance) return *image.aoDistance;
   return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));

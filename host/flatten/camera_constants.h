@@ -6,8 +6,8 @@
 
 namespace candela::flatten {
 
-/// Sets everything in `constants` that depends on the camera, computed in double precision and rounded once: its
-/// vectors, the lens, and the maximum length of the rays of `ao`.
+/// Sets everything in `constants` that depends on the camera: its vectors, the lens, and the maximum length of `ao`
+/// rays. All values are computed in double precision and rounded once.
 void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::ImageSettings& image);
 
 }  // namespace candela::flatten

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "host/flatten/camera_constants.h"
-#include "host/flatten/flatten_point_lights.h"
 #include "host/flatten/flatten_primitives.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
@@ -17,7 +17,7 @@ std::span<gpu::uvec4> slotOf(std::span<gpu::uvec4> rows, std::size_t slot) {
   return rows.subspan(slot * gpu::kPrimitiveRows, gpu::kPrimitiveRows);
 }
 
-// From the first to the last sphere of the primitives.
+// Returns the records from the first to the last sphere.
 RecordSpan sphereSpan(const FlatScene& flat) {
   if (!flat.features.spheres) return {};
   const std::uint32_t base = flat.constants.firstPrimitiveRow;

@@ -1,30 +1,30 @@
-// The records of a flat scene that depend on the camera, so that it can move without another flattening.
+// The records of a flat scene that depend on the camera, so that it can move without flattening the scene again.
 #pragma once
 #include "host/flatten/flat_rows.h"
 #include "host/flatten/flat_scene.h"
 
 namespace candela::flatten {
 
-/// Consecutive records of the scene buffer, which start at record `first`; none: nothing of them depends on the camera.
+/// Consecutive records of the scene buffer, starting at record `first`. It is empty if none depends on the camera.
 struct RecordSpan {
   std::uint32_t first = 0;
   Rows rows;
 };
 
-/// Copies of what moveCamera() changes. Spheres are anchored at the point nearest to the eye (docs/architecture.md),
-/// and Whitted's square lights face the camera's target.
+/// Copies of the records that moveCamera() changes. Spheres are anchored at the point nearest to the eye
+/// (docs/architecture.md), and the Whitted tracer's square lights face the camera's target.
 struct CameraRecords {
   gpu::RenderConstants constants{};
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};  ///< FlatScene::slotRows
   std::uint32_t uniformSlots = 0;
   RecordSpan primitives;   ///< from the first to the last sphere
-  RecordSpan pointLights;  ///< of Whitted's tracer
+  RecordSpan pointLights;  ///< of the Whitted tracer
 };
 
 CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, const render::ImageSettings& image);
 
-/// Sets the records for `camera`; they equal those of a scene flattened with it. `scene` and `image` are those that the
-/// records were made of.
+/// Sets the records for `camera`; they equal those of a scene flattened with it. `scene` and `image` must be those from
+/// which the records were made.
 void moveCamera(const scene::Scene& scene, const scene::Camera& camera, const render::ImageSettings& image,
                 CameraRecords& records);
 

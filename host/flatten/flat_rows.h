@@ -1,4 +1,4 @@
-// How values become 16-byte rows: the vocabulary of flatten.
+// Conversion of values to 16-byte records, which are called rows in names.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Scene to FlatScene: the sections of rows, one after the other.
+// Converts a scene to a FlatScene, one section of records after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,12 +11,9 @@
 #include "host/flatten/camera_constants.h"
 #include "host/flatten/flat_rows.h"
 #include "host/flatten/flat_scene.h"
-#include "host/flatten/flatten_features.h"
-#include "host/flatten/flatten_grid.h"
 #include "host/flatten/flatten_hierarchy.h"
-#include "host/flatten/flatten_point_lights.h"
 #include "host/flatten/flatten_primitives.h"
-#include "host/flatten/flatten_sky.h"
+#include "host/flatten/flatten_sections.h"
 #include "host/flatten/light_table.h"
 #include "host/flatten/lobes.h"
 
@@ -27,7 +24,7 @@ static_assert(static_cast<std::uint32_t>(LightKind::sphere) == gpu::kLightSphere
 static_assert(static_cast<std::uint32_t>(LightKind::triangle) == gpu::kLightTriangle);
 static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
 
-constexpr std::uint32_t kMaxSlots = 1u << 27;  // what a packed stack word holds
+constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
 void checkLimits(const scene::Scene& scene) {
   if (scene.primitives.size() >= kMaxSlots) {
@@ -52,7 +49,7 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
   }
 }
 
-// The slot of every primitive, for the lights.
+// Returns the slot of every primitive, for the lights.
 std::vector<std::uint32_t> slotsOf(std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> slots(order.size());
   for (std::uint32_t slot = 0; slot < order.size(); ++slot) slots[order[slot]] = slot;
@@ -99,7 +96,7 @@ void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& f
   flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
 }
 
-// Only glass makes rays wait.
+// Returns the number of records of a tree's state. Only glass makes rays pending.
 std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
   return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
 }
@@ -119,7 +116,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
 }
 
-// The same rows once more, for the uniform buffer.
+// Copies the records of slots to the uniform buffer.
 void copySlotRows(FlatScene& flat) {
   flat.uniformSlots = flat.slotCount;
   const auto first = flat.rows.begin() + flat.constants.firstPrimitiveRow;
@@ -130,7 +127,7 @@ void copySlotRows(FlatScene& flat) {
   }
 }
 
-// n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
+// Returns n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
 std::uint32_t strataPerSide(const render::RenderSettings& settings) {
   if (settings.image.sampler != render::SamplerKind::stratified) return 0;
   const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.image.sampleCount)));
@@ -148,7 +145,7 @@ void setConstants(const scene::Scene& scene, const render::RenderSettings& setti
   constants.rouletteStart = settings.image.rouletteStart;
 }
 
-// Whether a structure is asked for by more than the default.
+// Returns whether the settings request a structure explicitly.
 bool wantsStructure(const render::RenderSettings& settings) {
   if (settings.structure.accel == render::AccelKind::grid) return true;
   return settings.structure.accel == render::AccelKind::bvh &&
@@ -156,7 +153,7 @@ bool wantsStructure(const render::RenderSettings& settings) {
           settings.structure.bvhLayout != render::BvhLayout::automatic);
 }
 
-// Builds what the settings ask for as the first rows, and gives the finite primitives' order.
+// Builds the requested structure as the first records, and returns the order of the finite primitives.
 std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
                                            std::uint32_t maxGridSide, FlatScene& flat) {
   Stopwatch watch;

@@ -1,8 +1,7 @@
 // Determines the features that a scene uses.
-#include "host/flatten/flatten_features.h"
-
 #include <vector>
 
+#include "host/flatten/flat_scene.h"
 #include "host/flatten/lobes.h"
 
 namespace candela::flatten {

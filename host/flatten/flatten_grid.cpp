@@ -1,15 +1,11 @@
 // Stores a uniform grid as 16-byte records.
-#include "host/flatten/flatten_grid.h"
-
-#include <span>
-
 #include "host/accel/grid.h"
-#include "host/flatten/flat_rows.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
 
-// The last row is filled up with the end.
+// Appends the cells. The last record is filled with the end of the last cell.
 void appendCells(const accel::Grid& grid, Rows& rows) {
   const std::uint64_t cellCount = grid.shape.cellCount();
   const auto start = [&](std::uint64_t cell) { return grid.starts[std::min(cell, cellCount)]; };
@@ -18,7 +14,8 @@ void appendCells(const accel::Grid& grid, Rows& rows) {
   }
 }
 
-// Primitives in the order in which cells name them first: what lies side by side in space does so in memory.
+// Returns primitives in the order in which cells first refer to them. Neighbours in space are then neighbours in
+// memory.
 std::vector<std::uint32_t> orderOf(const accel::Grid& grid, std::size_t primitiveCount) {
   std::vector<bool> named(primitiveCount);
   std::vector<std::uint32_t> order;

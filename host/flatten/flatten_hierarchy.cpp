@@ -4,17 +4,17 @@
 #include <algorithm>
 
 #include "host/flatten/flat_rows.h"
-#include "host/flatten/flatten_wide_hierarchy.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
 
 // A leaf's count has five bits on the traversal stack.
 constexpr accel::BvhOptions kBvhOptions{.maxLeafSize = 8, .maxDepth = 60, .traversalCost = 1.2f, .intersectionCost = 1};
-// A child's share of an eight-wide node costs little beside a primitive.
+// A child of an 8-wide node is cheap compared with a primitive.
 constexpr accel::BvhOptions kWideOptions{
     .maxLeafSize = accel::kMaxWideLeaf, .maxDepth = 60, .traversalCost = 0.4f, .intersectionCost = 1};
-// Two primitives a leaf are part of the report's rule.
+// Two primitives per leaf are part of the midpoint split's rule.
 constexpr accel::BvhOptions kMidpointOptions{
     .rule = accel::SplitRule::midpoint, .maxLeafSize = 2, .maxDepth = kBvhOptions.maxDepth};
 
@@ -30,14 +30,14 @@ accel::BvhOptions optionsFor(render::BvhSplit split, render::BuildQuality qualit
   return withQuality(layout == render::BvhLayout::cwbvh ? kWideOptions : kBvhOptions, quality);
 }
 
-// A child as its parent stores it: its box, and where it leads.
+// Appends a child in the format that its parent stores: its box and its reference.
 void appendChild(const accel::BvhNode& child, std::span<const std::uint32_t> innerIndex, std::size_t index,
                  Rows& rows) {
   rows.push_back(row(glm::dvec3(child.bounds.min), child.isLeaf() ? child.first : innerIndex[index]));
   rows.push_back(row(glm::dvec3(child.bounds.max), child.count));
 }
 
-// Inner nodes only, in the tree's order; leaves live in their parents.
+// Returns the records of interior nodes, in the order of the BVH; leaves are stored in their parents.
 Rows nodeRows(const accel::Bvh& bvh) {
   std::vector<std::uint32_t> innerIndex(bvh.nodes.size());
   std::uint32_t innerCount = 0;
@@ -61,7 +61,7 @@ void noteQuality(const accel::BvhQuality& measured, FlatScene& flat) {
                            {"maxLeafSize", measured.maxLeafSize}};
 }
 
-// Both append nodes and give the primitives, by number among the finite ones, in the order of the leaves.
+// Appends binary nodes and returns the primitives, by index among the finite ones, in the order of the leaves.
 std::vector<std::uint32_t> appendTwoWide(const accel::Bvh& bvh, const accel::BvhQuality& measured, FlatScene& flat) {
   if (bvh.nodes.size() > 1) flat.structure = gpu::kStructureBvh;
   flat.stackSize = std::max(1u, measured.depth);

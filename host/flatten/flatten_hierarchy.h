@@ -1,4 +1,4 @@
-// Rows of the BVH.
+// Builds a BVH and stores it as 16-byte records.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,19 +10,19 @@
 
 namespace candela::flatten {
 
-/// The layout in use: the one that is asked for, or where that is automatic what AutomaticChoices says, but two-wide
-/// nodes for the report's trees, which are two-wide.
+/// Returns the layout in use: the one that is requested, or the choice of AutomaticChoices, except that BVHs with
+/// midpoint splits are binary.
 render::BvhLayout layoutFor(const render::RenderSettings& settings);
 
-/// As on the command line: "fast", "default" or "high".
+/// Returns the name as on the command line: "fast", "default" or "high".
 const char* buildQualityName(render::BuildQuality quality);
 
-/// The two-wide tree that the device's tracers traverse for such boxes or, of layout cwbvh, that is collapsed to an
-/// eight-wide one; `layout` is one of both.
+/// Returns the binary BVH over these boxes that the device traverses or, if `layout` is cwbvh, that is collapsed to an
+/// 8-wide one. `layout` must not be automatic.
 accel::Bvh buildHierarchy(std::span<const accel::Aabb> bounds, render::BvhSplit split, render::BuildQuality quality,
                           render::BvhLayout layout = render::BvhLayout::bvh2);
 
-/// Builds the hierarchy over the finite primitives, appends its nodes to `flat`, and returns these primitives' indices
+/// Builds the BVH over the finite primitives, appends its nodes to `flat`, and returns the indices of these primitives
 /// in the order of its leaves.
 std::vector<std::uint32_t> appendHierarchy(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
                                            FlatScene& flat);

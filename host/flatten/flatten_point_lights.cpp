@@ -1,5 +1,5 @@
 // Stores point lights as 16-byte records.
-#include "host/flatten/flatten_point_lights.h"
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
@@ -9,7 +9,7 @@ struct Edges {
   glm::dvec3 bitangent;
 };
 
-// The frame of docs/light-transport.md section 2 around the unit vector n.
+// Returns the frame of docs/light-transport.md section 2 around the unit vector n.
 Edges edgesAround(const glm::dvec3& n) {
   const double s = n.z > -0.62 ? 1.0 : -1.0;
   const double a = -1 / (s + n.z);

@@ -6,7 +6,8 @@
 namespace candela::flatten {
 namespace {
 
-// The point of the sphere nearest to the camera: rays meet a huge sphere near there, so its coordinates are small.
+// Returns the point of the sphere nearest to the camera. Rays hit a huge sphere near that point, so its coordinates are
+// small.
 glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double radius) {
   const glm::dvec3 towardsCamera = eye - centre;
   const double distance = glm::length(towardsCamera);

@@ -1,6 +1,5 @@
 // Stores the sky box as 16-byte records.
-#include "host/flatten/flatten_sky.h"
-
+#include "host/flatten/flatten_sections.h"
 #include "host/image/colour_transfer.h"
 
 namespace candela::flatten {

@@ -1,12 +1,12 @@
-// Builds an 8-wide BVH and stores it as 16-byte records.
-#include "host/flatten/flatten_wide_hierarchy.h"
+// Stores an 8-wide BVH as 16-byte records.
+#include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
 namespace {
 
 constexpr int kExponentBias = 127;
 
-// Four plane numbers from child `first` on, a byte each.
+// Packs the indices of four planes, from child `first` on, a byte each.
 std::uint32_t fourPlanes(const std::array<std::uint8_t, accel::kWideChildren>& planes, std::uint32_t first) {
   std::uint32_t word = 0;
   for (std::uint32_t i = 0; i < 4; ++i) word |= std::uint32_t{planes[first + i]} << (8 * i);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
 
-// Nothing for primitives that light samples cannot find.
+// Returns nothing for primitives that light sampling does not choose.
 std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Primitive& primitive) {
   if (!isEmissive(scene.materials[primitive.material])) return std::nullopt;
   if (primitive.kind == scene::PrimitiveKind::sphere && scene.spheres[primitive.index].radius != 0) {
@@ -25,7 +25,7 @@ std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Pri
   return std::nullopt;
 }
 
-// Shares of the two groups: half each if both can be chosen.
+// Returns the probabilities of the two groups: half each if both can be chosen.
 std::pair<double, double> groupShares(double emitters, double points) {
   if (emitters > 0 && points > 0) return {0.5, 0.5};
   return {emitters > 0 ? 1.0 : 0.0, points > 0 ? 1.0 : 0.0};

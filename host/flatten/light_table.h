@@ -1,4 +1,4 @@
-// The table from which next-event estimation chooses: docs/light-transport.md section 6.
+// The table by which next-event estimation chooses lights: docs/light-transport.md section 6.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace candela::flatten {
 
-/// The kinds that have entries; the values are those of shaders/shared/scene_rows.h. The background has none.
+/// The kinds of lights that have entries, with the values of shaders/shared/scene_rows.h. The background has no entry.
 enum class LightKind : std::uint32_t { sphere, triangle, point };
 
 struct LightEntry {
@@ -19,7 +19,7 @@ struct LightEntry {
   bool isPoint() const { return kind == LightKind::point; }
 };
 
-/// `withEmitters` false leaves point lights only (--nee off).
+/// Returns the table. Without `withEmitters` (--nee off), it contains only point lights.
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters);
 
 /// Weight of a light in the choice.

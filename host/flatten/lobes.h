@@ -1,4 +1,5 @@
-// The lobes of a material as the device's records have them: those of the path tracer, or those of Whitted's.
+// The lobes of a material in the format of the device's records: those of the path tracer, or those of the Whitted
+// tracer.
 #pragma once
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
@@ -18,9 +19,9 @@ struct Lobes {
   double ior = 1;                ///< of the dielectric
 };
 
-/// Of Whitted's integrator, the weights are Kd, Ks, and 1 for glass; a mirror has Ks as its factor.
+/// Returns the lobes. For the Whitted tracer, the weights are Kd, Ks, and 1 for glass; a mirror has Ks as its factor.
 Lobes lobesFor(render::Integrator integrator, const scene::Material& material);
-/// The radiance of a surface without any light: its emission, and with Whitted's integrator its ambient term.
+/// Returns the radiance of a surface without any light: its emission and, with the Whitted tracer, its ambient term.
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material);
 
 }  // namespace candela::flatten

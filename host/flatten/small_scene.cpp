@@ -6,8 +6,8 @@
 namespace candela::flatten {
 namespace {
 
-// What a test costs in a row, in units of about 9 ns for eight rays on lavapipe; a cone's takes 8, but trees spare so
-// many of such tests that it counts twice.
+// Cost of one test in a linear list, in units of about 9 ns for eight rays on lavapipe. A cone's test takes 8, but BVHs
+// save so many of these tests that it counts twice.
 std::uint32_t rowCost(scene::PrimitiveKind kind) {
   switch (kind) {
     case scene::PrimitiveKind::plane:

@@ -1,5 +1,5 @@
-// Scenes of so few primitives that testing all of them, in a row and from the uniform buffer, is faster than traversing
-// a structure (docs/performance.md).
+// Decides whether a scene is small: if it has few primitives, testing all of them sequentially from the uniform buffer
+// is faster than traversing a structure (docs/performance-journal.md, "Constants read ahead, small scenes").
 #pragma once
 #include <cstdint>
 
@@ -8,17 +8,18 @@
 
 namespace candela::flatten {
 
-/// Which scenes a device traces without any structure.
+/// The rule by which a device traces a scene without any structure.
 struct SmallSceneRule {
-  std::uint32_t maxCost = 48;  ///< of testing all primitives, in the units of rowCost()
-  bool rowsAhead = false;  ///< the kernel reads all rows before anything else: worth it where a read costs more later
+  std::uint32_t maxCost = 48;  ///< maximum cost of testing all primitives, in the units of rowCost()
+  bool rowsAhead = false;  ///< the kernel reads all records before anything else, which saves time if later reads are
+                           ///< more expensive
 };
 
-/// As measured on lavapipe; on other devices, sixteen triangles.
+/// Returns the rule as measured on lavapipe; for other devices, the cost of sixteen triangles.
 SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info);
 
-/// Whether `rule` has the scene traced in a row: it costs little enough, and has at most gpu::kMaxUniformSlots
-/// primitives.
+/// Returns whether `rule` makes the scene a linear list: its cost is low enough, and it has at most
+/// gpu::kMaxUniformSlots primitives.
 bool isSmall(const scene::Scene& scene, const SmallSceneRule& rule);
 
 }  // namespace candela::flatten

@@ -1,4 +1,4 @@
-// What a ray sees that hits nothing: docs/light-transport.md section 7, background.
+// The radiance that a ray sees when it hits nothing: docs/light-transport.md section 7, background.
 #pragma once
 #include <array>
 
@@ -18,7 +18,7 @@ class Background {
   dvec3 lookUp(const scene::SkyFace& face, double sc, double tc) const;
 
   const scene::Scene& scene_;
-  std::array<double, 256> linear_;  ///< of each sRGB value
+  std::array<double, 256> linear_;  ///< linear value of each sRGB value
 };
 
 }  // namespace candela::reference

@@ -1,6 +1,6 @@
-// How surfaces scatter light: docs/light-transport.md section 5. Directions are unit vectors in the shading frame (z
-// the shading normal, on the side of wo), pointing away from the surface. wi is any direction of the sphere; each lobe
-// decides which side of the surface it serves.
+// How surfaces scatter light: docs/light-transport.md section 5. Directions are unit vectors in the shading frame (z is
+// the shading normal, on the side of wo) and point away from the surface. wi may be any direction of the sphere; each
+// lobe determines the side of the surface to which it scatters.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -18,13 +18,13 @@ enum class Side : std::uint8_t { reflection, transmission };
 
 inline Side sideOf(const dvec3& wi) { return wi.z < 0 ? Side::transmission : Side::reflection; }
 
-/// A value of f and the density, per solid angle, with which the choice of a lobe and its sampling find the direction.
+/// A value of f, and the density per solid angle with which the choice of a lobe and its sampling choose the direction.
 struct BsdfValue {
   dvec3 f{0};
   double pdf = 0;
 };
 
-/// A direction with density none (mirror, dielectric): `weight` takes the place of f |cos| / pdf.
+/// A direction without density (mirror, dielectric). `weight` replaces f |cos| / pdf.
 struct DeltaSample {
   dvec3 wi;
   dvec3 weight;
@@ -37,22 +37,23 @@ class Bsdf {
 
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !mirror_ && weightSum() == 0; }
-  /// The lobes' weights times their colours.
+  /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
-  /// Whether some lobe with a density, which light samples can therefore find, serves directions of this side.
+  /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
   bool scattersTo(Side side) const { return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0); }
   bool hasSmoothLobe() const { return scattersTo(Side::reflection) || scattersTo(Side::transmission); }
 
-  /// Diffuse, glossy, or, for the dielectric lobe, `refract`. Not for mirrors and black surfaces.
+  /// Returns diffuse, glossy, or `refract` for the dielectric lobe. Not for mirrors and black surfaces.
   render::Lobe chooseLobe(double u) const;
 
-  /// The sum over all lobes with a density. The integrator multiplies f by |cos wi|.
+  /// Returns the sum over all lobes with a density. The integrator multiplies f by |cos wi|.
   BsdfValue evaluate(const dvec3& wo, const dvec3& wi) const;
-  /// A direction from lobe `diffuse` or `glossy`; it may be one that the lobe does not serve, where its density is 0.
+  /// Samples a direction from lobe `diffuse` or `glossy`. It may be on a side to which the lobe does not scatter; its
+  /// density is then 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
 
   DeltaSample sampleMirror(const dvec3& wo) const;
-  /// `into`: the ray came from the side to which the surface is oriented. The weight includes the choice of the lobe.
+  /// `into`: the ray arrived on the side to which the surface is oriented. The weight includes the choice of the lobe.
   DeltaSample sampleDielectric(const dvec3& wo, bool into, double u) const;
 
  private:

@@ -3,13 +3,13 @@
 
 namespace candela::reference {
 
-/// What happens to a ray at a boundary; a reflectance of 1 goes with total reflection.
+/// The continuation of a ray at a boundary. Total reflection has reflectance 1.
 struct Boundary {
-  double reflectance;     ///< of unpolarised light, in [0, 1]
-  double cosTransmitted;  ///< 0 where the reflection is total
+  double reflectance;     ///< for unpolarised light, in [0, 1]
+  double cosTransmitted;  ///< 0 if the reflection is total
 };
 
-/// `cosIncident` in (0, 1]; `eta` > 0 is the index on the ray's side by that behind the boundary.
+/// `cosIncident` in (0, 1]; `eta` > 0 is the index of refraction on the ray's side divided by that behind the boundary.
 Boundary fresnel(double cosIncident, double eta);
 
 }  // namespace candela::reference

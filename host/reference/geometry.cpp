@@ -10,8 +10,8 @@ namespace {
 
 double positiveOrNoHit(double t) { return t > 0 ? t : kNoHit; }
 
-// The roots of a t^2 + 2 b t + c = 0, neither by a difference of nearly equal numbers; NaN or infinite where there are
-// none or only one.
+// Returns the roots of a t^2 + 2 b t + c = 0, neither as a difference of nearly equal numbers; NaN or infinite if there
+// are none or only one.
 std::pair<double, double> roots(double a, double b, double c) {
   const double discriminant = b * b - a * c;
   if (!(discriminant >= 0)) return {kNoHit, kNoHit};
@@ -19,9 +19,10 @@ std::pair<double, double> roots(double a, double b, double c) {
   return {q / a, c / q};
 }
 
-// Six times the volume that a ray's direction spans with both ends of an edge, as seen from the ray's origin: its sign
-// tells on which side of the edge the ray passes (Pluecker's inner product). Backwards it is exactly the negative. So
-// two triangles decide about the edge that they share by the same number, and no ray passes between them.
+// Returns six times the signed volume that a ray's direction spans with both ends of an edge, as seen from the ray's
+// origin. Its sign is the side of the edge on which the ray passes (Pluecker's inner product). For the reversed edge,
+// the result is exactly the negative. Two triangles that share an edge thus use the same number for it, and no ray
+// passes between them.
 double sideOfEdge(const dvec3& direction, const dvec3& from, const dvec3& to) {
   return dot(direction, cross(from, to));
 }
@@ -122,7 +123,7 @@ double ConeShape::distance(const Ray& ray, bool leaving) const {
   const dvec3 fromBase = ray.origin - base;
   const double z = dot(fromBase, axis);
   const double dz = dot(ray.direction, axis);
-  const dvec3 across = fromBase - z * axis;  // the part across the axis, and its change along the ray
+  const dvec3 across = fromBase - z * axis;  // part perpendicular to the axis, and its change along the ray
   const dvec3 dAcross = ray.direction - dz * axis;
   const double rho = baseRadius + slope * z;
   const double dRho = slope * dz;
@@ -143,7 +144,7 @@ dvec3 ConeShape::normal(const dvec3& point) const {
   const dvec3 fromBase = point - base;
   const dvec3 across = fromBase - dot(fromBase, axis) * axis;
   const double rho = length(across);
-  if (rho == 0) return axis * std::copysign(1.0, -slope);  // the tip
+  if (rho == 0) return axis * std::copysign(1.0, -slope);  // the apex
   return normalize(across / rho - slope * axis);
 }
 

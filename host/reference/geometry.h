@@ -1,6 +1,6 @@
-// Where rays meet spheres, triangles, boxes, cones and planes, and the normals there: docs/light-transport.md
-// section 4. Distances are kNoHit where there is no hit, and above 0 otherwise. `leaving` says that the ray starts on
-// this very primitive, which flat ones never meet again.
+// Intersections of rays with spheres, triangles, boxes, cones and planes, and the normals there:
+// docs/light-transport.md section 4. Distances are kNoHit if there is no hit, and above 0 otherwise. `leaving` says
+// that the primitive is the ray's origin primitive. A ray never hits a flat origin primitive.
 #pragma once
 #include "host/reference/ray.h"
 #include "host/scene/scene.h"
@@ -9,14 +9,14 @@ namespace candela::reference {
 
 using glm::dvec2;
 
-/// Radius < 0: only the inside is there.
+/// Radius < 0: the sphere is hit only from inside.
 struct SphereShape {
   dvec3 centre;
   double radius;
 
   explicit SphereShape(const scene::Sphere& sphere);
   double distance(const Ray& ray, bool leaving) const;
-  /// Outward; towards the centre if the radius is negative.
+  /// Outward unit normal; towards the centre if the radius is negative.
   dvec3 normal(const dvec3& point) const;
 };
 
@@ -28,11 +28,11 @@ struct TriangleShape {
   dvec3 edge2;  ///< from corner to corner2
 
   explicit TriangleShape(const scene::Triangle& triangle);
-  /// Watertight: rays do not pass between triangles that share an edge.
+  /// Watertight: no ray passes between triangles that share an edge.
   double distance(const Ray& ray) const;
-  /// (b1, b2) of the point where the ray meets the triangle's plane.
+  /// Returns (b1, b2) of the point at which the ray intersects the triangle's plane.
   dvec2 barycentrics(const Ray& ray) const;
-  /// Twice the area long, to the side from which the corners run counter-clockwise.
+  /// Returns the normal, with twice the area as its length, on the side from which the corners are counter-clockwise.
   dvec3 areaNormal() const { return cross(edge1, edge2); }
 };
 
@@ -42,11 +42,11 @@ struct BoxShape {
 
   explicit BoxShape(const scene::Box& box);
   double distance(const Ray& ray, bool leaving) const;
-  /// Outward, of the face that `distance` found.
+  /// Outward unit normal of the face that `distance` hit.
   dvec3 normal(const Ray& ray, bool leaving) const;
 
  private:
-  /// Where a line crosses into and out of the box (into after out: it misses), and the axes of the faces there.
+  /// The distances at which a line enters and exits the box (into > out: it misses), and the axes of the faces there.
   struct Crossings {
     double entry = -kNoHit;
     double exit = kNoHit;
@@ -61,11 +61,11 @@ struct ConeShape {
   dvec3 axis;  ///< unit, from base to apex
   double height;
   double baseRadius;
-  double slope;  ///< change of the radius per height
+  double slope;  ///< change of the radius per unit of height
 
   explicit ConeShape(const scene::Cone& cone);
   double distance(const Ray& ray, bool leaving) const;
-  /// Away from the axis.
+  /// Unit normal that points away from the axis.
   dvec3 normal(const dvec3& point) const;
 };
 

@@ -1,4 +1,5 @@
-// Cells by the edge of a cube, items by counting; the walk starts anew where the ray enters, so that errors stay small.
+// Sizes cells by the edge of a cube and sorts items by counting. The traversal measures distances from the point where
+// the ray enters the grid, so that errors stay small.
 #include "host/reference/grid.h"
 
 #include <algorithm>
@@ -7,18 +8,18 @@
 namespace candela::reference {
 namespace {
 
-constexpr double kMargin = 1e-6;  // shares of the grid's largest coordinate
+constexpr double kMargin = 1e-6;  // as a fraction of the grid's largest coordinate
 constexpr double kThinnestCell = 1e-4;
 constexpr double kFarAway = 100;
 constexpr double kMaxCellsPerBox = 64;
 constexpr double kMaxItemsPerBox = 64;
-constexpr double kSmallGrid = 1000;  // cells and items that need no reason
+constexpr double kSmallGrid = 1000;  // number of cells and items that is always permitted
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 double reachOf(const Bounds& bounds) { return largest(glm::max(glm::abs(bounds.min), glm::abs(bounds.max))); }
 
-// The edge of the cube, square or stretch that one of `count` boxes has for itself.
+// Returns the edge of the cube, square or interval that is the fraction of one of `count` boxes.
 double edgePerBox(const dvec3& extent, double thinnest, std::size_t count) {
   double logVolume = 0;
   int dimensions = 0;
@@ -134,7 +135,7 @@ GridWalk::GridWalk(const Grid& grid, const Ray& ray) : grid_(grid) {
     entry_ = std::max(entry_, ((d > 0 ? low : high) - o) / d);
     leave = std::min(leave, ((d > 0 ? high : low) - o) / d);
   }
-  // The margin is around all that can be hit: what rounding takes off the bounds holds nothing.
+  // The margin surrounds everything that can be hit: rounding only removes empty space from the bounds.
   inside_ = entry_ <= leave;
   if (!inside_) return;
   const dvec3 start = ray.at(entry_);

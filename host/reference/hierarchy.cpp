@@ -1,4 +1,4 @@
-// Boxes of primitives, and the hierarchy's construction.
+// Boxes of primitives, and the construction of the BVH.
 #include "host/reference/hierarchy.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ Bounds ofPoints(std::initializer_list<dvec3> points) {
 
 Bounds around(const dvec3& centre, const dvec3& halfSize) { return {centre - halfSize, centre + halfSize}; }
 
-// Of the circle with unit normal `axis`: it reaches radius * sin(angle between its axis and x) along x.
+// Returns the bounds of the circle with unit normal `axis`, which extends radius * sin(angle between axis and x) along
+// x.
 Bounds ofCircle(const dvec3& centre, const dvec3& axis, double radius) {
   return around(centre, radius * glm::sqrt(glm::max(dvec3(0), 1.0 - axis * axis)));
 }
@@ -67,7 +68,7 @@ class Builder {
 
   auto at(std::uint32_t place) { return result_.order.begin() + place; }
 
-  // Where the right half begins.
+  // Returns the start of the right half.
   std::uint32_t halve(const Node& node, std::uint32_t begin, std::uint32_t end) {
     const int axis = node.axis;
     const std::uint32_t middle = begin + (end - begin) / 2;
@@ -97,8 +98,8 @@ class Builder {
     return sum / (end - begin);
   }
 
-  // The box of a range, and the axis to split it across: that along which its centres lie farthest apart or, for the
-  // report, the longest of the box.
+  // Computes the box of a range, and the axis along which to split it: the axis with the largest extent of the centres
+  // or, for midpoint splits, of the box.
   Node summarize(std::uint32_t begin, std::uint32_t end) const {
     Node node;
     Bounds centres;

@@ -1,5 +1,5 @@
-// A bounding volume hierarchy over boxes in double precision, depth-first: halved at the median, or split by the rule
-// of the path-tracing report.
+// A binary BVH over boxes in double precision, stored depth-first. Nodes are halved at the median or split at the
+// midpoint.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -25,11 +25,12 @@ struct Bounds {
   }
 };
 
-/// The box of a primitive, widened by far more than a distance in double precision errs; none for a plane.
+/// Returns the box of a primitive, widened by far more than the errors of distances in double precision; nothing for a
+/// plane.
 std::optional<Bounds> boundsOf(const scene::Scene& scene, const scene::Primitive& primitive);
 
-/// A leaf has the items [first, first + count) of Hierarchy::order; an inner node (count 0) its near child behind it
-/// and the far one at `first`, where near and far are seen along `axis`.
+/// A leaf has the items [first, first + count) of Hierarchy::order. An interior node (count 0) is followed by its near
+/// child, and its far child is at `first`, where near and far refer to `axis`.
 struct Node {
   Bounds bounds;
   std::uint32_t first = 0;
@@ -40,17 +41,17 @@ struct Node {
 struct Hierarchy {
   static constexpr std::uint32_t kLeafSize = 4;
   static constexpr std::uint32_t kReportLeafSize = 2;
-  /// Of the report's rule; below it nodes are halved. Halving 2^32 items down to leaves takes 31 steps.
+  /// Maximum depth of midpoint splits; below it, nodes are halved. Halving 2^32 items down to leaves takes 31 steps.
   static constexpr std::uint32_t kReportDepth = 32;
   static constexpr std::uint32_t kMaxDepth = kReportDepth + 31;
 
-  std::vector<Node> nodes;  ///< the root first; empty where there are no items
+  std::vector<Node> nodes;  ///< the root first; empty if there are no items
   std::vector<std::uint32_t> order;
 };
 
-/// `order` becomes a permutation of the boxes' indices. BvhSplit::midpoint is the report's rule: at most two items a
-/// leaf, nodes split across the longest axis of their box at its centre; if all items' centres are on one side, at the
-/// mean of the centres; and if they still are, two items go to the left and the rest to the right.
+/// `order` becomes a permutation of the boxes' indices. BvhSplit::midpoint: at most two items per leaf; nodes are split
+/// perpendicular to the longest axis of their box at its centre; if all items' centres are on one side, at the mean of
+/// the centres; and if they still are, two items go to the left and the rest to the right.
 Hierarchy buildHierarchy(std::span<const Bounds> boxes, render::BvhSplit split = render::BvhSplit::sah);
 
 }  // namespace candela::reference

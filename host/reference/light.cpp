@@ -1,4 +1,4 @@
-// The sampling of spheres by solid angle and of triangles by area.
+// Samples spheres by solid angle and triangles by area.
 #include "host/reference/light.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace candela::reference {
 namespace {
 
-// How a sphere is sampled from `point`: the cap of directions that meet it, or all directions.
+// Sampling of a sphere from `point`: the cap of directions that hit it, or all directions.
 struct SphereView {
   bool wholeSphere;
   double capHeight;
@@ -47,7 +47,7 @@ std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec
   const double distance = length(toLight);
   if (distance == 0) return std::nullopt;
   const dvec3 wi = toLight / distance;
-  // Twice the area times the cosine; above 0 on the back.
+  // Twice the area times the cosine; > 0 on the back.
   const double projected = dot(wi, triangle_.areaNormal());
   if (projected == 0 || (oneSided_ && projected > 0)) return std::nullopt;
   const double pdf = 2 * distance * distance / std::abs(projected);

@@ -1,10 +1,11 @@
-// The kinds of light, which share one contract: docs/light-transport.md section 6. Every kind has
-//   sample(from, u)     a lit point as seen from a surface; nothing where the light sends it no light by these numbers
-//   pdf(ray, distance, probability)  density per solid angle with which sample(), from the origin of `ray`, finds what
-//                       the ray finds, its hit on the light at `distance` or the background, times the probability of
-//                       choosing this light; 0 where samples never find it
-//   power()             weight of the light in the table's choice, without a common unit for point lights and the
-//   others
+// The kinds of light, which have the same interface: docs/light-transport.md section 6. Every kind has
+//   sample(from, u)     a point of the light as seen from a surface; nothing if it does not illuminate the surface with
+//                       these numbers
+//   pdf(ray, distance, probability)  density per solid angle with which sample(), from the origin of `ray`, chooses
+//                       the direction of the ray, which hits the light at `distance` or sees the background, times the
+//                       probability of choosing this light; 0 if it is never sampled
+//   power()             weight of the light in the choice from the table; point lights and other lights have no common
+//                       unit
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -15,12 +16,12 @@
 
 namespace candela::reference {
 
-/// A lit point as seen from a surface.
+/// A point of a light as seen from a surface.
 struct LightSample {
   dvec3 wi;
   double distance;
-  dvec3 radiance;             ///< pi times the colour for a point light
-  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a point light, which only samples find
+  dvec3 radiance;             ///< pi times the colour if it is a point light
+  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a point light, which rays never hit
   std::uint32_t primitive;    ///< kNoPrimitive for a point light
 };
 
@@ -40,7 +41,7 @@ class SphereLight {
   std::uint32_t primitive_;
 };
 
-/// Emits from both sides, or from its front alone.
+/// Emits from both sides, or only from its front.
 class TriangleLight {
  public:
   TriangleLight(const scene::Triangle& triangle, const dvec3& radiance, std::uint32_t primitive, bool oneSided)
@@ -71,7 +72,7 @@ class PointLight {
   dvec3 colour_;
 };
 
-/// What rays that miss everything find. No samples are taken of it, and a power of 0 keeps it out of the table.
+/// The radiance of rays that hit nothing. It is not sampled, and its power of 0 excludes it from the table.
 class BackgroundLight {
  public:
   std::optional<LightSample> sample(const Surface&, const dvec2&) const { return std::nullopt; }

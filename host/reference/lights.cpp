@@ -1,4 +1,4 @@
-// The table's entries and thresholds.
+// Computes the entries and thresholds of the light table.
 #include "host/reference/lights.h"
 
 #include <algorithm>

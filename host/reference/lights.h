@@ -1,4 +1,4 @@
-// The table of the lights that paths sample explicitly: docs/light-transport.md section 6.
+// The table of the lights that are sampled: docs/light-transport.md section 6.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace candela::reference {
 
-/// An entry of the table and the probability of being chosen.
+/// An entry of the table, and the probability of choosing it.
 struct LightChoice {
   std::uint32_t entry;
   double probability;
@@ -21,19 +21,19 @@ class LightTable {
   /// Depends on `nextEventEstimation` and `oneSided` of the settings.
   LightTable(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// Whether there is a light of positive weight.
+  /// Returns whether there is a light of positive weight.
   bool canChoose() const { return !thresholds_.empty() && thresholds_.back() > 0; }
-  /// Upper bounds, exclusive, of the 24-bit numbers that choose each entry.
+  /// Exclusive upper bounds of the 24-bit numbers that choose each entry.
   const std::vector<std::uint32_t>& thresholds() const { return thresholds_; }
 
-  /// `word`: the random number of the light choice. Only where canChoose().
+  /// `word` is the random number of the light choice. Requires canChoose().
   LightChoice choose(std::uint32_t word) const;
-  /// Nothing where that light sends no light to `surface` by these numbers.
+  /// Returns nothing if the light does not illuminate `surface` with these numbers.
   std::optional<LightSample> sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const;
-  /// Density, per solid angle and times the choice's probability, with which light samples find the hit of `ray` on
-  /// `surface`; 0 if it is not in the table.
+  /// Returns the density, per solid angle and times the probability of the choice, with which light sampling chooses
+  /// the hit of `ray` on `surface`; 0 if the primitive is not in the table.
   double pdf(const Ray& ray, double distance, const Surface& surface) const;
-  /// The same for the background, which `ray` finds.
+  /// Returns this density for the background, which `ray` sees.
   double backgroundPdf(const Ray& ray) const;
 
  private:
@@ -49,7 +49,7 @@ class LightTable {
   std::uint32_t add(const Light& light);
   void computeThresholds();
   double probability(std::uint32_t entry) const;
-  /// Of `entry`, or 0 for kNoEntry.
+  /// Returns the density for `entry`, or 0 for kNoEntry.
   double pdfOf(std::uint32_t entry, const Ray& ray, double distance) const;
 
   std::vector<Entry> entries_;

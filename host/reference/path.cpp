@@ -10,7 +10,7 @@
 namespace candela::reference {
 namespace {
 
-// Veach 1997, exponent 2. `pdf` > 0.
+// Power heuristic with exponent 2 (Veach 1997). `pdf` > 0.
 double powerHeuristic(double pdf, double otherPdf) {
   const double ratio = otherPdf / pdf;
   return 1 / (1 + ratio * ratio);
@@ -38,12 +38,12 @@ struct PathTracer::Vertex {
   const Surface& surface;
   const Bsdf& bsdf;
   Frame frame;
-  dvec3 wo;  ///< in the frame
+  dvec3 wo;  ///< in the local frame
 
   Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection)
       : surface(at), bsdf(material), frame(at.shadingNormal), wo(frame.toLocal(-rayDirection)) {}
 
-  /// Whether `wi`, in world space, is on this side of the geometric normal, too.
+  /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
     const double cosine = dot(wi, surface.facingNormal);
     return side == Side::reflection ? cosine > 0 : cosine < 0;

@@ -18,15 +18,15 @@ class PathTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// What sample() computes for the same place, with all that led to it.
+  /// Computes what sample() computes for the same sample, and returns all intermediate results.
   render::PathTrace trace(const render::PixelSample& place) const;
 
  private:
-  /// The numbers of one path vertex, by the names of shaders/shared/dimensions.h.
+  /// The numbers of one path vertex, named as in shaders/shared/dimensions.h.
   struct VertexNumbers;
-  /// A surface with what its material's frame makes of it.
+  /// A surface with its material's frame.
   struct Vertex;
-  /// How a path goes on; `pdf` is none for a delta lobe. A weight of 0 ends it.
+  /// The continuation of a path; `pdf` is none for a delta lobe. A weight of 0 ends the path.
   struct Scattering {
     render::Lobe lobe = render::Lobe::none;
     dvec3 wi{0};
@@ -36,7 +36,7 @@ class PathTracer final : public PixelTracer {
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
-  /// The radiance that a ray without a hit finds, times its weight; `pdf` of the ray's direction.
+  /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf) const;
   dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
                  PathNotes& notes) const;

@@ -1,4 +1,4 @@
-// What is noted of a path while it is traced: its decisions, or all that it computes, or nothing.
+// Notes about a path while it is traced: its decisions, or all that it computes, or nothing.
 #pragma once
 #include <optional>
 
@@ -11,26 +11,26 @@
 
 namespace candela::reference {
 
-/// A tracer calls these in the order in which a path comes to them; they change nothing for it.
+/// A tracer calls these functions in the order of the path's computation. They do not affect it.
 class PathNotes {
  public:
-  /// Decisions into `record`, unless it is null.
+  /// Stores the decisions in `record`, unless it is null.
   explicit PathNotes(render::PathRecord* record) : record_(record) {}
-  /// Everything into `trace`.
+  /// Stores everything in `trace`.
   explicit PathNotes(render::PathTrace& trace) : trace_(&trace) {}
 
-  /// The ray of `depth` sets out; `pdf` as VertexTrace has it, `radiance` of the path before it.
+  /// The ray of `depth` starts; `pdf` as in VertexTrace, `radiance` of the path before it.
   void startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
                    const dvec3& radiance, SampleNumbers& numbers);
   void hit(const Hit& hit, const Surface& surface);
-  /// `radiance` times its weight.
+  /// `radiance` is already multiplied by its weight.
   void emission(const dvec3& radiance, double weight);
   void lightChoice(const LightChoice& choice);
-  /// `lightPdf` with the choice's probability.
+  /// `lightPdf` includes the probability of the choice.
   void shadowRay(const LightSample& light, double lightPdf, double bsdfPdf, bool occluded);
   void lit(double weight, const dvec3& radiance);
   void lobe(render::Lobe lobe);
-  /// Only for directions with which the path goes on.
+  /// Only for directions by which the path continues.
   void scattering(const render::ScatteringTrace& next);
   void roulette(double probability, bool survived);
   /// The path has ended with this radiance.
@@ -39,8 +39,8 @@ class PathNotes {
  private:
   render::PathRecord* record_ = nullptr;
   render::PathTrace* trace_ = nullptr;
-  render::VertexRecord* vertexRecord_ = nullptr;  ///< null: this vertex is not kept
-  render::VertexTrace* vertexTrace_ = nullptr;    ///< the same
+  render::VertexRecord* vertexRecord_ = nullptr;  ///< null: this vertex is not recorded
+  render::VertexTrace* vertexTrace_ = nullptr;    ///< null: this vertex is not recorded
 };
 
 }  // namespace candela::reference

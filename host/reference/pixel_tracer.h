@@ -1,4 +1,4 @@
-// What all integrators share: a camera ray for each sample of each pixel, and what it is traced through.
+// Common part of all integrators: the camera rays of samples, and the scene that they trace.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,26 +15,26 @@
 
 namespace candela::reference {
 
-/// A scene made ready to be rendered by one integrator. Threads share it.
+/// A scene prepared for rendering by one integrator. Threads share it.
 class PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
   PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings);
   virtual ~PixelTracer() = default;
 
-  /// Other random numbers for the samples to come.
+  /// Sets the seed of the following samples.
   void setSeed(std::uint32_t seed);
-  /// Moves the eye. Not while samples are traced.
+  /// Moves the camera. Must not be called while samples are traced.
   virtual void setCamera(const scene::Camera& camera);
 
-  /// The radiance that one sample of a pixel sees. `record`, unless null, takes what its path or tree decided.
+  /// Returns the radiance of one sample of a pixel. `record`, unless null, receives the decisions of its path or tree.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                render::PathRecord* record) const;
   const Tracing& tracing() const { return tracing_; }
 
  protected:
   const scene::Scene& scene() const { return scene_; }
-  /// All that an integrator knows of a material comes from here, and the surface point is all that it depends on.
+  /// The only source of what integrators know about a material. It depends on nothing but the surface point.
   const SurfaceMaterial& materialAt(const Surface& surface) const { return materials_[surface.material]; }
   SampleNumbers numbersOf(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex) const {
     return SampleNumbers(sampler_, x, y, sampleIndex);
@@ -44,7 +44,7 @@ class PixelTracer {
   }
 
  private:
-  /// What the integrator makes of a sample whose camera ray is `ray`.
+  /// Returns the integrator's value of a sample whose camera ray is `ray`.
   virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
                          render::PathRecord* record) const = 0;
 

@@ -1,4 +1,4 @@
-// Rays, and what they remember of where they start.
+// Rays, and their origin primitives.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -11,8 +11,8 @@ using glm::dvec3;
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// `direction` is a unit vector. A ray from a surface names the primitive that it leaves (docs/light-transport.md
-/// section 4); `leavingNormal` is the normal there as the primitive orients it, of use to boxes.
+/// `direction` is a unit vector. A ray from a surface stores its origin primitive (docs/light-transport.md section 4);
+/// `leavingNormal` is the normal there in the primitive's own orientation, which boxes need.
 struct Ray {
   dvec3 origin;
   dvec3 direction;

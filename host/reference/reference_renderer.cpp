@@ -1,4 +1,4 @@
-// Makes the reference tracer.
+// Creates the reference tracer.
 #include "host/reference/reference_renderer.h"
 
 #include "host/reference/reference_session.h"

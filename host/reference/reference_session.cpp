@@ -48,7 +48,7 @@ std::uint64_t badSampleCount(const image::Film& film) {
   return count;
 }
 
-// The result of `work`; memory that runs out is reported as such.
+// Returns the result of `work`. Running out of memory is reported as OutOfMemoryError.
 template <class Work>
 auto guarded(Work&& work) {
   try {
@@ -72,7 +72,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
     empty();
   });
   prepared_.seconds["build"] = watch.lap();
-  prepared_.seconds["structure"] = prepared_.seconds["build"];  // there is little else to prepare
+  prepared_.seconds["structure"] = prepared_.seconds["build"];  // nothing else takes long
   describeStructure(tracer_->tracing(), settings_, prepared_);
   statistics_ = prepared_;
 }

@@ -1,4 +1,4 @@
-// A scene made ready for the reference tracer, and the film that it renders.
+// A scene prepared for the reference tracer, and the film that it renders.
 #pragma once
 #include <memory>
 
@@ -31,7 +31,7 @@ class ReferenceSession final : public render::Session {
   image::Film film_;
   render::FilmCoverage coverage_;
   render::PathRecords paths_;
-  render::RenderStatistics prepared_;  ///< of preparation
+  render::RenderStatistics prepared_;  ///< statistics of the preparation
   render::RenderStatistics statistics_;
   std::uint64_t badSamplesLoaded_ = 0;
 };

@@ -8,7 +8,7 @@
 namespace candela::reference {
 namespace {
 
-constexpr std::uint32_t kKeySeed = 0x5f356495u;  // sets keys of permutations apart from numbers
+constexpr std::uint32_t kKeySeed = 0x5f356495u;  // separates the keys of permutations from random numbers
 constexpr std::uint32_t kMaxStrataPerSide = 256;
 
 constexpr std::uint32_t reverseBits(std::uint32_t x) {
@@ -54,7 +54,7 @@ std::uint32_t integerSquareRoot(std::uint32_t x) {
   return static_cast<std::uint32_t>(root);
 }
 
-// First of the 32-bit words in `stratum`: floor(stratum 2^32 / count); 2^32 for stratum == count.
+// Returns the first 32-bit word in `stratum`: floor(stratum 2^32 / count); 2^32 for stratum == count.
 std::uint64_t stratumStart(std::uint64_t stratum, std::uint64_t count) { return (stratum << 32) / count; }
 
 std::uint32_t permuteRound(std::uint32_t i, std::uint32_t mask, std::uint32_t key) {
@@ -78,11 +78,11 @@ std::uint32_t permuteRound(std::uint32_t i, std::uint32_t mask, std::uint32_t ke
   return i ^ (i >> 5);
 }
 
-// How a dimension is stratified: alone, or as one of two that share a key and an n x n grid.
+// How a dimension is stratified: alone, or as one of a pair that shares a key and an n x n grid.
 struct Stratification {
   bool paired = false;
   bool second = false;    // of the pair
-  std::uint32_t keySlot;  // slot of the pair's first dimension, or the own one
+  std::uint32_t keySlot;  // slot of the pair's first dimension, or its own
 };
 
 Stratification stratificationOf(std::uint32_t dimension) {
@@ -127,7 +127,7 @@ std::uint32_t owenPermutation(std::uint32_t x, std::uint32_t key) {
 }
 
 std::uint32_t sobolPoint(std::uint32_t index, std::uint32_t slot) {
-  if (slot == 0) return reverseBits(index);  // van der Corput
+  if (slot == 0) return reverseBits(index);  // the van der Corput sequence
   std::uint32_t point = 0;
   for (; index != 0; index &= index - 1) {
     point ^= kDirections[slot - 1][static_cast<std::size_t>(std::countr_zero(index))];

@@ -1,5 +1,5 @@
-// Random numbers as a function of seed, pixel, sample and dimension: docs/light-transport.md section 1. Integers only,
-// so that every executor agrees bit for bit.
+// Random numbers as a function of seed, pixel, sample and dimension: docs/light-transport.md section 1. All operations
+// are on integers, so that every device agrees bit for bit.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,30 +10,33 @@ namespace candela::reference {
 
 using Words = std::array<std::uint32_t, 4>;
 
-/// Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
+/// The hash pcg4d of Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
 Words pcg4d(Words v);
 
-/// The Laine-Karras permutation with Burley's constants: Owen scrambling of a word whose bits are reversed (Burley,
+/// The Laine-Karras permutation with Burley's constants: an Owen scramble of a word with reversed bits (Burley,
 /// "Practical Hash-based Owen Scrambling", JCGT 2020).
 std::uint32_t owenPermutation(std::uint32_t reversedBits, std::uint32_t key);
 
-/// Point `index` of Sobol dimension `slot` + 1, unscrambled, with the direction numbers of Joe and Kuo. `slot` in 0..3.
+/// Returns point `index` of Sobol dimension `slot` + 1, unscrambled, with the direction numbers of Joe and Kuo. `slot`
+/// in 0..3.
 std::uint32_t sobolPoint(std::uint32_t index, std::uint32_t slot);
 
-/// Place of `i` in the permutation `key` of 0 .. length-1 (Kensler, Pixar memo 13-01). 1 <= length, i < length.
+/// Returns the image of `i` under the permutation `key` of 0 .. length-1 (Kensler, Pixar memo 13-01). 1 <= length,
+/// i < length.
 std::uint32_t permute(std::uint32_t i, std::uint32_t length, std::uint32_t key);
 
-/// A word whose value / 2^32 is in [stratum / count, (stratum + 1) / count), at the place that `jitter` / 2^32 gives.
+/// Returns a word whose value / 2^32 is in [stratum / count, (stratum + 1) / count), at the fraction `jitter` / 2^32 of
+/// it.
 std::uint32_t jitterInStratum(std::uint32_t stratum, std::uint32_t count, std::uint32_t jitter);
 
-/// The word as a real number in [0, 1): its upper 24 bits.
+/// Returns the word as a real number in [0, 1): its upper 24 bits.
 inline double toUnit(std::uint32_t word) { return (word >> 8) * 0x1p-24; }
 
-/// What all samples of a render have in common.
+/// The parameters that all samples of a render share.
 class Sampler {
  public:
   Sampler(render::SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount);
-  /// The words of dimensions 4 * group .. 4 * group + 3.
+  /// Returns the words of dimensions 4 * group .. 4 * group + 3.
   Words group(std::uint32_t pixel, std::uint32_t sample, std::uint32_t group) const;
 
  private:
@@ -45,7 +48,7 @@ class Sampler {
   std::uint32_t strataPerSide_;
 };
 
-/// The numbers of one sample of one pixel. Keeps the words of the group asked for last.
+/// The numbers of one sample of one pixel. Caches the words of the last requested group.
 class SampleNumbers {
  public:
   SampleNumbers(const Sampler& sampler, std::uint32_t x, std::uint32_t y, std::uint32_t sample)

@@ -1,4 +1,4 @@
-// The maps.
+// Computes the mappings.
 #include "host/reference/sampling.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Maps from the unit square to shapes, and frames around a direction: docs/light-transport.md section 2.
+// Mappings of the unit square to shapes, and frames around a direction: docs/light-transport.md section 2.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-// Normals, geometric and interpolated.
+// Computes geometric and interpolated normals.
 #include "host/reference/surface.h"
 
 #include <array>
@@ -31,13 +31,14 @@ bool hasAttributes(const scene::Mesh& mesh) {
          !mesh.colours.empty();
 }
 
-// Where the ray meets a triangle of a mesh that has more than positions; nothing for other primitives.
+// Returns the barycentric coordinates at which the ray hits a triangle of a mesh that has more than positions; nothing
+// for other primitives.
 std::optional<dvec2> barycentricsOf(const scene::Scene& scene, const Ray& ray, const scene::Primitive& primitive) {
   if (primitive.kind != scene::PrimitiveKind::triangle || !hasAttributes(meshOf(scene, primitive))) return std::nullopt;
   return TriangleShape(triangleOf(scene, primitive)).barycentrics(ray);
 }
 
-// The mean of the vertex normals, of any length; 0 for triangles without.
+// Returns the weighted mean of the vertex normals, not normalised; 0 for triangles without normals.
 dvec3 interpolatedNormal(const scene::Scene& scene, const scene::Primitive& triangle, const dvec2& b) {
   if (!isSmooth(scene, triangle)) return dvec3(0);
   const scene::VertexNormals normals = vertexNormalsOf(scene, triangle);

@@ -1,4 +1,4 @@
-// The surface where a ray hit it: docs/light-transport.md section 4, normals.
+// The surface at a ray's hit: docs/light-transport.md section 4, normals.
 #pragma once
 #include "host/reference/mesh_attributes.h"
 #include "host/reference/ray.h"
@@ -8,16 +8,16 @@ namespace candela::reference {
 
 struct Surface {
   dvec3 position;
-  dvec3 outwardNormal;  ///< geometric, unit, as the primitive orients it
+  dvec3 outwardNormal;  ///< geometric, unit, in the primitive's own orientation
   dvec3 facingNormal;   ///< geometric, on the side of the ray's origin
   dvec3 shadingNormal;  ///< on the same side as facingNormal; not below the ray
-  bool fromOutside;     ///< the ray comes from where outwardNormal points
+  bool fromOutside;     ///< the ray arrives on the side of outwardNormal
   std::uint32_t primitive;
   std::uint32_t material;
-  MeshAttributes attributes{};  ///< 0 where the mesh gives none
+  MeshAttributes attributes{};  ///< 0 if the mesh has none
 };
 
-/// `hit` is a hit of `ray`.
+/// `hit` must be a hit of `ray`.
 Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit);
 
 }  // namespace candela::reference

@@ -1,4 +1,4 @@
-// The material at a point of a surface, as the integrators read it.
+// The material at a point of a surface, in the form that the integrators read.
 #pragma once
 #include "host/reference/bsdf.h"
 #include "host/scene/scene.h"

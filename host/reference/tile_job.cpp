@@ -1,4 +1,4 @@
-// Hands out tiles to threads.
+// Distributes tiles to threads.
 #include "host/reference/tile_job.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   }
 }
 
-// Tiles that were finished before are no progress.
+// Tiles that were finished before do not count as progress.
 void TileJob::reportProgress() {
   const std::uint64_t done = samplesDone_.load();
   if (!control_.progress || done == samplesReported_) return;

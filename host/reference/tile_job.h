@@ -1,4 +1,4 @@
-// Adds samples to a film: threads over tiles, one writer per pixel.
+// Adds samples to a film with several threads, each pixel by only one of them.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -9,21 +9,22 @@
 
 namespace candela::reference {
 
-/// Where the samples of a job go.
+/// The destination of a job's samples.
 struct JobOutput {
   image::Film& film;
-  std::uint32_t firstSample;   ///< index of the first sample that the film holds of each pixel
-  render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are kept
+  std::uint32_t firstSample;   ///< index of the first sample of each pixel in the film
+  render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
 };
 
-/// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. What it refers to must outlive it.
+/// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. The arguments that are references must outlive
+/// it.
 class TileJob {
  public:
   TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t sampleEnd, const render::RenderControl& control,
           JobOutput output);
 
-  /// Runs on `threads` threads, the calling one included, which alone reports progress, so that callbacks need not be
-  /// thread-safe. What they throw stops the other threads.
+  /// Runs on `threads` threads, including the calling one. Only the calling thread reports progress, so that callbacks
+  /// need not be thread-safe. An exception that a callback throws stops the other threads.
   Counters run(std::uint32_t threads);
   bool wasInterrupted() const { return interrupted_; }
 

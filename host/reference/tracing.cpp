@@ -1,4 +1,4 @@
-// Traversal: brute force, through the hierarchy, and through the grid.
+// Intersects rays by brute force, through the BVH, and through the grid.
 #include "host/reference/tracing.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace candela::reference {
 namespace {
 
-// A distance and the distance to a box that has it may err in opposite directions.
+// The computed distances of a hit and of the box that contains it may have errors of opposite sign.
 constexpr double kSlack = 1 + 1e-12;
 
 dvec3 inverseOf(const dvec3& direction) {
@@ -125,8 +125,8 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
   return kNoHit;
 }
 
-// Calls visit(item, its distance) for the items that a ray may meet before `limit`, which visits may lower; ends early
-// where visit returns true.
+// Calls visit(item, distance of its box) for the items that a ray may hit before `limit`, which `visit` may reduce.
+// Ends when `visit` returns true.
 template <class Visit>
 void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
   if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
@@ -161,7 +161,8 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
   return false;
 }
 
-// What is hit within a cell stands in it; so nothing nearer is left once the nearest hit lies before the cell's exit.
+// A hit within a cell belongs to an item of the cell. Therefore the closest hit is final once it is before the exit
+// from the cell.
 template <class Visit>
 bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
   for (GridWalk walk(grid_, ray); walk.isInside(); walk.advance()) {

@@ -1,4 +1,4 @@
-// What a ray meets in a scene: all primitives one after the other, or through a hierarchy or a grid.
+// Intersections of rays with a scene: by a linear list of all primitives, or through a BVH or a grid.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -29,15 +29,15 @@ struct Counters {
 
 class Tracing {
  public:
-  /// So few primitives need no hierarchy of the default kind; other structures are built for any number.
+  /// The default BVH is not built for this number of primitives or fewer. Other structures are built for any number.
   static constexpr std::size_t kBruteForceLimit = 32;
 
-  /// Of `settings`, `accel`, what belongs to it, and `oneSided` count. The scene must outlive the object.
+  /// Uses `accel` of `settings` with its options, and `oneSided`. The scene must outlive the object.
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// The nearest hit; of equal distances that of the lower primitive index.
+  /// Returns the closest hit; of equal distances that of the lower primitive index.
   Hit closest(const Ray& ray, Counters& counters) const;
-  /// Whether a primitive other than `light` is hit nearer than `distance`.
+  /// Returns whether a primitive other than `light` is hit before `distance`.
   bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const;
 
   bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
@@ -46,7 +46,7 @@ class Tracing {
   const Grid& grid() const { return grid_; }
 
  private:
-  /// A primitive to be tested: `shape` is an index into the shapes of its kind.
+  /// A primitive to test. `shape` is an index into the shapes of its kind.
   struct Item {
     scene::PrimitiveKind kind;
     bool oneSided;
@@ -63,8 +63,8 @@ class Tracing {
   template <class Visit>
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
-  std::vector<Item> items_;       ///< in the structure's order, then those outside of it
-  std::size_t firstOutside_ = 0;  ///< the first of the latter
+  std::vector<Item> items_;       ///< in the structure's order, then those outside of the structure
+  std::size_t firstOutside_ = 0;  ///< index of the first item outside of the structure
   std::vector<SphereShape> spheres_;
   std::vector<TriangleShape> triangles_;
   std::vector<BoxShape> boxes_;

@@ -1,4 +1,4 @@
-// One camera ray a sample, and for ambient occlusion one more.
+// Traces one camera ray per sample, and one more for ambient occlusion.
 #include "host/reference/views.h"
 
 #include "host/reference/sampling.h"
@@ -18,7 +18,7 @@ dvec3 indexColour(std::uint32_t primitive) {
   return {channel(words[0]), channel(words[1]), channel(words[2])};
 }
 
-// With the orientation of the primitive, whichever side is seen.
+// Returns the shading normal in the primitive's own orientation, whichever side is seen.
 dvec3 ownShadingNormal(const Surface& surface) {
   return surface.fromOutside ? surface.shadingNormal : -surface.shadingNormal;
 }

@@ -1,4 +1,4 @@
-// Pictures of what the camera rays meet: docs/light-transport.md section 10.
+// Pictures of what camera rays hit: docs/light-transport.md section 10.
 #pragma once
 #include <optional>
 
@@ -9,7 +9,7 @@
 
 namespace candela::reference {
 
-/// Every integrator for which isView() holds.
+/// Tracer for every integrator for which isView() is true.
 class ViewTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
@@ -21,7 +21,7 @@ class ViewTracer final : public PixelTracer {
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
   dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
                 render::VertexRecord& record) const;
-  /// Whether the ambient occlusion ray of this sample meets nothing.
+  /// Returns whether the ambient occlusion ray of this sample hits nothing.
   bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record) const;
 
   render::Integrator view_;

@@ -1,4 +1,4 @@
-// A recursion over the tree of rays: each ray returns what it sees.
+// Recurses over the tree of rays: each call returns the radiance of its ray.
 #include "host/reference/whitted.h"
 
 #include <cmath>

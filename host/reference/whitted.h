@@ -1,4 +1,4 @@
-// Whitted's ray tracer: docs/light-transport.md section 9.
+// The Whitted ray tracer: docs/light-transport.md section 9.
 #pragma once
 #include <vector>
 
@@ -19,11 +19,11 @@ class WhittedTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  /// What all rays of one sample share.
+  /// State that all rays of one sample share.
   struct SampleState;
-  /// A ray and its place in the tree.
+  /// A ray and its position in the tree.
   struct Node;
-  /// A ray that goes on; a factor of 0: there is none.
+  /// A spawned ray. If the factor is 0, there is none.
   struct Branch {
     dvec3 direction{0};
     double factor = 0;

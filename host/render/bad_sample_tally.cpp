@@ -3,7 +3,7 @@
 
 namespace candela::render {
 
-// Whether the pixel had no bad sample before.
+// Marks the pixel as bad. Returns whether it had no bad sample before.
 bool BadSampleTally::note(std::size_t pixel, std::size_t pixelCount) {
   isBad_.resize(pixelCount);
   if (isBad_[pixel]) return false;

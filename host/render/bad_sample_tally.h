@@ -1,4 +1,4 @@
-// Keeps count of the samples that films could not hold, over one render or many, and of where they fell.
+// Counts the samples that films could not store, over one render or many, and the pixels in which they occurred.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace candela::render {
 
-/// A pixel of one render in which samples were bad: see FilmPixel::badCount.
+/// A pixel of one render with bad samples: see FilmPixel::badCount.
 struct BadPixel {
   std::uint32_t x = 0, y = 0;
   std::uint32_t badCount = 0;     ///< in that render
-  std::uint32_t firstSample = 0;  ///< index of the lowest
-  std::uint32_t seed = 0;         ///< of that render, as its number of samples
+  std::uint32_t firstSample = 0;  ///< index of the first bad sample
+  std::uint32_t seed = 0;         ///< of that render, which determines its samples
   std::uint32_t sampleCount = 0;
 
   bool operator==(const BadPixel&) const = default;
 };
 
-/// All renders that are added must be of one size.
+/// All renders that are added must have the same size.
 class BadSampleTally {
  public:
   static constexpr std::size_t kPixelsKept = 5;
@@ -31,9 +31,9 @@ class BadSampleTally {
   void add(const BadSampleTally& later);
 
   std::uint64_t samples() const { return samples_; }
-  /// Pixels with bad samples, each counted once however many renders it was bad in.
+  /// Number of pixels with bad samples. A pixel counts once, however many renders it was bad in.
   std::uint64_t pixels() const { return pixels_; }
-  /// The first of them, at most kPixelsKept: by render, then row by row from the top.
+  /// The first of these pixels, at most kPixelsKept: by render, then row by row from the top.
   const std::vector<BadPixel>& firstPixels() const { return firstPixels_; }
 
  private:
@@ -42,7 +42,7 @@ class BadSampleTally {
   std::uint32_t width_ = 0;  ///< of the images
   std::uint64_t samples_ = 0;
   std::uint64_t pixels_ = 0;
-  std::vector<bool> isBad_;  ///< by pixel; empty while there is none
+  std::vector<bool> isBad_;  ///< by pixel; empty while no pixel is bad
   std::vector<BadPixel> firstPixels_;
 };
 

@@ -1,4 +1,4 @@
-// A size in pixels or lanes.
+// A size in pixels or invocations.
 #pragma once
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ struct Extent {
   bool operator==(const Extent&) const = default;
 };
 
-/// E.g. "512x384".
+/// Returns for example "512x384".
 inline std::string extentText(const Extent& extent) { return fmt::format("{}x{}", extent.width, extent.height); }
 
 }  // namespace candela::render

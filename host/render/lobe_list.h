@@ -1,4 +1,4 @@
-// The list of the lobes of materials. It is here and not with the shaders, which read it as well, because the reference
+// The list of the lobes of materials. The shaders read it as well, but it is in this folder because the reference
 // tracer includes nothing of the shaders.
 #ifndef CANDELA_RENDER_LOBE_LIST_H
 #define CANDELA_RENDER_LOBE_LIST_H

@@ -1,5 +1,5 @@
-// What a path (or a tree of rays, in the order of its nodes) decided at each of its first vertices, so that those of
-// two tracers can be held against each other.
+// The decisions of a path (or of a tree of rays, in the order of its nodes) at each of its first vertices, for the
+// comparison of two tracers.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,16 +17,16 @@ enum class Lobe : std::uint8_t {
 };
 enum class ShadowOutcome : std::uint8_t { notTraced, visible, occluded };
 
-/// One path vertex. `primitive` is the primitive index (place in Scene::primitives), or kMiss.
+/// One path vertex. `primitive` is the index in Scene::primitives, or kMiss.
 struct VertexRecord {
   static constexpr std::uint32_t kMiss = 0xffffffffu;
   static constexpr std::uint32_t kRecordedLights = 14;
   std::uint32_t primitive = kMiss;
-  Lobe lobe = Lobe::none;  ///< that continued the path; none: it ended before the choice
+  Lobe lobe = Lobe::none;  ///< by which the path continued; none: it ended before the choice
   ShadowOutcome shadow = ShadowOutcome::notTraced;
   bool survivedRoulette = true;  ///< false only where roulette ended the path
-  /// Whitted's tracer: bit i mod kRecordedLights flips for every point light i that lights the vertex; `shadow` is then
-  /// `occluded` if any light is.
+  /// Whitted tracer: bit i mod kRecordedLights flips for every point light i that illuminates the vertex; `shadow` is
+  /// then `occluded` if any light is.
   std::uint16_t visibleLights = 0;
   bool operator==(const VertexRecord&) const = default;
 };

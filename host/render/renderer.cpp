@@ -1,4 +1,4 @@
-// Rendering in one go, for callers who need no session.
+// Rendering in one call, for callers that need no session.
 #include "host/render/renderer.h"
 
 namespace candela::render {

@@ -1,4 +1,4 @@
-// The one interface of both tracers: a scene and settings in, a session out.
+// The interface of both tracers. It turns a scene and settings into a session.
 #pragma once
 #include <memory>
 
@@ -9,21 +9,23 @@ namespace candela::render {
 struct RenderResult {
   image::Film film;
   RenderStatistics statistics;
-  bool interrupted = false;  ///< stopped early by `RenderControl::stop`; the film holds the samples that were finished
+  bool interrupted = false;  ///< stopped early by `RenderControl::stop`; the film contains the samples that were
+                             ///< finished
   PathRecords paths;         ///< empty unless ExecutionSettings::recordPaths
 };
 
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  /// Makes everything that rendering `scene` takes. The scene, which has a camera, must outlive the session; the
-  /// renderer need not. Throws NoDeviceError, DeviceLostError, OutOfMemoryError, FileError (a size beyond the device's
-  /// limits) and UsageError (a workgroup or kernel that the device or the integrator does not have).
+  /// Prepares everything that is needed to render `scene`. The scene, which must have a camera, must outlive the
+  /// session; the renderer need not. Throws NoDeviceError, DeviceLostError, OutOfMemoryError, FileError (if the size
+  /// exceeds the device's limits) and UsageError (if the device or the integrator does not support the workgroup or the
+  /// kernel).
   virtual std::unique_ptr<Session> prepare(const scene::Scene& scene, const RenderSettings& settings) = 0;
 
-  /// Renders the whole image in one go: prepares a session, adds all samples and takes its film.
+  /// Renders the whole image: prepares a session, adds all samples and returns its film.
   RenderResult render(const scene::Scene& scene, const RenderSettings& settings, const RenderControl& control);
-  /// Prepares a session and traces one sample again: see Session::replay().
+  /// Prepares a session and traces one sample: see Session::replay().
   Replay replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample);
 };
 

@@ -1,4 +1,4 @@
-// Completes a request by the scene's wishes and the defaults.
+// Completes a request by the scene's settings and the defaults.
 #include "host/render/request.h"
 
 namespace candela::render {

@@ -1,4 +1,4 @@
-// What somebody asks of a render, before the scene's own wishes and the defaults complete it.
+// A request for a render, which the scene's own settings and the defaults complete.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -21,8 +21,8 @@ struct RenderRequest {
 /// The number of samples per pixel that `request` and `scene` ask for; 0 as above.
 std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene);
 
-/// The settings of a render of `scene`, which has a camera. A search structure that only the scene asks for is a
-/// preference: see StructureSettings::accelIsPreference.
+/// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene
+/// requests is a preference: see StructureSettings::accelIsPreference.
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
 
 }  // namespace candela::render

@@ -1,4 +1,4 @@
-// A scene that is ready to be rendered: search structure, buffers and pipelines are made once and kept.
+// A scene that is ready to be rendered. The acceleration structure, buffers and pipelines are created once and reused.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -18,50 +18,52 @@ struct SampleRange {
   std::uint32_t end = 0;
 };
 
-/// How a caller watches and stops a session while it traces.
+/// Functions by which a caller watches and stops a session while it traces.
 struct RenderControl {
   const std::atomic<bool>* stop = nullptr;  ///< polled between dispatches or tiles
-  /// May be empty; called often, with the share of the range that is finished and the samples finished in it.
+  /// May be empty. It is called often, with the fraction of the range that is finished and the number of samples
+  /// finished in it.
   std::function<void(double fraction, std::uint64_t samplesDone)> progress;
 };
 
-/// One sample, traced again.
+/// One sample that was traced again.
 struct Replay {
   PathTrace path;
   RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
 };
 
-/// Renders one scene with fixed settings, in as many steps as the caller likes. The film is the same, bit for bit,
-/// however the samples are split into ranges, and whether or not a range was stopped and taken up again.
-///
-/// Every member may throw DeviceLostError, OutOfMemoryError or InternalError; after DeviceLostError the session is of
-/// no use.
+/// Renders one scene with fixed settings, in any number of steps. The film is the same, bit for bit, however the
+/// samples are split into ranges, and whether or not a range was stopped and continued.
+/// Every member function may throw DeviceLostError, OutOfMemoryError or InternalError. After DeviceLostError the
+/// session cannot be used.
 class Session {
  public:
   virtual ~Session() = default;
 
-  /// Adds the samples of `range` that a pixel does not have yet to the film. In each pixel the film holds consecutive
-  /// samples: `range` starts at or before the first sample that is missing anywhere, unless the film is empty; its end
-  /// is at most ImageSettings::sampleCount. Returns false if `control` stopped it; the film then holds the samples that
-  /// were finished, and a later call with the same range completes them. Throws UsageError for any other range.
+  /// Adds those samples of `range` to the film that a pixel does not have yet. The samples of each pixel in the film
+  /// are consecutive: `range` starts at or before the first sample that any pixel lacks, unless the film is empty; its
+  /// end is at most ImageSettings::sampleCount. Returns false if `control` stopped it; the film then contains the
+  /// samples that were finished, and a later call with the same range completes them. Throws UsageError for any other
+  /// range.
   virtual bool advance(SampleRange range, const RenderControl& control) = 0;
-  /// The film so far.
+  /// Returns the film so far.
   virtual image::Film film() = 0;
-  /// Empties the film and starts over with other random numbers.
+  /// Empties the film and starts again with other random numbers.
   virtual void reset(std::uint32_t seed) = 0;
-  /// Empties the film and moves the eye; nothing but what depends on the camera is computed again. The image keeps its
-  /// size; the film then equals that of a session prepared with this camera.
+  /// Empties the film and moves the camera. Only what depends on the camera is computed again. The image size stays the
+  /// same; the film then equals that of a session prepared with this camera.
   virtual void setCamera(const scene::Camera& camera) = 0;
-  /// Continues from a film of the same scene, settings and seed that holds samples first, first + 1, ... of each pixel,
-  /// as many as its sampleCount says. Throws UsageError if its size differs or a pixel has more samples than there are.
+  /// Continues from a film of the same scene, settings and seed whose pixels each contain the samples first, first + 1,
+  /// ..., sampleCount of them. Throws UsageError if its size differs, or if a pixel would have samples beyond
+  /// ImageSettings::sampleCount.
   virtual void load(const image::Film& film, std::uint32_t first = 0) = 0;
 
-  /// Counts and times since the session was prepared or reset; those of preparation stay.
+  /// Returns counts and times since the session was prepared or reset. Those of the preparation are included.
   virtual RenderStatistics statistics() = 0;
-  /// One record per pixel; empty unless ExecutionSettings::recordPaths.
+  /// Returns one record per pixel; empty unless ExecutionSettings::recordPaths.
   virtual PathRecords paths() = 0;
-  /// Traces one sample again, which adds nothing to the film: the sample that advance() adds, bit for bit. The
-  /// integrator is Integrator::path; the pixel lies within the image.
+  /// Traces one sample again, without adding it to the film. It is the sample that advance() adds, bit for bit. The
+  /// integrator must be Integrator::path, and the pixel must be within the image.
   virtual Replay replay(const PixelSample& sample) = 0;
 };
 

@@ -1,5 +1,5 @@
-// The settings of a render, in three types: one decides the image, one the search structure, one how the work is
-// executed.
+// The settings of a render, in three types: one determines the image, one the acceleration structure, one how the work
+// is executed.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,82 +10,83 @@
 namespace candela::render {
 
 enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
-/// Whether an integrator shows something of what camera rays meet: docs/light-transport.md section 10.
+/// Returns whether an integrator shows a property of what camera rays hit: docs/light-transport.md section 10.
 constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
 
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
 enum class LensKind { disc, square };
-/// Where rays go that are not jittered: through pixels' centres, or through the corners of a grid of one pixel less.
+/// Points through which camera rays pass without jitter: the centres of pixels, or the corners of a grid of (width - 1)
+/// x (height - 1) cells.
 enum class PixelOrigin { centre, corner };
 enum class AccelKind { none, grid, bvh };
-/// How a BVH's nodes are split: by the surface area heuristic, or in the middle, as the path-tracing report does.
+/// How the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis.
 enum class BvhSplit { sah, midpoint };
-/// How much work building by the surface area heuristic takes: a coarse build, the standard one, or that and a search
-/// for better places of all nodes.
+/// Effort of a build by the surface area heuristic: coarse; standard; or standard with a search for better positions of
+/// all nodes.
 enum class BuildQuality { fast, standard, high };
-/// Nodes of a BVH on the device: two children with single-precision boxes, or eight with quantised ones; automatic: as
+/// Nodes of a BVH on the device: binary with single-precision boxes, or 8-wide with quantised boxes. automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
-/// How the device reads the scene: one way for certain, or the way that AutomaticChoices names, where the scene fits so
-/// (automatic).
+/// Buffer type through which the device reads the scene. automatic: as AutomaticChoices says, if the scene fits.
 enum class SceneLoads { automatic, texel, storage };
-/// How a device traces paths: each to its end by one lane, or all a segment at a time, stage by stage; automatic: as
-/// AutomaticChoices says. Other integrators have one kernel each.
+/// How a device traces paths: one invocation traces a path to its end, or each stage of a segment is a kernel of its
+/// own. automatic: as AutomaticChoices says. Other integrators have one kernel each.
 enum class KernelKind { automatic, megakernel, wavefront };
 
-/// What options stand for that are left to Candela. The default is what is built in, from docs/performance.md.
+/// The values of options that are left to Candela. The defaults are built in; docs/performance-journal.md, section
+/// "Experiments", has their measurements.
 struct AutomaticChoices {
-  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< one of both; midpoint splits have a rule of their own
-  SceneLoads sceneLoads = SceneLoads::texel;   ///< one of both; where the scene does not fit, the other
-  Extent workgroup{8, 8};                      ///< one that every device has
-  KernelKind kernel = KernelKind::megakernel;  ///< one of both
+  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< not automatic; midpoint splits have a rule of their own
+  SceneLoads sceneLoads = SceneLoads::texel;   ///< not automatic; if the scene does not fit, the other one
+  Extent workgroup{8, 8};                      ///< supported by every device
+  KernelKind kernel = KernelKind::megakernel;  ///< not automatic
   std::string origin = "built-in";             ///< for reports
 
   bool operator==(const AutomaticChoices&) const = default;
 };
 
-/// Whitted's tree of rays is at most so deep: a node's number indexes random dimensions.
+/// Maximum depth of the Whitted tracer's tree of rays, because a node's index is a factor in the random dimensions.
 inline constexpr std::uint32_t kMaxTreeDepth = 20;
 
-/// Of a command line that does not say.
+/// Default of the maximum depth on the command line.
 constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 
-/// Everything that decides the image. Two renders of one scene with equal ImageSettings have equal films, bit for bit,
-/// on one device, whatever the other settings (but Integrator::cost shows the search structure).
+/// Everything that determines the image. Two renders of one scene with equal ImageSettings have equal films, bit for
+/// bit, on one device, whatever the other settings are (except that Integrator::cost shows the acceleration structure).
 struct ImageSettings {
   Extent size;                     ///< pixels, each in [1, 65535]
-  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total, in however many parts it is rendered
+  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
   std::uint32_t seed = 0;
-  std::uint32_t
-      maxDepth = 64;  ///< maximum length of a path, in rays; the camera ray is 1. Whitted: at most kMaxTreeDepth
-  std::uint32_t rouletteStart = 4;  ///< the first path vertices, so many, are exempt from Russian roulette
+  /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
+  std::uint32_t maxDepth = 64;
+  std::uint32_t rouletteStart = 4;  ///< number of path vertices before Russian roulette starts
   Integrator integrator = Integrator::path;
-  std::optional<float>
-      aoDistance;  ///< maximum length of `ao`'s rays in units of the scene, > 0; absent: |from - at| / 4
+  std::optional<float> aoDistance;  ///< maximum length of `ao` rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   PixelOrigin pixelOrigin = PixelOrigin::centre;
   bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
-  float lightSize = 0;       ///< side of the squares that point lights become, >= 0; Whitted only
+  float lightSize = 0;       ///< side of the squares that replace point lights, >= 0; Whitted only
   bool oneSided = false;     ///< hits on the back of triangles and planes with T = 0 are ignored
 
-  /// Whether camera rays are distributed by the pixel filter; otherwise they pass through the pixels' origins.
+  /// Returns whether the pixel filter distributes the camera rays; otherwise they pass through the pixels' origins.
   bool jittersPixels() const { return antialiasing && (integrator == Integrator::path || sampleCount > 1); }
 
   bool operator==(const ImageSettings&) const = default;
 };
 
-/// The search structure. It changes no bit of the image (except Integrator::cost).
+/// The acceleration structure. It changes no bit of the image (except with Integrator::cost).
 struct StructureSettings {
   AccelKind accel = AccelKind::bvh;
-  /// Whether `accel` is a preference: a device that cannot test all primitives of a scene one by one uses a BVH in
-  /// place of AccelKind::none, and says so in RenderStatistics::warnings, instead of throwing.
+  /// Whether `accel` is a preference. If it is AccelKind::none and the device cannot test all primitives of the scene
+  /// sequentially, a preference is replaced by a BVH, with a sentence in RenderStatistics::warnings. Otherwise an
+  /// exception is thrown.
   bool accelIsPreference = false;
   BvhSplit bvhSplit = BvhSplit::sah;
-  BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah alone
+  BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah only
   BvhLayout bvhLayout = BvhLayout::automatic;
   float gridDensity = 2;  ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
 

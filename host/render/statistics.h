@@ -10,14 +10,14 @@
 
 namespace candela::render {
 
-/// Rays of Whitted's tracer by kind.
+/// Rays of the Whitted tracer by kind.
 struct TreeRays {
   std::uint64_t cameraHits = 0;  ///< camera rays that hit a primitive
   std::uint64_t reflected = 0;   ///< by mirrors and by glass
   std::uint64_t refracted = 0;
 };
 
-/// The name of a search structure as on the command line: "none", "grid" or "bvh".
+/// Returns the name of an acceleration structure as on the command line: "none", "grid" or "bvh".
 constexpr const char* structureName(AccelKind accel) {
   switch (accel) {
     case AccelKind::none:
@@ -34,36 +34,36 @@ constexpr const char* structureName(AccelKind accel) {
 struct RenderStatistics {
   std::string device;                     ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
   std::string driver;                     ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
-  AccelKind structure = AccelKind::none;  ///< in use; a tree of one leaf is a BVH, too
-  std::string bvhSplit;                   ///< "sah", "midpoint", or "median", the reference's own; empty without a BVH
-  std::string bvhQuality;                 ///< "fast", "default" or "high"; empty but for a device's BVH by SAH
-  std::string layout;  ///< of a BVH's nodes: "bvh2" or "cwbvh"; "row": none, the scene is small; else empty
-  std::string kernel;  ///< "megakernel", "wavefront", "whitted", "views" or "reference"
-  Extent workgroup{};  ///< in use; 0x0 for the reference
-  Extent tile{};       ///< largest region of one dispatch
+  AccelKind structure = AccelKind::none;  ///< in use; a BVH of one leaf is a BVH, too
+  std::string bvhSplit;    ///< "sah", "midpoint", or "median" (the reference's own rule); empty without a BVH
+  std::string bvhQuality;  ///< "fast", "default" or "high"; empty unless a device's BVH is built by SAH
+  std::string layout;      ///< of a BVH's nodes: "bvh2" or "cwbvh"; "row": none, the scene is small; else empty
+  std::string kernel;      ///< "megakernel", "wavefront", "whitted", "views" or "reference"
+  Extent workgroup{};      ///< in use; 0x0 for the reference
+  Extent tile{};           ///< maximum region of one dispatch
   std::uint32_t maxSegmentsPerDispatch = 0;
   std::uint32_t threads = 0;          ///< of the reference
   std::string sceneLoads;             ///< "texel" or "storage"
   std::string automaticOrigin;        ///< AutomaticChoices::origin; empty for the reference
-  std::vector<std::string> warnings;  ///< choices that the session made against a preference, one sentence each
+  std::vector<std::string> warnings;  ///< one sentence for each preference that the session could not follow
 
   std::uint64_t samples = 0;  ///< pixel samples finished
   std::uint64_t cameraRays = 0;
-  std::uint64_t bounceRays = 0;  ///< all but camera and shadow rays
+  std::uint64_t bounceRays = 0;  ///< all rays except camera and shadow rays
   std::uint64_t shadowRays = 0;
-  std::optional<TreeRays> treeRays;  ///< of Whitted's tracer
+  std::optional<TreeRays> treeRays;  ///< of the Whitted tracer
   std::uint64_t vertices = 0;        ///< surface hits of camera and bounce rays
   std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
-  std::uint64_t truncated = 0;       ///< loops that ended before their work was done; anything but 0 is an error
-  std::uint64_t badSamples = 0;      ///< samples that were not finite or beyond the film's range
+  std::uint64_t truncated = 0;   ///< loops that ended before their work was done; any other value than 0 is an error
+  std::uint64_t badSamples = 0;  ///< samples that were not finite or beyond the film's range
 
   std::uint64_t rays() const { return cameraRays + bounceRays + shadowRays; }
 
   std::map<std::string, double>
       seconds;  ///< by phase: parse, build, structure (part of build), upload, pipeline, trace, readBack
-  std::vector<double> dispatchSeconds;             ///< of each dispatch but the warm-up
+  std::vector<double> dispatchSeconds;             ///< of each dispatch except the warm-up
   std::map<std::string, double> structureQuality;  ///< e.g. sahCost, depth, nodes, leaves
-  std::uint64_t deviceBytes = 0;                   ///< device memory that the session's buffers take
+  std::uint64_t deviceBytes = 0;                   ///< device memory of the session's buffers
 };
 
 }  // namespace candela::render

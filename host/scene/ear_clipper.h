@@ -35,8 +35,8 @@ class EarClipper {
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> previous_, next_;
   std::vector<bool> linked_;
-  std::vector<std::uint32_t>
-      reflex_;  ///< reflex vertices at the last full search: clipping ears makes no new ones, and only they block ears
+  /// Reflex vertices at the last full search. Clipping ears makes no new ones, and only they block ears.
+  std::vector<std::uint32_t> reflex_;
   std::vector<std::uint32_t> queue_;  ///< vertices that may be ears; read from the front
   std::size_t queueFront_ = 0;
   std::size_t remaining_ = 0;

@@ -1,4 +1,4 @@
-// Reads a scene file and hands it to the loader of its format.
+// Reads a scene file and passes it to the loader of its format.
 #include "host/scene/load.h"
 
 #include "host/scene/loader.h"

@@ -11,7 +11,7 @@
 namespace candela::scene {
 namespace {
 
-/// In lower case.
+/// Returns the extension in lower case.
 std::string extensionOf(const std::string& fileName) {
   std::string extension = std::filesystem::path(fileName).extension().string();
   std::ranges::transform(extension, extension.begin(),

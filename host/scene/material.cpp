@@ -1,3 +1,4 @@
+// Queries of materials.
 #include "host/scene/material.h"
 
 namespace candela::scene {

@@ -1,5 +1,6 @@
-// How surfaces scatter and emit light, for the path tracer and for Whitted's: docs/light-transport.md sections 5 and 9.
-// Every file format has one function that makes this of its own statements (nff_material.h); tracers know nothing else.
+// How surfaces scatter and emit light, for the path tracer and for the Whitted tracer: docs/light-transport.md sections
+// 5 and 9. Every file format has one function that derives a material from its own statements (nff_material.h); tracers
+// use nothing else.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -7,7 +8,7 @@
 
 namespace candela::scene {
 
-/// Lambert's.
+/// Lambertian reflection.
 struct DiffuseLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
@@ -15,7 +16,7 @@ struct DiffuseLobe {
   bool operator==(const DiffuseLobe&) const = default;
 };
 
-/// Blinn-Phong, with the masking of Torrance and Sparrow.
+/// Blinn-Phong, with Torrance and Sparrow's shadowing and masking.
 struct GlossyLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
@@ -28,7 +29,7 @@ struct GlossyLobe {
 struct DielectricLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
-  float ior = 1;  ///< > 0, of the inside by that of the outside
+  float ior = 1;  ///< > 0, index of the inside relative to the outside
 
   bool operator==(const DielectricLobe&) const = default;
 };
@@ -39,10 +40,10 @@ struct MirrorLobe {
   bool operator==(const MirrorLobe&) const = default;
 };
 
-/// The rays that Whitted's integrator spawns at a surface.
+/// The rays that the Whitted tracer spawns at a surface.
 enum class WhittedKind : std::uint8_t { opaque, mirror, glass };
 
-/// The coefficients of Whitted's integrator.
+/// The coefficients of the Whitted tracer.
 struct WhittedMaterial {
   WhittedKind kind = WhittedKind::opaque;
   glm::vec3 diffuse{1, 1, 1};
@@ -51,7 +52,7 @@ struct WhittedMaterial {
   glm::vec3 specular{1, 1, 1};
   float ks = 0;     ///< highlights of point lights, and the factor of a mirror
   float shine = 1;  ///< exponent of the highlights, >= 0
-  float ior = 1;    ///< > 0 where `kind` is glass
+  float ior = 1;    ///< > 0 if `kind` is glass
 
   bool operator==(const WhittedMaterial&) const = default;
 };
@@ -70,7 +71,7 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// True if the material emits at all.
+/// Returns whether the material emits.
 inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }

@@ -1,4 +1,4 @@
-// How much memory a scene takes up.
+// Computes the memory of a scene from the sizes of its arrays.
 #include "host/scene/memory.h"
 
 #include <algorithm>

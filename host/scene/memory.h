@@ -1,4 +1,4 @@
-// How much memory a scene takes up.
+// The amount of memory that a scene occupies.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace candela::scene {
 
-/// In bytes, of the elements in use: spare capacity of the arrays does not count.
+/// In bytes, for the elements in use: spare capacity of the arrays does not count.
 struct SceneMemory {
   std::uint64_t total = 0;      ///< of all arrays of the scene, the sky's images included
   std::uint64_t triangles = 0;  ///< of these: the meshes, and the primitives that are triangles
   std::uint64_t triangleCount = 0;
 
-  /// Empty if there is no triangle.
+  /// Empty if there are no triangles.
   std::optional<double> bytesPerTriangle() const;
 };
 

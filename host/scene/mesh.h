@@ -33,13 +33,13 @@ inline std::size_t triangleCount(const Mesh& mesh) {
   return (mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size()) / 3;
 }
 
-/// The index of vertex `corner` (0 to 2) of a triangle.
+/// Returns the index of vertex `corner` (0 to 2) of a triangle.
 inline std::size_t vertexIndex(const Mesh& mesh, std::uint32_t triangle, std::uint32_t corner) {
   const std::size_t place = std::size_t{3} * triangle + corner;
   return mesh.indices.empty() ? place : mesh.indices[place];
 }
 
-/// The values of an attribute, which must not be empty, at one triangle's vertices.
+/// Returns the values of an attribute, which must not be empty, at one triangle's vertices.
 template <class Value>
 std::array<Value, 3> attributeOf(const Mesh& mesh, const std::vector<Value>& attribute, std::uint32_t triangle) {
   return {attribute[vertexIndex(mesh, triangle, 0)], attribute[vertexIndex(mesh, triangle, 1)],

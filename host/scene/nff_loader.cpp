@@ -12,7 +12,8 @@
 namespace candela::scene {
 namespace {
 
-/// WorldToolKit's format of the same name begins with its name, perhaps behind // comments.
+/// Returns whether this is WorldToolKit's format of the same name, which begins with its name, perhaps after //
+/// comments.
 bool isWorldToolKit(std::string_view text) {
   Tokenizer tokens(text);
   while (tokens.peek().text.starts_with("//")) {

@@ -4,11 +4,11 @@
 
 namespace candela::scene {
 
-/// It recognises texts whose first word is a keyword. WorldToolKit's format of the same name is recognised too, and
-/// refused with a message that says so.
+/// Returns a loader that recognises texts whose first word is a keyword. WorldToolKit's format of the same name is
+/// recognised too, and refused with a message that says so.
 Loader nffLoader();
 
-/// Loader::load of NFF and P3F.
+/// Implements Loader::load for NFF and P3F.
 LoadedScene loadNff(const SceneFile& file, const LoadOptions& options);
 
 }  // namespace candela::scene

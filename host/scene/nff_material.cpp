@@ -1,3 +1,4 @@
+// Converts the `f` lines of NFF and P3F to materials.
 #include "host/scene/nff_material.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace candela::scene {
 namespace {
 
-constexpr std::size_t kCommonNumbers = 8;  ///< that every dialect has
+constexpr std::size_t kCommonNumbers = 8;  ///< numbers that every dialect has
 
 bool inUnitRange(float x) { return x >= 0 && x <= 1; }
 
@@ -14,7 +15,7 @@ bool isNffWithEmission(std::span<const float> n) { return n[5] > 1 || !inUnitRan
 
 glm::vec3 tripleAt(std::span<const float> n, std::size_t i) { return {n[i], n[i + 1], n[i + 2]}; }
 
-/// r g b Kd Ks Shine T ior, as far as given.
+/// The numbers are r g b Kd Ks Shine T ior, as far as given.
 NffMaterial readNff(std::span<const float> n) {
   NffMaterial m;
   m.diffuse = tripleAt(n, 0);
@@ -23,7 +24,7 @@ NffMaterial readNff(std::span<const float> n) {
   return m;
 }
 
-/// r g b Kd r g b Ks Shine T ior
+/// The numbers are r g b Kd r g b Ks Shine T ior.
 NffMaterial readP3f(std::span<const float> n) {
   NffMaterial m;
   m.diffuse = tripleAt(n, 0);

@@ -1,4 +1,4 @@
-// The folders that a scene may read files from.
+// Resolves paths and compares them with the permitted folders.
 #include "host/scene/path_guard.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Absolute, without links and dots; the part that does not exist stays as it is written. Empty if that fails.
+/// Returns the absolute path without links and dots; the part that does not exist stays as written. Empty on failure.
 fs::path resolve(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);

@@ -1,5 +1,5 @@
-// The list of the kinds of primitives. It is here and not with the shaders, which read it as well, because the
-// reference tracer includes the scene and nothing of the shaders.
+// The list of the kinds of primitives. The shaders read it as well, but it is in this folder because the reference
+// tracer includes the scene and nothing of the shaders.
 #ifndef CANDELA_SCENE_PRIMITIVE_KIND_LIST_H
 #define CANDELA_SCENE_PRIMITIVE_KIND_LIST_H
 

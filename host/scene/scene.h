@@ -1,5 +1,5 @@
-// The scene as the file states it: values and indices, no pointers, nothing precomputed. Both tracers start here.
-// All numbers are binary32, each rounded once from its decimal.
+// The scene as the file states it: values and indices, no pointers, nothing precomputed. Both tracers start from it.
+// All numbers are binary32, each rounded once from its decimal notation.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -13,13 +13,13 @@
 
 namespace candela::scene {
 
-/// The view, as NFF states it. The view plane passes through `at`.
+/// The view, as in NFF. The view plane passes through `at`.
 struct Camera {
   glm::vec3 from{0, 0, 1};
   glm::vec3 at{0, 0, 0};
   glm::vec3 up{0, 1, 0};
   float angle = 45;           ///< vertical field of view, degrees, in (0, 180)
-  float hither = 0;           ///< parsed and kept; neither tracer clips by it
+  float hither = 0;           ///< parsed and stored; neither tracer clips by it
   std::uint32_t width = 512;  ///< `resolution`, pixels, in [1, 65535]
   std::uint32_t height = 512;
   float aperture = 0;  ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
@@ -38,8 +38,8 @@ struct Box {
   glm::vec3 max;
 };
 
-/// The side of a truncated cone between two circles, without caps; a cylinder where the radii are equal.
-/// base != apex; radii >= 0, not both 0.
+/// The lateral surface of a truncated cone between two circles, without caps; a cylinder if the radii are equal. base
+/// != apex; radii >= 0, not both 0.
 struct Cone {
   glm::vec3 base;
   float baseRadius;
@@ -67,7 +67,7 @@ struct Primitive {
 
   PrimitiveKind kind;
   std::uint32_t mesh : 24;  ///< of a triangle: into Scene::meshes; 0 otherwise
-  std::uint32_t index;      ///< of a triangle: its number in its mesh; otherwise into the vector of the kind
+  std::uint32_t index;      ///< of a triangle: its index in its mesh; otherwise into the vector of the kind
   std::uint32_t material;   ///< into Scene::materials
 
   Primitive(PrimitiveKind primitiveKind, std::uint32_t shapeIndex, std::uint32_t materialIndex,
@@ -82,7 +82,7 @@ struct PointLight {
   glm::vec3 colour{1, 1, 1};
 };
 
-/// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes a texel.
+/// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes per texel.
 struct SkyFace {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -94,17 +94,17 @@ struct Sky {
   SkyFace faces[6];
 };
 
-/// What the image's mean is known to be, in a part of it: a comment "# exact-mean: r g b [x y width height]".
+/// The known mean of the image, or of a part of it: a comment "# exact-mean: r g b [x y width height]".
 struct ExactMean {
   glm::vec3 rgb;
-  glm::vec4 area{0, 0, 1, 1};  ///< x, y, width, height in shares of the image, inside [0, 1]
+  glm::vec4 area{0, 0, 1, 1};  ///< x, y, width, height as fractions of the image, inside [0, 1]
 };
 
 struct Scene {
   std::string name;  ///< file name without folder, for reports
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
-  std::optional<Sky> sky;  ///< takes the background's place
+  std::optional<Sky> sky;  ///< replaces the background
 
   std::vector<Material> materials;
   std::vector<Primitive> primitives;
@@ -117,26 +117,26 @@ struct Scene {
 
   std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
   std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total; 0: no antialiasing
-  std::optional<ExactMean> exactMean;             ///< for paths of any length, next-event estimation or not
+  std::optional<ExactMean> exactMean;             ///< for paths of any length, with and without next-event estimation
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
 };
 
-/// The mesh of a primitive that is a triangle.
+/// Returns the mesh of a primitive that is a triangle.
 inline const Mesh& meshOf(const Scene& scene, const Primitive& triangle) { return scene.meshes[triangle.mesh]; }
 
-/// The vertices of a primitive that is a triangle.
+/// Returns the vertices of a primitive that is a triangle.
 inline Triangle triangleOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);
   const auto [p0, p1, p2] = attributeOf(mesh, mesh.positions, triangle.index);
   return {{p0, p1, p2}};
 }
 
-/// True if the primitive is a triangle whose vertices have normals.
+/// Returns whether the primitive is a triangle whose vertices have normals.
 inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();
 }
 
-/// The vertex normals of a primitive for which isSmooth is true.
+/// Returns the vertex normals of a primitive for which isSmooth is true.
 inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);
   const auto [n0, n1, n2] = attributeOf(mesh, mesh.normals, triangle.index);

@@ -25,7 +25,7 @@ void appendMesh(Scene& scene, Mesh mesh) {
   scene.meshes.push_back(std::move(mesh));
 }
 
-/// The index of the first mesh with or without indices and normals, and with no other attribute than positions.
+/// Returns the index of the first mesh with or without indices and normals, and with no other attribute than positions.
 std::uint32_t findOrAddMesh(Scene& scene, bool hasIndices, bool hasNormals) {
   const auto fits = [&](const Mesh& mesh) {
     const bool isPlain = mesh.texCoords[0].empty() && mesh.texCoords[1].empty() && mesh.tangents.empty() &&

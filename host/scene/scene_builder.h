@@ -9,9 +9,9 @@ namespace candela::scene {
 
 /// Each function appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
-/// Its vertices are appended to the scene's mesh without indices, which all such triangles share.
+/// Appends its vertices to the scene's mesh without indices, which all such triangles share.
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material);
-/// The same with normals, in another mesh.
+/// Appends a triangle with vertex normals, to another mesh.
 void addTriangle(Scene& scene, const Triangle& triangle, const VertexNormals& normals, std::uint32_t material);
 void addBox(Scene& scene, const Box& box, std::uint32_t material);
 void addCone(Scene& scene, const Cone& cone, std::uint32_t material);

@@ -19,8 +19,8 @@ struct Value {
 /// One option. The first of its values is the built-in one.
 struct Dimension {
   std::string option;  ///< without dashes
-  std::size_t
-      stage;  ///< options of one stage are tried in all combinations; later stages use the results of earlier ones
+  /// Options of one stage are tried in all combinations; later stages use the results of earlier ones.
+  std::size_t stage;
   std::vector<Value> values;
 };
 

@@ -12,7 +12,7 @@
 namespace candela::vulkan {
 namespace {
 
-constexpr std::uint32_t kTurnsAsked = 1u << 20;
+constexpr std::uint32_t kRequestedIterations = 1u << 20;
 
 /// The buffer of shaders/loop_probe.comp.
 struct ProbeData {
@@ -25,14 +25,14 @@ struct ProbeData {
 }  // namespace
 
 std::uint32_t probeLoopLimit(Device& device) {
-  std::array<ProbeData, 1> data{ProbeData{.turnsAsked = kTurnsAsked}};
+  std::array<ProbeData, 1> data{ProbeData{.turnsAsked = kRequestedIterations}};
   Buffer buffer(device, sizeof data, Usage::storage);
   buffer.upload(std::as_bytes(std::span(data)));
   const ComputePipeline pipeline(device, spirv::loop_probe, {.bindings = {BindingKind::storageBuffer}});
   const BindingSet bindings(pipeline, {&buffer});
   device.run([&](CommandRecorder& recorder) { recorder.dispatch(pipeline, bindings, {}, {}); });
   buffer.download(std::as_writable_bytes(std::span(data)));
-  return data[0].turnsDone >= kTurnsAsked ? kUnlimitedTurns : data[0].turnsDone;
+  return data[0].turnsDone >= kRequestedIterations ? kUnlimitedIterations : data[0].turnsDone;
 }
 
 }  // namespace candela::vulkan

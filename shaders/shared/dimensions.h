@@ -1,5 +1,5 @@
-// Names of the random numbers that a path draws. Read by GLSL and by C++ (the reference included): a number is asked
-// for by name, never by a count of calls, so both tracers use the same number for the same purpose.
+// Names of the random numbers that a path uses, for GLSL and for C++ (including the reference). A number is requested
+// by name, never by the count of previous calls, so both tracers use the same number for the same decision.
 #ifndef CANDELA_SHARED_DIMENSIONS_H
 #define CANDELA_SHARED_DIMENSIONS_H
 

@@ -1,14 +1,14 @@
-// The lists of what GLSL and C++ both name: a scene's feature flags, and in the included files the kinds of primitives
-// and the lobes of materials. Each list is a macro that applies its argument to every entry; both languages make their
-// declarations from it. A macro needs no generator in the build or in an installed header, and messages of both
+// Lists of what GLSL and C++ both name: the feature flags of a scene, and in the included files the kinds of primitives
+// and the lobes of materials. Each list is a macro that applies its argument to every entry; both languages generate
+// their declarations from it. A macro needs no generator in the build or in an installed header, and messages of both
 // compilers point to these files.
 #ifndef CANDELA_SHARED_FEATURES_H
 #define CANDELA_SHARED_FEATURES_H
 #include "../../host/render/lobe_list.h"
 #include "../../host/scene/primitive_kind_list.h"
 
-// X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant): what a scene does not use is
-// compiled out. Other ids are in specialization.h; ids from 29 to 39 are free.
+// X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
+// use are compiled out. Other ids are in specialization.h; ids from 29 to 39 are free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \

@@ -1,4 +1,5 @@
-// Lets GLSL and C++ read the same declarations: GLSL's type names for C++, and one word for constants.
+// Macros and types that let GLSL and C++ read the same declarations: GLSL's type names for C++, and one word for
+// constants.
 #ifndef CANDELA_SHARED_LANGUAGE_H
 #define CANDELA_SHARED_LANGUAGE_H
 

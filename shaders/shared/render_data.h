@@ -1,17 +1,18 @@
-// What host and kernel exchange besides the scene: constants, push constants, path states, film and counters.
+// Data that the host and the kernels exchange besides the scene: constants, push constants, path states, film and
+// counters.
 #ifndef CANDELA_SHARED_RENDER_DATA_H
 #define CANDELA_SHARED_RENDER_DATA_H
 #include "features.h"
 #include "language.h"
 CANDELA_BEGIN
 
-// One per render. A vector of three and a scalar, or four scalars, fill 16 bytes: so std140 and C++ give every member the
-// same offset.
+// Constants of a render. Each 16 bytes contain a vector of three and a scalar, or four scalars, so that std140 and C++
+// give every member the same offset.
 struct RenderConstants {
   vec3 cameraOrigin;
-  float pixelOriginX;        // position within its pixel of a ray that is not jittered, across
+  float pixelOriginX;        // position within its pixel of a ray without jitter, horizontal
   vec3 cameraForward;        // -d n, from the eye to the view plane's centre
-  float pixelOriginY;        // down
+  float pixelOriginY;        // vertical
   vec3 cameraRight;          // w u, the width of the view plane
   float inversePixelsAcross; // 1 / pixels across the view
   vec3 cameraUp;             // h v
@@ -21,7 +22,7 @@ struct RenderConstants {
   vec3 lensUp;               // a v
   float unused0;
   vec3 background;
-  float aoDistance;          // length of ambient occlusion's rays
+  float aoDistance;          // maximum distance of ambient occlusion rays
   uint imageWidth;           // pixels
   uint imageHeight;
   uint seed;
@@ -29,14 +30,14 @@ struct RenderConstants {
   uint maxDepth;
   uint rouletteStart;        // Russian roulette is played at greater depths
   uint lightCount;
-  uint stateRows;            // 16-byte records of a pixel's state; Whitted's tracer only
-  uint firstStructureRow;    // of a BVH's nodes or of a grid's cells
+  uint stateRows;            // 16-byte records of a pixel's state; Whitted tracer only
+  uint firstStructureRow;    // first record of a BVH's nodes or of a grid's cells
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
   uint firstNormalRow;
   uint firstSkyRow;
-  uint firstPlaneSlot;       // infinite planes are behind all other primitives
+  uint firstPlaneSlot;       // infinite planes come after all other primitives
   uint slotCount;
   vec3 gridLow;              // lower corner
   float gridReach;           // the grid's largest coordinate in magnitude
@@ -44,64 +45,66 @@ struct RenderConstants {
   float unused1;
   vec3 gridScale;            // cells per unit of length, 0 on axes of one cell
   float unused2;
-  vec3 gridWidth;            // of a cell
+  vec3 gridWidth;            // size of a cell
   float unused3;
   uvec3 gridSides;           // cells along each axis
-  uint firstItemRow;         // of the grid's items
+  uint firstItemRow;         // first record of the grid's items
   uvec3 gridStrides;         // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
   uint unused4;
 };
 
-// Of a scene with so few primitives, their rows are in the uniform buffer too: see traversal.glsl.
+// Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see
+// traversal.glsl.
 CANDELA_CONST uint kMaxUniformSlots = 40u;
 CANDELA_CONST uint kUniformRows = 120u;
 
-// One per render, uniform buffer, std140.
+// Uniform buffer of a render, std140.
 struct RenderUniforms {
   RenderConstants constants;
   uvec4 slotRows[kUniformRows];
 };
 
-// One per dispatch, push constants.
+// Push constants of a dispatch.
 struct DispatchConstants {
-  uvec2 regionOrigin;  // in pixels of the image
+  uvec2 regionOrigin;  // pixels of the image
   uvec2 regionSize;
-  uint firstRow;       // row of the image at which the band begins
+  uint firstRow;       // first row of the image in the band
   uint maxSegments;    // path segments per invocation
   uint sampleEnd;      // end of the range of sample indices
   uint maxIterations;  // loop iterations per invocation
-  uint roundParity;    // wavefront only: the round's number modulo 2
+  uint roundParity;    // wavefront only: index of the round modulo 2
   uint bandPixels;     // wavefront only: pixels of the band
 };
 
-// Work of a pixel's paths so far; each count wraps at 2^32.
+// Work of a pixel's paths so far. Each count wraps at 2^32.
 struct PathCounts {
   uint bounceRays;
   uint shadowRays;
   uint vertices;
-  uint steps;  // of traversals
+  uint steps;  // traversal steps
 };
 
-// A path between two dispatches; one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample started.
+// A path between two dispatches: one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample has
+// started. path_state.glsl has macros that name the packed members.
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
-  uvec4 directionLeaving;  // ray direction, leaving (slot | kLeavingInward, or kNoSlot)
-  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not begun)
+  uvec4 directionLeaving;  // ray direction, leaving (slot of the origin primitive | kLeavingInward, or kNoSlot)
+  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started)
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
 };
 
-// The same for the wavefront, and what its stages hand on to each other: 144 bytes.
+// A path of the wavefront, and the data that its stages pass on: 144 bytes.
 struct WaveState {
   PathState path;
-  uvec4 hit;            // of the path's ray: distance, slot, primitive index; depth of the vertex that was shaded last
-  uvec4 shadowLimit;    // of the shadow ray: origin, limit
-  uvec4 shadowLeaving;  // its direction, leaving
-  uvec4 shadowLight;    // what it brings, slot of the light
+  uvec4 hit;            // of the path's ray: distance, slot, primitive index; then the depth of the vertex shaded last
+  uvec4 shadowLimit;    // of the shadow ray: origin, maximum distance
+  uvec4 shadowLeaving;  // of the shadow ray: direction, leaving
+  uvec4 shadowLight;    // its contribution if unoccluded, slot of the light
 };
 
-// A queue of the wavefront: how many workgroups its stage is to have, as vkCmdDispatchIndirect reads it, and the number
-// of pixels that wait in it.
+// Header of a queue of the wavefront: the number of workgroups of its stage, as vkCmdDispatchIndirect reads it, and the
+// number of pending pixels.
 struct QueueHead {
   uint groupsX;
   uint groupsY;
@@ -109,26 +112,26 @@ struct QueueHead {
   uint count;
 };
 
-// Paths to be extended in rounds of even number, shadow rays, paths that ended, and paths to be extended in rounds of odd
-// number: what a round fills stands in a row. Heads, then the queues themselves, with a word for each pixel of the band,
-// stand between the counters and the path records.
+// Indices of the queues: paths to extend in rounds of even index, shadow rays, paths that ended, and paths to extend in
+// rounds of odd index. The queues that a round fills are consecutive. The headers, followed by the queues themselves
+// with a word for each pixel of the band, are stored between the counters and the path records.
 CANDELA_CONST uint kQueueExtendEven = 0u;
 CANDELA_CONST uint kQueueShadow = 1u;
 CANDELA_CONST uint kQueueRenew = 2u;
 CANDELA_CONST uint kQueueExtendOdd = 3u;
 CANDELA_CONST uint kQueueCount = 4u;
 
-// A stage's workgroups stand in rows of so many, the most that every device allows: 65,535 rows have a lane for each pixel of
-// the largest band even if a workgroup has but one.
+// Maximum number of workgroups along x, which every device supports. With as many along y, there is an invocation for
+// each pixel of the largest band even if a workgroup has only one.
 CANDELA_CONST uint kGroupsPerRow = 65535u;
 
-// A tree of Whitted's between two dispatches, floats as their bits; one per pixel of the band, with the rays behind it
-// that wait. All zero: no sample started.
+// A tree of the Whitted tracer between two dispatches, floats as their bits: one per pixel of the band, followed by its
+// pending rays. All zero: no sample has started.
 struct TreeState {
-  uvec4 originLeaving;    // of the ray at hand: origin, leaving
-  uvec4 directionWeight;  // its direction, weight in the pixel
-  uint node;              // of the ray at hand (0: the sample has not begun)
-  uint waiting;           // depths that have a waiting ray
+  uvec4 originLeaving;    // of the current ray: origin, leaving
+  uvec4 directionWeight;  // its direction, its weight in the sample
+  uint node;              // of the current ray (0: the sample has not started)
+  uint waiting;           // depths that have a pending ray
   uint nextLight;
   uint nodesDone;
   uvec4 radianceSample;   // rgb, sample index
@@ -137,20 +140,22 @@ struct TreeState {
   uint refractedRays;
   uint shadowRays;
   uint vertices;
-  uint steps;             // of traversals
+  uint steps;             // traversal steps
   uint unused0;
   uint unused1;
 };
 
 CANDELA_CONST uint kTreeRows = 6u;
 
-// Refracted rays that wait, at most one for each depth from 2 on: in that order behind the TreeState, as its first two rows.
+// Records of a pending refracted ray: its first two as in TreeState. There is at most one for each depth from 2 on;
+// they follow the TreeState in this order.
 CANDELA_CONST uint kWaitingRows = 2u;
 
-// So many lights Whitted's tracer asks at a time: a segment is as short on a device whose loops are limited.
+// Maximum number of lights that a segment of the Whitted tracer tests, so that segments are short on devices that limit
+// loops.
 CANDELA_CONST uint kLightsPerSegment = 8u;
 
-// Film, four rows a pixel: see FilmPixel in host/image/film.h.
+// Film, four records per pixel: see FilmPixel in host/image/film.h.
 struct FilmRows {
   uvec4 red;               // sum, sample count
   uvec4 green;             // sum, bad count
@@ -158,9 +163,9 @@ struct FilmRows {
   uvec4 luminanceSquared;  // sum, 0
 };
 
-// Head of the results buffer.
+// Header of the results buffer.
 struct Counters {
-  uint finishedPixels;  // lanes that reached the end of their sample range
+  uint finishedPixels;  // invocations that reached the end of their sample range
   uint truncated;       // loops that ended before their work was done
   uint finishedSamples; // wraps: the host adds up differences
   uint unused;
@@ -168,11 +173,11 @@ struct Counters {
 
 CANDELA_CONST uint kLeavingInward = 0x80000000u;
 
-// Path records: kRecordedVertices pairs (primitive index, decisions) a pixel behind the counters.
+// Path records: kRecordedVertices pairs (primitive index, decisions) per pixel, after the counters.
 CANDELA_CONST uint kRecordedVertices = 32u;
 CANDELA_CONST uint kRecordMiss = 0xffffffffu;
-// Decisions: valid | visible lights (Whitted: bit i mod 14 flips for light i) << 17 | roulette survived << 16 | shadow << 8 |
-// lobe.
+// Decisions: valid | visible lights (Whitted: bit i mod 14 flips for light i) << 17 | roulette
+// survived << 16 | shadow << 8 | lobe.
 CANDELA_CONST uint kRecordValid = 0x80000000u;
 CANDELA_CONST uint kRecordedLights = 14u;
 CANDELA_CONST uint kRecordLightShift = 17u;

@@ -1,29 +1,32 @@
-// Layout of the scene on the device: one array of 16-byte rows, in sections that start at the row numbers given in
-// RenderConstants. A float stands in a row as its bits.
+// Layout of the scene on the device: one array of 16-byte records, in sections whose first indices are in
+// RenderConstants. Floats are stored as their bits. In names of functions and constants, such a record is called a row,
+// because "record" alone is a path record (render_data.h).
 #ifndef CANDELA_SHARED_SCENE_ROWS_H
 #define CANDELA_SHARED_SCENE_ROWS_H
 #include "features.h"
 #include "language.h"
 CANDELA_BEGIN
 
-// Nodes: two children in the parent, four rows: (min, reference) and (max, primitive count) of the left child, then of
-// the right. A count of 0 makes the reference a node, otherwise the first of `count` primitive slots.
+// Interior nodes of the binary BVH, four records: (min, reference) and (max, primitive count) of the left child, then
+// of the right. If the count is 0, the reference is a node; otherwise it is the first of `count` primitive slots.
 CANDELA_CONST uint kNodeRows = 4u;
 
-// Nodes of the compressed eight-wide tree (host/accel/wide_bvh.h), five rows: (origin, exponent of the step in x | y << 8 |
-// z << 16, each biased by 127, | children that are nodes << 24) (first node of the block, first primitive slot, leaf mask,
-// 0) and the numbers of planes, a byte each, children 0 to 3 and 4 to 7: (low x, low y) (low z, high x) (high y, high z).
+// Nodes of the compressed 8-wide BVH (host/accel/wide_bvh.h), five records: (origin, exponent of the step in
+// x | y << 8 | z << 16, each biased by 127, | children that are nodes << 24) (first node of the block, first primitive
+// slot, leaf mask, 0) and the indices of planes, a byte each, children 0 to 3 and 4 to 7: (low x, low y) (low z, high
+// x) (high y, high z).
 CANDELA_CONST uint kWideNodeRows = 5u;
 
-// A grid's cells, three to a row: where the items of each begin, and where those of the last end. Its items, the slots of
-// primitives, are in rows of their own, four to a row. Both are numbered from 0.
+// Cells of a grid, three per record: the starts of their items, and the end of the last cell's items. The items, which
+// are slots of primitives, are in a section of their own, four per record. Both are counted from 0.
 CANDELA_CONST uint kCellsPerRow = 3u;
 CANDELA_CONST uint kItemsPerRow = 4u;
 
-// Primitives ("slots", in the order of the BVH's leaves or of the grid's cells; infinite planes behind all others), three
-// rows each. Common to all kinds: row 1 w = primitive index in the scene, row 2 w = kind, flags and material (below).
+// Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
+// records each. Common to all kinds: w of record 1 is the primitive index in the scene, w of record 2 is kind, flags
+// and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
-//   triangle  (p0, light + 1, or first row among the normals if smooth) (p1, .) (p2, .)
+//   triangle  (p0, light + 1, or first record among the normals if smooth) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
 //   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)
 //   plane     (point, 0) (unit normal, .) (0, 0, 0, .)
@@ -38,28 +41,29 @@ CANDELA_CONST uint kFlagOpaque = 32u;     // T = 0: --one-sided applies
 CANDELA_CONST uint kMaterialShift = 8u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 
-// Vertex normals of smooth triangles, three rows: (n0, light + 1) (n1, 0) (n2, 0).
+// Vertex normals of smooth triangles, three records: (n0, light + 1) (n1, 0) (n2, 0).
 CANDELA_CONST uint kNormalRows = 3u;
 
-// Materials of the path tracer, five rows: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its weight)
-// (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror lobe, 0).
-// Whitted's tracer has Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient term instead of the
-// emission, and no use for the last row.
+// Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
+// weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror
+// lobe, 0). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
+// term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
 
-// Lights of the path tracer, three rows: (threshold, probability, kind, slot) (emission or colour, area) (centre or position, radius).
+// Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission or colour, area) (centre or
+// position, radius).
 CANDELA_CONST uint kLightRows = 3u;
 CANDELA_CONST uint kLightSphere = 0u;
 CANDELA_CONST uint kLightTriangle = 1u;
 CANDELA_CONST uint kLightPoint = 2u;
 CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 
-// Lights of Whitted's tracer, all point lights in file order, four rows: (colour, 0) (position, 0) and the edges of the
-// square around it that the light fills (edge, 0) (edge, 0).
+// Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
+// the edges of the square around the position that the light fills (edge, 0) (edge, 0).
 CANDELA_CONST uint kPointLightRows = 4u;
 
-// Sky: six rows (width, height, first texel, 0), then 64 rows that hold the 256 linear values of 8-bit sRGB, then the
-// texels of all faces, four to a row, each r | g << 8 | b << 16.
+// Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
+// texels of all faces, four per record, each r | g << 8 | b << 16.
 CANDELA_CONST uint kSkyFaceCount = 6u;
 CANDELA_CONST uint kSkyTableRows = 64u;
 

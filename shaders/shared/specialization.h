@@ -1,4 +1,5 @@
-// Ids of the specialisation constants, but for those of the feature flags, which are in features.h (2 to 16, 25 and 26).
+// Ids of the specialisation constants, except for those of the feature flags, which are in features.h (2 to 16, 25 and
+// 26).
 #ifndef CANDELA_SHARED_SPECIALIZATION_H
 #define CANDELA_SHARED_SPECIALIZATION_H
 #include "language.h"
@@ -11,31 +12,31 @@ CANDELA_CONST uint kSpecLens = 18u;         // kLens...
 CANDELA_CONST uint kSpecFilter = 19u;       // kFilter...
 CANDELA_CONST uint kSpecSampler = 20u;      // kSampler...
 CANDELA_CONST uint kSpecStructure = 21u;    // kStructure...
-CANDELA_CONST uint kSpecTexels = 22u;       // scene rows through the texel buffer
+CANDELA_CONST uint kSpecTexels = 22u;       // the scene is read through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
-CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose rows are in the uniform buffer; 0: none are
-CANDELA_CONST uint kSpecRowsAhead = 28u;    // these rows are read before anything else
-// From 40 on, of Whitted's tracer alone.
+CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose records are in the uniform buffer; 0: none
+CANDELA_CONST uint kSpecRowsAhead = 28u;    // these records are read before anything else
+// Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
-// From 50 on, of the views alone.
+// Ids from 50 on belong to the views.
 CANDELA_CONST uint kSpecView = 50u;         // kView...
-// From 60 on, of rays cast alone.
+// Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;    // any hit instead of the closest
-// From 70 on, kinds and flags of the slots in the uniform buffer, four to a word, a byte each.
+// Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
 CANDELA_CONST uint kSpecUniformKinds = 70u;
 CANDELA_CONST uint kUniformKindWords = 10u;
 
 CANDELA_CONST uint kStructureNone = 0u;     // brute force
 CANDELA_CONST uint kStructureGrid = 1u;
-CANDELA_CONST uint kStructureBvh = 2u;      // two-wide
-CANDELA_CONST uint kStructureWideBvh = 3u;  // eight-wide, compressed
+CANDELA_CONST uint kStructureBvh = 2u;      // binary
+CANDELA_CONST uint kStructureWideBvh = 3u;  // 8-wide, compressed
 CANDELA_CONST uint kLensNone = 0u;
 CANDELA_CONST uint kLensDisc = 1u;
 CANDELA_CONST uint kLensSquare = 2u;
 CANDELA_CONST uint kFilterBox = 0u;
 CANDELA_CONST uint kFilterTent = 1u;
-CANDELA_CONST uint kFilterNone = 2u;        // rays go through the pixels' origins
+CANDELA_CONST uint kFilterNone = 2u;        // rays pass through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;

@@ -22,7 +22,7 @@ TEST_CASE("a box grows to contain points and boxes") {
   CHECK(box.surfaceArea() == 2 * (2 * 3 + 3 * 1 + 1 * 2));
 }
 
-TEST_CASE("a box contains what touches it from inside, and nothing that sticks out") {
+TEST_CASE("a box contains boxes and points that touch it from inside, and nothing that extends beyond it") {
   const Aabb box{{0, 0, 0}, {2, 2, 2}};
   CHECK(box.contains(box));
   CHECK(box.contains(Aabb{{0, 1, 1}, {2, 1, 1}}));

@@ -33,8 +33,8 @@ TEST_CASE("every level contains every primitive of the scene once") {
   }
 }
 
-TEST_CASE("a level has its own nodes and the leaves above it") {
-  // Distances 1, 2, 4, ...: the report's rule takes the farthest off, again and again, so each level has one leaf.
+TEST_CASE("a level contains its nodes and the leaves above it") {
+  // Distances 1, 2, 4, ...: every midpoint split separates the farthest point, so that each level has one leaf.
   std::vector<Aabb> inputs;
   for (int i = 0; i < 6; ++i) inputs.push_back(boxAround({std::exp2(2 * i), 0, 0}, glm::dvec3(0)));
   const Bvh bvh = buildBvh(inputs, {.rule = SplitRule::midpoint, .maxLeafSize = 1});

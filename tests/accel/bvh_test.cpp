@@ -62,7 +62,7 @@ TEST_CASE("a BVH without primitives has no nodes") {
   CHECK(quality(bvh).nodeCount == 0);
 }
 
-TEST_CASE("the depth limit holds on the very edge of what fits") {
+TEST_CASE("a BVH that only just fits stays within the depth limit") {
   // Each box is as far away as large: binning peels the largest few off, again and again.
   std::vector<Aabb> boxes;
   for (int i = 0; i < 128; ++i)
@@ -76,7 +76,7 @@ TEST_CASE("the depth limit holds on the very edge of what fits") {
   CHECK_THROWS_AS(buildBvh(boxes, {.maxLeafSize = 1, .maxDepth = 6}), InternalError);
 }
 
-TEST_CASE("the tree is the same for any number of threads") {
+TEST_CASE("the BVH is the same for any number of threads") {
   const std::vector<Aabb> boxes = randomBoxes(100000);
   for (const SplitRule rule : {SplitRule::binnedSah, SplitRule::coarseSah, SplitRule::midpoint}) {
     const Bvh one = buildBvh(boxes, {.rule = rule, .threads = 1});
@@ -103,7 +103,7 @@ TEST_CASE("siblings are adjacent and subtrees contiguous, in depth-first order")
   CHECK(next == bvh.nodes.size());
 }
 
-TEST_CASE("SAH beats the median split, and by far where sizes and densities differ") {
+TEST_CASE("SAH has a lower cost than the median split, especially if sizes and densities differ") {
   for (const auto& [name, boxes] : builderInputs()) {
     const double rootArea = unionOf(boxes).surfaceArea();
     if (rootArea == 0) continue;
@@ -114,7 +114,7 @@ TEST_CASE("SAH beats the median split, and by far where sizes and densities diff
   }
 }
 
-TEST_CASE("costs decide between a leaf and a split") {
+TEST_CASE("the costs of steps and tests decide between a leaf and a split") {
   const std::vector<Aabb> boxes = {boxAround({0, 0, 0}, glm::dvec3(1)), boxAround({10, 0, 0}, glm::dvec3(1))};
   // Root 12 x 2 x 2: half area 52; each half 12. Split: t 52 + i 24; leaf: i 104. So a leaf if t / i >= 80 / 52.
   CHECK(buildBvh(boxes, {.traversalCost = 1.5f}).nodes.size() == 3);
@@ -122,7 +122,7 @@ TEST_CASE("costs decide between a leaf and a split") {
   CHECK(buildBvh(boxes, {.traversalCost = 1.6f, .intersectionCost = 1.1f}).nodes.size() == 3);
 }
 
-TEST_CASE("quality counts by hand") {
+TEST_CASE("the quality of a BVH equals that computed by hand") {
   Bvh bvh;
   bvh.nodes = {{{{0, 0, 0}, {3, 1, 1}}, 1, 0}, {{{0, 0, 0}, {1, 1, 1}}, 0, 2}, {{{2, 0, 0}, {3, 1, 1}}, 2, 1}};
   bvh.primitiveIndices = {0, 1, 2};
@@ -135,7 +135,7 @@ TEST_CASE("quality counts by hand") {
   CHECK(q.maxLeafSize == 2);
 }
 
-TEST_CASE("boxes and options that are out of range are refused by value") {
+TEST_CASE("boxes and options of a BVH that are out of range are refused, and the message states their values") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto refused = [](const Aabb& box) {
     CHECK_THROWS_WITH(buildBvh(std::vector{Aabb{{0, 0, 0}, {1, 1, 1}}, box}), Catch::StartsWith("BVH box 1 is ("));

@@ -13,7 +13,7 @@ using namespace candela::test;
 
 namespace {
 
-// The cells of a grid over `count` primitives in a box of this extent, around a point at `place`.
+// Returns the cells of a grid over `count` primitives in a box of this extent around `place`.
 glm::uvec3 sidesOf(const glm::dvec3& extent, std::size_t count, double density,
                    const glm::dvec3& place = glm::dvec3(0)) {
   return gridShape(boxAround(place, extent / 2.0), count, density).sides;
@@ -21,7 +21,7 @@ glm::uvec3 sidesOf(const glm::dvec3& extent, std::size_t count, double density,
 
 }  // namespace
 
-TEST_CASE("the report's rule gives trunc(m w s) + 1 cells") {
+TEST_CASE("an axis of a grid has trunc(m w s) + 1 cells") {
   // s = (1000 / (10 * 10 * 10))^(1/3) = 1.
   CHECK(sidesOf({10, 10, 10}, 1000, 2.05) == glm::uvec3(21));
   // s = (24 / (8 * 4 * 0.75))^(1/3) = 1.
@@ -29,7 +29,7 @@ TEST_CASE("the report's rule gives trunc(m w s) + 1 cells") {
   CHECK(sidesOf({8, 4, 0.75}, 24, 3.1) == glm::uvec3(25, 13, 3));
 }
 
-TEST_CASE("axes without extent have one cell, and the others share the primitives") {
+TEST_CASE("axes without extent have one cell, and the density applies to the others") {
   // s = sqrt(100 / (10 * 40)) = 1/2.
   CHECK(sidesOf({10, 40, 0}, 100, 2.1) == glm::uvec3(11, 43, 1));
   CHECK(sidesOf({0, 40, 10}, 100, 2.1) == glm::uvec3(1, 43, 11));
@@ -40,7 +40,7 @@ TEST_CASE("axes without extent have one cell, and the others share the primitive
   CHECK(sidesOf({10, 40, 1e-5}, 100, 2.1) == glm::uvec3(11, 43, 1));
 }
 
-TEST_CASE("no cell is thinner than what boxes are padded by allows for") {
+TEST_CASE("no cell is thinner than the padding of boxes permits") {
   const double thinnest = kThinnestCell * 1001;
   CHECK(sidesOf({2, 2, 2}, 1000000, 5, {1000, 0, 0}) == glm::uvec3(static_cast<std::uint32_t>(2 / thinnest)));
   CHECK(sidesOf({2, 2, 2}, 1000000, 5, {1e6, 0, 0}) == glm::uvec3(1));
@@ -56,7 +56,7 @@ TEST_CASE("no axis has more cells than allowed") {
   CHECK(buildGrid(boxes, {.maxSide = 1}).shape.cellCount() == 1);
 }
 
-TEST_CASE("every input becomes a valid grid within its bounds of memory, whatever the density") {
+TEST_CASE("every input gives a valid grid within the limits of memory, for any density") {
   for (const auto& [name, boxes] : builderInputs()) {
     for (const double density : {0.0625, 1.0, 2.0, 5.0, 64.0}) {
       INFO(name << ", density " << density);
@@ -70,7 +70,7 @@ TEST_CASE("every input becomes a valid grid within its bounds of memory, whateve
   }
 }
 
-TEST_CASE("overlapping boxes make the grid coarser instead of filling memory") {
+TEST_CASE("overlapping boxes make the grid coarser instead of exhausting memory") {
   std::vector<Aabb> boxes;
   for (int i = 0; i < 3000; ++i) boxes.push_back(boxAround({0, 0, 0}, glm::dvec3(1 + 1e-4 * i)));
   const Grid grid = buildGrid(boxes, {.density = 4});
@@ -79,7 +79,7 @@ TEST_CASE("overlapping boxes make the grid coarser instead of filling memory") {
   CHECK(quality(grid).referenceCount > 3000);  // but no coarser than it must be: one cell would hold each box once
 }
 
-TEST_CASE("a needle of a box around few primitives does not get cells without number") {
+TEST_CASE("a long thin box around few primitives has a limited number of cells") {
   const std::vector<Aabb> boxes{boxAround({0, 0, 0}, {5000, 1, 1})};
   const Grid grid = buildGrid(boxes, {.density = 64});
   CHECK(quality(grid).cellCount <= maxGridCells(1));
@@ -120,7 +120,7 @@ TEST_CASE("the grid is valid whichever axis is the longest") {
   CHECK(validate(buildGrid(square), square).value_or("") == "");
 }
 
-TEST_CASE("cell numbers are monotonic, and coordinates outside belong to the outermost cells") {
+TEST_CASE("cell indices are monotonic, and coordinates outside belong to the outermost cells") {
   const GridShape shape = gridShape({{-3, 5, 0}, {7, 6, 0}}, 1000, 2);
   std::uint32_t before = 0;
   for (float x = -4; x < 8; x = std::nextafter(x, 100.0f) + 1e-4f) {
@@ -133,7 +133,7 @@ TEST_CASE("cell numbers are monotonic, and coordinates outside belong to the out
   CHECK(shape.cellAt(2, 123) == 0);
 }
 
-TEST_CASE("a grid's quality counts by hand") {
+TEST_CASE("the quality of a grid equals that computed by hand") {
   Grid grid;
   grid.shape.sides = {2, 2, 1};
   grid.starts = {0, 2, 2, 5, 6};
@@ -146,7 +146,7 @@ TEST_CASE("a grid's quality counts by hand") {
   CHECK(q.maxItems == 3);
 }
 
-TEST_CASE("boxes and options of grids that are out of range are refused by value") {
+TEST_CASE("boxes and options of grids that are out of range are refused, and the message states their values") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto refused = [](const Aabb& box) {
     CHECK_THROWS_WITH(buildGrid(std::vector{Aabb{{0, 0, 0}, {1, 1, 1}}, box}), Catch::StartsWith("grid box 1 is ("));
@@ -160,7 +160,7 @@ TEST_CASE("boxes and options of grids that are out of range are refused by value
   CHECK_THROWS_AS(buildGrid(boxes, {.maxSide = 0}), InternalError);
 }
 
-TEST_CASE("validate names what is wrong with a grid") {
+TEST_CASE("validate reports the errors of a grid") {
   const std::vector<Aabb> boxes = randomBoxes(40);
   const Grid good = buildGrid(boxes);
   REQUIRE_FALSE(validate(good, boxes).has_value());

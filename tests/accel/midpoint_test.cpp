@@ -1,4 +1,4 @@
-// The path-tracing report's rule, on boxes few enough to follow by hand.
+// The midpoint split, on few enough boxes that the results can be checked by hand.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -51,14 +51,14 @@ TEST_CASE("a node is split at the centre of the longest axis of its box") {
   CHECK(leftOfRoot(boxes) == Members{1});
 }
 
-TEST_CASE("centres on one side only are split at their mean") {
+TEST_CASE("a node whose centres are on one side is split at their mean") {
   // The last box fills the node, so that no centre is left of 5; their mean is (10 + 9 + 6 + 5) / 4 = 7.5.
   std::vector<Aabb> boxes = pointsAt({10, 9, 6});
   boxes.push_back({{0, 0, 0}, {10, 0, 0}});
   CHECK(leftOfRoot(boxes) == Members{2, 3});
 }
 
-TEST_CASE("centres that coincide give two to the left and the rest to the right") {
+TEST_CASE("if all centres coincide, two primitives go to the left and the rest to the right") {
   const std::vector<Aabb> boxes(7, boxAround({1, 2, 3}, {1, 1, 1}));
   const Bvh bvh = buildBvh(boxes, kReport);
   REQUIRE_FALSE(validate(bvh, boxes, kReport).has_value());
@@ -71,21 +71,21 @@ TEST_CASE("centres that coincide give two to the left and the rest to the right"
   }
 }
 
-TEST_CASE("where the rule would go on for too long, halves keep the depth") {
+TEST_CASE("median splits limit the depth if midpoint splits would exceed it") {
   const std::vector<Aabb> boxes(10000, boxAround({1, 2, 3}, {1, 1, 1}));
   const Bvh bvh = buildBvh(boxes, kReport);
   CHECK(validate(bvh, boxes, kReport).value_or("") == "");
   CHECK(quality(bvh).depth == kReport.maxDepth);
 }
 
-TEST_CASE("two primitives make one leaf, three do not") {
+TEST_CASE("two primitives become one leaf, three do not") {
   CHECK(buildBvh(pointsAt({0, 1}), kReport).nodes.size() == 1);
   const BvhQuality q = quality(buildBvh(pointsAt({0, 1, 2}), kReport));
   CHECK(q.leafCount == 2);
   CHECK(q.maxLeafSize == 2);
 }
 
-TEST_CASE("the midpoint pays: SAH is cheaper where sizes and densities differ") {
+TEST_CASE("SAH has a lower cost than the midpoint split if sizes and densities differ") {
   for (const auto& [name, boxes] : builderInputs()) {
     if (name != "huge and tiny" && name != "clustered") continue;
     INFO(name);

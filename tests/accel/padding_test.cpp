@@ -11,7 +11,7 @@ using namespace candela::test;
 
 namespace {
 
-// A place and a size for primitives and rays.
+// A position and a size for primitives and rays.
 struct Setting {
   const char* name;
   glm::dvec3 centre;
@@ -28,8 +28,8 @@ const Setting kSettings[] = {
 
 glm::dvec3 across(const glm::dvec3& v, Random& random) { return glm::normalize(glm::cross(v, random.direction())); }
 
-// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just meet, or miss: on an
-// edge, a rim, or, for a sphere, on the outline as seen from `eye`.
+// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just hit or miss: on an
+// edge, on a rim or, for a sphere, on the silhouette as seen from `eye`.
 glm::dvec3 makePrimitive(scene::PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
                          scene::Scene& scene) {
   const auto point = [&] { return glm::vec3(setting.centre + setting.scale * random.inCube(-1, 1)); };
@@ -89,13 +89,13 @@ void count(const Ray<float>& ray, const scene::Scene& scene, const Aabb& box, Ta
   const auto t = intersect(same, scene, scene.primitives[0]);
   if (!t) return;
   ++tally.hits;
-  // The box must not only be met but met in time, or a hit that is nearer than all others is still skipped.
+  // The box must not only be hit but hit in time: otherwise the closest hit would still be skipped.
   if (!SlabRay<float>(ray).enter(box, static_cast<float>(*t))) ++tally.lost;
 }
 
 }  // namespace
 
-TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
+TEST_CASE("no hit at the edge of a primitive is lost by its padded box") {
   constexpr int kRays = 70000;
   for (const scene::PrimitiveKind kind : {scene::PrimitiveKind::sphere, scene::PrimitiveKind::triangle,
                                           scene::PrimitiveKind::box, scene::PrimitiveKind::cone}) {
@@ -124,7 +124,7 @@ TEST_CASE("no hit on the very edge of a primitive is lost at its padded box") {
   }
 }
 
-TEST_CASE("without the pads hits are lost, so that the test above tests something") {
+TEST_CASE("hits are lost if boxes are not padded") {
   Random random(12);
   const Setting setting = kSettings[0];
   Tally tally;
@@ -144,7 +144,7 @@ TEST_CASE("without the pads hits are lost, so that the test above tests somethin
   CHECK(tally.lost > 10);
 }
 
-TEST_CASE("a needle's distance, clamped to its own box, is never in front of any box around it") {
+TEST_CASE("the distance of a needle, clamped to its own box, is never before the entry into a box around it") {
   Random random(14);
   int hits = 0, frontOfOwn = 0, frontOfAncestor = 0;
   for (int i = 0; i < 200000; ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("a needle's distance, clamped to its own box, is never in front of any
   CHECK(frontOfAncestor == 0);
 }
 
-TEST_CASE("a box accepted in single precision has accepted ancestors, at no greater distance") {
+TEST_CASE("if a box is hit in single precision, its ancestors are hit at no greater distance") {
   Random random(13);
   int accepted = 0;
   bool monotonic = true;

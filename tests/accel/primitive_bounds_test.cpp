@@ -36,7 +36,7 @@ void checkPadded(const Aabb& box, const glm::dvec3& min, const glm::dvec3& max) 
 
 }  // namespace
 
-TEST_CASE("each kind of primitive has its box, padded by 2^-19 of its largest coordinate") {
+TEST_CASE("the box of each kind of primitive is padded by 2^-19 of its largest coordinate") {
   scene::Scene scene;
   scene.spheres = {{{1, 2, 3}, 0.5f}, {{1, 2, 3}, -0.5f}, {{1e5f + 1, 40.8f, 81.6f}, 1e5f}};
   scene.meshes = {{.positions = {{0, 1, 0}, {2, -1, 5}, {-3, 0, 1}}}};
@@ -63,7 +63,7 @@ TEST_CASE("a cone's box is that of its two circles") {
               {3 + 2 * lean, 3 + 2 * lean, 2});
 }
 
-TEST_CASE("random cones touch every face of their boxes and never leave them") {
+TEST_CASE("random cones touch every face of their boxes and are inside them") {
   Random random(3);
   for (int n = 0; n < 200; ++n) {
     const scene::Cone cone{glm::vec3(random.inCube(-5, 5)), static_cast<float>(random.real(0, 2)),
@@ -103,7 +103,7 @@ TEST_CASE("infinite planes are separate, and boxes refer to their primitives") {
   CHECK_FALSE(primitiveBounds(scene, scene.primitives[1]).has_value());
 }
 
-TEST_CASE("a primitive too far away to be traced is refused by name of its scene") {
+TEST_CASE("a primitive too far away to be traced is refused, and the message names its scene") {
   scene::Scene scene;
   scene.name = "far.p3f";
   scene.spheres = {{{0, 1e11f, 0}, 1}, {{0, 0, -1e12f}, 2e11f}};

@@ -129,7 +129,7 @@ std::optional<T> intersect(const Ray<T>& ray, const scene::Scene& scene, const s
   return std::nullopt;
 }
 
-/// What a ray precomputes for the box test.
+/// Values that are precomputed per ray for the box test.
 template <class T>
 struct SlabRay {
   static constexpr T kEndless = std::numeric_limits<T>::infinity();

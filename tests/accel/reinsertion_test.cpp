@@ -1,4 +1,4 @@
-// What reinsertion makes of trees: valid ones that cost no more, whatever the boxes, the depth limit and the threads.
+// Reinsertion: BVHs stay valid and never cost more, whatever the boxes, the depth limit and the threads.
 #include "host/accel/reinsertion.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<Aabb> furnishedRoom(std::size_t count) {
   return boxes;
 }
 
-// Of all moves that there are.
+// Returns the maximum gain over all possible moves.
 double largestGain(const LinkedTree& tree) {
   double largest = 0;
   const auto count = static_cast<std::uint32_t>(tree.nodes().size());
@@ -69,14 +69,15 @@ TEST_CASE("reinsertion keeps every BVH valid, within the depth limit, and never 
   }
 }
 
-TEST_CASE("reinsertion of all improves a tree of random boxes, and the trunk alone frees a room of its walls") {
+TEST_CASE(
+    "reinsertion of all nodes improves a BVH of random boxes, and that of the trunk separates the walls of a room") {
   const std::vector<Aabb> scattered = randomBoxes(20000);
   CHECK(costOf(buildBvh(scattered, reinserting(Reinsertion::all))) < 0.98 * costOf(buildBvh(scattered)));
   const std::vector<Aabb> room = furnishedRoom(5000);
   CHECK(costOf(buildBvh(room, reinserting(Reinsertion::trunk))) < 0.95 * costOf(buildBvh(room)));
 }
 
-TEST_CASE("after reinsertion of all no single move is left that gains much") {
+TEST_CASE("after reinsertion of all nodes, no single move would gain much more") {
   const std::vector<Aabb> boxes = furnishedRoom(60);
   const LinkedTree before(buildBvh(boxes, {.maxLeafSize = 1}), kEverything);
   const LinkedTree after(buildBvh(boxes, {.reinsertion = Reinsertion::all, .maxLeafSize = 1}), kEverything);
@@ -84,7 +85,7 @@ TEST_CASE("after reinsertion of all no single move is left that gains much") {
   CHECK(largestGain(after) < 0.001 * after.innerHalfArea());
 }
 
-TEST_CASE("no reinsertion exceeds a depth limit that the tree just meets") {
+TEST_CASE("reinsertion never exceeds a depth limit that the BVH has reached") {
   const std::vector<Aabb> boxes = randomBoxes(128);
   const BvhOptions tight{.reinsertion = Reinsertion::all, .maxLeafSize = 1, .maxDepth = 7};
   CHECK(validate(buildBvh(boxes, tight), boxes, tight).value_or("") == "");
@@ -92,7 +93,7 @@ TEST_CASE("no reinsertion exceeds a depth limit that the tree just meets") {
   CHECK(quality(buildBvh(boxes, {.reinsertion = Reinsertion::all, .maxLeafSize = 1})).depth > 7);
 }
 
-TEST_CASE("a reinserted tree is the same for any number of threads") {
+TEST_CASE("reinsertion gives the same BVH for any number of threads") {
   const std::vector<Aabb> boxes = randomBoxes(30000);
   for (const Reinsertion reinsertion : {Reinsertion::trunk, Reinsertion::all}) {
     BvhOptions options = reinserting(reinsertion);
@@ -107,7 +108,7 @@ TEST_CASE("a reinserted tree is the same for any number of threads") {
   CHECK_FALSE(buildBvh(boxes, reinserting(Reinsertion::all)) == buildBvh(boxes));
 }
 
-TEST_CASE("a trunk of any size reproduces the whole tree") {
+TEST_CASE("a trunk of any size reproduces the whole BVH") {
   const std::vector<Aabb> boxes = randomBoxes(3000);
   const Bvh bvh = buildBvh(boxes);
   for (const std::size_t limit : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{100}, kEverything}) {

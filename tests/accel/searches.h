@@ -22,7 +22,7 @@ struct Hit {
   std::uint32_t primitive = ~0u;
   bool operator==(const Hit&) const = default;
 
-  // Of equal distances the lower primitive index wins.
+  // At equal distances the lower primitive index wins.
   void offer(T otherT, std::uint32_t other) {
     if (otherT < t || (otherT == t && other < primitive)) *this = {otherT, other};
   }
@@ -87,7 +87,7 @@ class Searcher {
     return best;
   }
 
-  /// Whether a primitive of a higher index is hit at the same distance.
+  /// Returns whether a primitive of a higher index is hit at the same distance.
   bool isTie(const Ray<T>& ray, const Hit<T>& hit) const {
     for (std::uint32_t i = hit.primitive + 1; i < scene_.primitives.size(); ++i) {
       if (intersect(ray, scene_, scene_.primitives[i]) == hit.t) return true;

@@ -69,17 +69,17 @@ void requireEqual(const NamedScene& named, int rayCount, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("trees and grids find what brute force finds, in every scene") {
+TEST_CASE("BVHs and grids give the hits of brute force in every scene") {
   for (const NamedScene& named : sceneFiles()) requireEqual(named, 5000, 1);
 }
 
-TEST_CASE("trees and grids find what brute force finds, on the edges of what scenes can be") {
+TEST_CASE("BVHs and grids give the hits of brute force in extreme scenes") {
   for (const NamedScene& named : edgeScenes()) requireEqual(named, 10000, 2);
 }
 
 TEST_CASE("at equal distances the lower primitive index is hit in every structure") {
   for (const NamedScene& named : edgeScenes()) {
-    if (named.name != "mixed") continue;  // half of everything stands there twice
+    if (named.name != "mixed") continue;  // the scene contains half of its primitives twice
     constexpr int kRays = 5000;
     const Outcome outcome = searchAll<float>(named.scene, kRays, 7, true);
     CHECK(outcome.differing == Counts{});
@@ -87,19 +87,19 @@ TEST_CASE("at equal distances the lower primitive index is hit in every structur
   }
 }
 
-TEST_CASE("trees and grids find what brute force finds for a million rays in every scene", "[slow]") {
+TEST_CASE("BVHs and grids give the hits of brute force for a million rays in every scene", "[slow]") {
   for (const NamedScene& named : sceneFiles()) requireEqual(named, 1000000, 3);
 }
 
-TEST_CASE("trees and grids find what brute force finds for a million rays on the edges", "[slow]") {
+TEST_CASE("BVHs and grids give the hits of brute force for a million rays in extreme scenes", "[slow]") {
   for (const NamedScene& named : edgeScenes()) requireEqual(named, 1000000, 4);
 }
 
-TEST_CASE("trees and grids find what brute force finds among a million objects", "[slow]") {
+TEST_CASE("BVHs and grids give the hits of brute force among a million objects", "[slow]") {
   requireEqual({"a million objects", largeScene(1000000)}, 1000, 5);
 }
 
-TEST_CASE("trees and grids save nearly all of brute force's tests") {
+TEST_CASE("BVHs and grids save nearly all primitive tests of brute force") {
   const scene::Scene scene = largeScene(20000);
   Searcher<float> searcher(scene);
   const Structures structures(searcher.boxes());

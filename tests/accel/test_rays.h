@@ -21,7 +21,7 @@ class RayMaker {
     halfExtent_ = shape.bounds.extent() / 2.0;
   }
 
-  /// `surfacePoint` is a place worth starting from.
+  /// `surfacePoint` is a suitable origin of rays.
   Ray<float> next(const glm::vec3& surfacePoint) {
     const double choice = random_.real();
     if (choice < 0.3) return {inBox(1.2), anyDirection()};

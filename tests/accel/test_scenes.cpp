@@ -1,3 +1,4 @@
+// Builds the scenes for searches.
 #include "tests/accel/test_scenes.h"
 
 #include <algorithm>

@@ -14,8 +14,8 @@ struct NamedScene {
 
 /// The files of scenes/ and tests/scene/spd/.
 std::vector<NamedScene> sceneFiles();
-/// Flat scenes, one object and none, overlapping shells, boxes of zero thickness, objects far apart in place and size,
-/// objects on the faces of cells, half of everything twice.
+/// Flat scenes, one object and none, overlapping shells, boxes of zero thickness, objects that differ much in position
+/// and size, objects on the faces of cells, half of everything twice.
 std::vector<NamedScene> edgeScenes();
 /// `count` triangles and spheres in a cube.
 scene::Scene largeScene(std::size_t count);

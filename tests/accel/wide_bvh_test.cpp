@@ -70,7 +70,7 @@ TEST_CASE("most pairs of children whose indices differ in one bit lie on the sid
   CHECK(right > 0.75 * all);
 }
 
-TEST_CASE("quantised boxes lie around the boxes by the margin, and by little more than a step of the grid") {
+TEST_CASE("quantised boxes exceed the boxes by at least the margin, and by little more than a step of the grid") {
   Random random(3);
   for (int i = 0; i < 20000; ++i) {
     const double away = std::exp2(random.real(-20, 20)), size = std::exp2(random.real(-30, 10));
@@ -118,7 +118,7 @@ TEST_CASE("a ray with a hit at the error bound of a primitive test intersects th
   }
 }
 
-TEST_CASE("a leaf too large for a wide node is refused") {
+TEST_CASE("a leaf too large for an 8-wide node is refused") {
   const std::vector<Aabb> boxes = randomBoxes(100);
   CHECK_THROWS_AS(collapse(buildBvh(boxes, {.maxLeafSize = 8, .traversalCost = 1000})), InternalError);
 }

@@ -1,4 +1,4 @@
-// The choice of wide nodes against every other one that there is.
+// The choice of the children of 8-wide nodes, compared with every other choice.
 #include "host/accel/wide_families.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ double minCost(const Bvh& bvh, std::uint32_t node) {
 
 }  // namespace
 
-TEST_CASE("no other choice of children visits fewer 8-wide nodes") {
+TEST_CASE("no other choice of children has a smaller expected number of visited 8-wide nodes") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Bvh bvh = buildBvh(randomBoxes(13, seed), {.maxLeafSize = 1});
     CHECK(chosenCost(bvh, WideFamilies(bvh), 0) == Approx(minCost(bvh, 0)).epsilon(1e-5));
@@ -78,7 +78,7 @@ TEST_CASE("a family has two to eight members that contain all leaves below its n
   CHECK(leaves == quality(bvh).leafCount);
 }
 
-TEST_CASE("boxes without any area still fill wide nodes") {
+TEST_CASE("boxes without any area still fill 8-wide nodes") {
   const std::vector<Aabb> points(512, boxAround(glm::dvec3(5), glm::dvec3(0)));
   const Bvh bvh = buildBvh(points, {.maxLeafSize = 1});
   CHECK(WideFamilies(bvh).of(0).size == kWideChildren);

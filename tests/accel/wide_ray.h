@@ -27,7 +27,7 @@ struct WideRay {
     }
   }
 
-  /// Whether the ray meets a child's box before `farthest`.
+  /// Returns whether the ray intersects a child's box before `farthest`.
   bool meets(const QuantisedBoxes& boxes, std::uint32_t child, T farthest) const {
     T entry = 0, exit = farthest;
     for (int axis = 0; axis < 3; ++axis) {

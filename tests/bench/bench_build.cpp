@@ -95,7 +95,7 @@ void measure(const Case& of, const std::function<bool()>& isValid, const std::fu
     Stopwatch watch;
     build();
     wall.push_back(watch.lap());
-    // The calling thread works too; the others, if there are any, share the rest.
+    // The calling thread works too; any other threads do the rest.
     const double own = processorSeconds(RUSAGE_THREAD) - ownBefore;
     const double others = processorSeconds(RUSAGE_SELF) - allBefore - own;
     busiest.push_back(std::max(own, others / std::max(1u, of.threads - 1)));

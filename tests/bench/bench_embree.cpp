@@ -14,7 +14,7 @@ using namespace candela::bench;
 
 namespace {
 
-// Rays that pass by an edge may meet either side of it: so many may find another primitive.
+// Rays near an edge may hit either side of it: maximum fraction of rays that may hit another primitive.
 constexpr double kEdgeShare = 0.01;
 
 RayReport measure(const scene::Scene& scene, const render::RenderSettings& settings, std::uint32_t repeats,

@@ -1,3 +1,4 @@
+// Traces a benchmark's rays with Embree 3.
 #include "tests/bench/embree_tracer.h"
 
 #include <atomic>

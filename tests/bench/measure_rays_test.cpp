@@ -1,4 +1,4 @@
-// In which order rays are traced, what is compared, and what a report keeps to itself.
+// The order in which rays are traced, the comparison of their hits, and the figures that a report omits.
 #include "host/bench/measure_rays.h"
 
 #include <atomic>
@@ -54,7 +54,7 @@ device::RaySets setsOf(std::size_t primary, std::size_t shadow) {
   return sets;
 }
 
-TEST_CASE("each tracer warms up, then all run once before any runs twice, kind by kind") {
+TEST_CASE("for each kind of rays, every tracer warms up, and all run once before any runs twice") {
   std::vector<std::string> log;
   FakeTracer a("a", log), b("b", log);
   RayTracer* const tracers[]{&a, &b};
@@ -79,7 +79,7 @@ TEST_CASE("a kind without rays is omitted, and a stop gives no measurements") {
   CHECK(measureRays(tracers, setsOf(4, 0), 1, &stop).empty());
 }
 
-TEST_CASE("a tracer that finds another hit has no figures, unless it is a peer that may differ so far") {
+TEST_CASE("a tracer with other hits has no figures, unless the difference is within its permitted fraction") {
   std::vector<std::string> log;
   FakeTracer a("a", log), wrong("wrong", log, 3), peer("peer", log, 3, false);
   RayTracer* const tracers[]{&a, &wrong, &peer};

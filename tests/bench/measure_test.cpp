@@ -54,7 +54,7 @@ TEST_CASE("a measurement's rates are those of its median run") {
   CHECK(measurements[0].stepsPerRay() == Approx(4));
 }
 
-TEST_CASE("building is measured once for each preparation") {
+TEST_CASE("the build time is measured once for each preparation") {
   CHECK(measure(kNineRuns, 3).front().buildSeconds == std::vector{0.25});
   CHECK(measure(kNineRuns, 3, Preparation::everyRun).front().buildSeconds == std::vector{0.25, 0.5, 2.25});
 }
@@ -73,11 +73,11 @@ TEST_CASE("a variant whose image changes from run to run does not agree") {
   CHECK_FALSE(measurements[2].agrees);
 }
 
-TEST_CASE("where no image has a majority, none is taken for right") {
+TEST_CASE("no image is regarded as correct if none has a majority") {
   for (const Measurement& measurement : measure({{1}, {2}, {3}}, 1)) CHECK_FALSE(measurement.agrees);
 }
 
-TEST_CASE("films are compared among variants of the same image alone") {
+TEST_CASE("films are only compared among variants of the same image") {
   std::vector<Variant> variants = threeVariants();
   variants[2].image = "another";
   FakeRenderer renderer({{1}, {1}, {2}});
@@ -98,7 +98,7 @@ TEST_CASE("noise is half of the relMSE between two other seeds, measured once fo
   CHECK(renderer.seeds == std::vector<std::uint32_t>{0, 0, 0, 1, 2, 1, 2});
 }
 
-TEST_CASE("noise that nobody waited for is not measured") {
+TEST_CASE("noise is not measured if the benchmark is interrupted") {
   FakeRenderer renderer({{1}, {1}, {1}, {.interrupted = true}});
   std::vector<Measurement> measurements = measureInterleaved(renderer, scene::Scene{}, threeVariants(), 1, {});
   CHECK_FALSE(measureNoise(renderer, scene::Scene{}, measurements, {}));

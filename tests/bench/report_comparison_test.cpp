@@ -29,7 +29,7 @@ RowVerdict verdictOn(double before, double after) {
   return compare(reportOf({row("x", before)}), reportOf({row("x", after)})).rows.at(0).verdict;
 }
 
-TEST_CASE("a row is slower or faster only beyond the threshold") {
+TEST_CASE("a row counts as slower or faster only beyond the threshold") {
   CHECK(verdictOn(100, 100) == RowVerdict::alike);
   CHECK(verdictOn(100, 95.1) == RowVerdict::alike);
   CHECK(verdictOn(100, 94.9) == RowVerdict::slower);
@@ -37,7 +37,7 @@ TEST_CASE("a row is slower or faster only beyond the threshold") {
   CHECK(verdictOn(100, 105.1) == RowVerdict::faster);
 }
 
-TEST_CASE("a report regresses where a row is slower, missing or without its score, and only there") {
+TEST_CASE("a report regresses if and only if a row is slower, missing or without its score") {
   const json before = reportOf({row("x", 10), row("y", 10)});
   CHECK_FALSE(compare(before, before).regressed());
   CHECK_FALSE(compare(before, reportOf({row("x", 20), row("y", 10), row("z", 1)})).regressed());
@@ -67,7 +67,7 @@ TEST_CASE("another scene under the same name is reported, but is not a regressio
   CHECK_THAT(toText(comparison), Contains("another scene"));
 }
 
-TEST_CASE("a file that is no report is refused by its name") {
+TEST_CASE("a file that is no report is refused, and the message names it") {
   const json good = reportOf({});
   for (const json& bad :
        {json::object(), json::array(), json(3), json{{"schema", "other/1"}}, json{{"schema", "candela-bench/1"}},

@@ -1,4 +1,4 @@
-// What the comparison of structures says, and what it keeps to itself when images differ.
+// The report on acceleration structures, and the figures that it omits if images differ.
 #include "host/bench/structure_report.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   return report;
 }
 
-TEST_CASE("the structures compared are the report's two and the surface-area tree") {
+TEST_CASE("the compared structures are a grid, a BVH with midpoint splits and a SAH BVH") {
   const auto variants = structureVariants(render::RenderSettings{});
   REQUIRE(variants.size() == 3);
   CHECK(variants[0].settings.structure.accel == render::AccelKind::grid);
@@ -31,7 +31,7 @@ TEST_CASE("the structures compared are the report's two and the surface-area tre
   CHECK(variants[2].settings.structure.bvhSplit == render::BvhSplit::sah);
 }
 
-TEST_CASE("a structure with another image has no figures") {
+TEST_CASE("a structure whose image differs has no figures") {
   const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());
   const auto document = toJson(report);
@@ -44,14 +44,14 @@ TEST_CASE("a structure with another image has no figures") {
 TEST_CASE("published seconds are shown beside measured ones, if there are any") {
   StructureReport report = structureReportOf({{1}, {1}, {1}});
   CHECK(report.agree());
-  CHECK_THAT(toText(report), !Contains("report's"));
+  CHECK_THAT(toText(report), !Contains("published"));
   report.rows[0].publishedSeconds = 361.0;
-  CHECK_THAT(toText(report), Contains("the report's s") && Contains("361.0"));
+  CHECK_THAT(toText(report), Contains("published s") && Contains("361.0"));
   CHECK_THAT(toMarkdown(report), Contains("| 361.0 |"));
   CHECK(toJson(report)["rows"][0]["publishedSeconds"] == 361.0);
 }
 
-TEST_CASE("the JSON has a schema, and scene, images and rates for each row") {
+TEST_CASE("JSON has the schema, and the scene, images and rates of each row") {
   const auto document = toJson(structureReportOf({{1}, {1}, {1}}));
   CHECK(document["schema"] == "candela-bench/1");
   const auto& row = document["rows"][0];

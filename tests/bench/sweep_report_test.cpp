@@ -34,7 +34,7 @@ SweepReport report() {
   return report;
 }
 
-TEST_CASE("a sweep's rows have rates by kind of ray, dispatches, noise and what a driver took to compile") {
+TEST_CASE("the rows of a sweep have rates by kind of ray, dispatch times, noise and the driver's compilation time") {
   const nlohmann::json document = toJson(report());
   CHECK(document["schema"] == "candela-bench/1");
   const nlohmann::json& row = document["rows"][0];
@@ -69,7 +69,7 @@ TEST_CASE("each scene with a score has a line with its fastest variant") {
   CHECK_THAT(lines, !Contains("b.p3f"));
 }
 
-TEST_CASE("the drawing has a bar for each variant, as long as its rate, and its labels are text") {
+TEST_CASE("the chart has a bar for each variant with the length of its rate, and its labels are text") {
   const std::string svg = toSvg(report());
   CHECK_THAT(svg, Contains("workgroup=&lt;16&gt;") && !Contains("<16>"));
   CHECK_THAT(svg, Contains("width=\"200.0\"") && Contains("width=\"100.0\"") &&

@@ -1,3 +1,4 @@
+// Tables as aligned text and as Markdown.
 #include "host/bench/text_table.h"
 
 #include <catch2/catch.hpp>
@@ -7,7 +8,7 @@ namespace {
 
 const TextTable kTable{{"scene", "s"}, {{"a", "12.5"}, {"long name", "3"}}};
 
-TEST_CASE("text columns line up, names to the left and figures to the right") {
+TEST_CASE("text columns are aligned, names to the left and figures to the right") {
   CHECK(toText(kTable) ==
         "scene         s\n"
         "a          12.5\n"

@@ -33,7 +33,7 @@ TEST_CASE("the file name differs for every member of the key, and for every kind
   }
 }
 
-TEST_CASE("the text of a key is one line, whatever the driver calls its device") {
+TEST_CASE("the text of a key is one line for any name of a device") {
   DeviceKey key{"caf\xe9\nnewline", "", "", "", ""};
   CHECK(toText(key).find('\n') == std::string::npos);
 }

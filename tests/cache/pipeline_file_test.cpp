@@ -78,7 +78,7 @@ TEST_CASE("devices, pipes and folders are not read as files of pipelines") {
   CHECK(readPipelines(folder.path(), kKey).problem == "not a regular file");
 }
 
-TEST_CASE("pipelines cannot be stored where a file is in place of the folder") {
+TEST_CASE("pipelines cannot be stored if a file is in the place of the folder") {
   const TemporaryFolder folder;
   writeText(folder / "file", "");
   CHECK_THROWS_AS(writePipelines(folder.path() / "file" / "a.bin", kKey, someData()), FileError);

@@ -1,4 +1,4 @@
-// What is said of bad samples, and the command that shows one again.
+// The messages about bad samples, and the command that replays one.
 #include "host/cli/bad_samples.h"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ render::BadSampleTally tallyOfOne() {
 
 }  // namespace
 
-TEST_CASE("a path's bad sample is explained, with all that it depends on") {
+TEST_CASE("a path's bad sample is replayed by `explain` with every option on which it depends") {
   const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(replayCommand(kPixel, job) == "candela explain 'a scene.p3f' --seed 9 --spp 64 --pixel 2,1 --sample 5");
   const RenderJob strata = jobWith(render::Integrator::path, render::SamplerKind::stratified);
@@ -41,7 +41,7 @@ TEST_CASE("a path's bad sample is explained, with all that it depends on") {
         "candela explain 'a scene.p3f' --seed 9 --sampler stratified --spp 64 --pixel 2,1 --sample 5");
 }
 
-TEST_CASE("a sample of the reference is explained on the default device beside it, another on its own") {
+TEST_CASE("a bad sample of the reference is explained on the default device, that of a device on the device") {
   RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   job.arguments.device = "cpu";
   CHECK_THAT(replayCommand(kPixel, job), !Catch::Contains("--device"));
@@ -49,7 +49,7 @@ TEST_CASE("a sample of the reference is explained on the default device beside i
   CHECK_THAT(replayCommand(kPixel, job), Catch::Contains("--device llvmpipe"));
 }
 
-TEST_CASE("without paths the image is rendered again up to the bad sample, with the same jitter") {
+TEST_CASE("the replay of an integrator without paths renders the image up to the bad sample, with the same jitter") {
   for (const auto& [integrator, name] :
        {std::pair(render::Integrator::whitted, "whitted"), {render::Integrator::depth, "depth"}}) {
     const RenderJob job = jobWith(integrator, render::SamplerKind::sobol);
@@ -83,7 +83,7 @@ TEST_CASE("bad samples are reported with their number, their pixels and a replay
   CHECK(json["reference"]["firstPixels"].empty());
 }
 
-TEST_CASE("the option --strict turns success with bad samples into exit code 3 and no other code") {
+TEST_CASE("the option --strict turns success with bad samples into exit code 3 and changes no other code") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::quiet);
   Arguments arguments;

@@ -1,4 +1,4 @@
-// `candela bench` as a person meets it, on the reference tracer.
+// `candela bench` as a user runs it, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ ProgramResult runBench(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
+TEST_CASE("bench table1 measures three structures on two built-in scenes, without files") {
   const TemporaryFolder folder;
   const std::string markdown = folder.path("table.md");
   const ProgramResult result = runBench({"table1", "--json", "-", "--markdown", markdown});
@@ -36,10 +36,10 @@ TEST_CASE("bench table1 needs no files: both scenes, three structures each") {
   for (const json& row : report["rows"]) {
     CHECK(row["sameImage"] == true);
     CHECK(row["medianMs"] > 0);
-    CHECK_FALSE(row.contains("publishedSeconds"));  // the report's are of other work
+    CHECK_FALSE(row.contains("publishedSeconds"));  // the published seconds are for other work
   }
   CHECK(report["rows"][0]["filmHash"] != report["rows"][3]["filmHash"]);
-  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("report's"));
+  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("published"));
 }
 
 TEST_CASE("bench accel compares structures on any scenes") {
@@ -48,10 +48,10 @@ TEST_CASE("bench accel compares structures on any scenes") {
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("a.p3f") && Contains("uniform grid") && Contains("Mrays/s"));
-  CHECK_THAT(result.out, !Contains("report's"));
+  CHECK_THAT(result.out, !Contains("published"));
 }
 
-TEST_CASE("a benchmark that does not exist, or lacks its scene, is wrong usage") {
+TEST_CASE("a benchmark that does not exist, or lacks its scene, is a usage error") {
   CHECK_THAT(runBench({"tabel1"}).err, Contains("did you mean table1?"));
   CHECK(runBench({"tabel1"}).exitCode == 1);
   CHECK(runBench({"accel"}).exitCode == 1);

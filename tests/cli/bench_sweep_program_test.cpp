@@ -1,4 +1,4 @@
-// `candela bench SCENE --sweep` and `bench compare` as a person meets them, on the reference tracer.
+// `candela bench SCENE --sweep` and `bench compare` as a user runs them, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -36,7 +36,7 @@ TEST_CASE("bench SCENE renders every combination of the options that are swept")
   CHECK_THAT(readFile(folder.path("a.svg")), Contains("accel=grid threads=2"));
 }
 
-TEST_CASE("options that decide the image may be swept, and each image is compared with its like alone") {
+TEST_CASE("options that determine the image can be swept, and only variants with equal images are compared") {
   const TemporaryFolder folder;
   const ProgramResult result = benchScene(folder,
                                           {"--sweep", "nee=on,off", "--sweep", "accel=none,bvh", "--json", "-"});
@@ -51,7 +51,7 @@ TEST_CASE("options that decide the image may be swept, and each image is compare
   CHECK(rows[0]["relMse"] > 0);
 }
 
-TEST_CASE("bench SCENE without a sweep measures the options as they are given") {
+TEST_CASE("bench SCENE without a sweep measures the given options") {
   const TemporaryFolder folder;
   const ProgramResult result = benchScene(folder, {});
   REQUIRE(result.exitCode == 0);
@@ -78,7 +78,7 @@ TEST_CASE("an invalid sweep is refused with the reason") {
   CHECK_THAT(benchScene(folder, many).err, Contains("more than 256 combinations"));
 }
 
-TEST_CASE("bench compare exits with 3 where a row became slower, and with 0 against itself") {
+TEST_CASE("bench compare exits with 3 if a row became slower, and with 0 for equal reports") {
   const TemporaryFolder folder;
   const std::string old = folder.path("old.json");
   REQUIRE(benchScene(folder, {"--sweep", "threads=1,2", "--json", old}).exitCode == 0);
@@ -92,7 +92,7 @@ TEST_CASE("bench compare exits with 3 where a row became slower, and with 0 agai
   CHECK(runCandela({"bench", "compare", old, slower, "--threshold", "20%"}).exitCode == 0);
 }
 
-TEST_CASE("bench compare refuses what is no report, by its name") {
+TEST_CASE("bench compare refuses a file that is no report, and names it") {
   const TemporaryFolder folder;
   const std::string text = folder.write("a.json", "not JSON");
   CHECK(runCandela({"bench", "compare", text, text}).exitCode == 2);

@@ -23,7 +23,7 @@ scene::Scene boxesOf(const std::string& scene, const std::vector<std::string>& o
   return scene::loadScene(folder.path("boxes.nff")).scene;
 }
 
-// Twenty balls in a row, ever farther apart.
+// Twenty balls along a line at increasing distances.
 std::string row() {
   std::string text = kView;
   for (int i = 0; i < 20; ++i) text += "s " + std::to_string(0.01 * i * i * i) + " 0 0 0.1\n";
@@ -49,7 +49,7 @@ TEST_CASE("the edges of a box end exactly at its corners") {
   }
 }
 
-TEST_CASE("a flat box has no edges across") {
+TEST_CASE("a flat box has no edges along its flat axis") {
   // At the origin nothing pads the box.
   CHECK(boxesOf(kView + "p 3\n0 0 0\n1 0 0\n0 0 1\n").cones.size() == 12);
   CHECK(boxesOf(kView + "p 3\n0 0 0\n0 0 0\n0 0 0\n").cones.empty());
@@ -68,7 +68,7 @@ TEST_CASE("the boxes are those of the BVH that the renderer builds") {
   CHECK(boxesOf(row(), {"--depth", "1"}).cones.size() == 24);
 }
 
-TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
+TEST_CASE("the scene of boxes has the view of the original scene, and both tracers show it") {
   const std::string scene = row();
   const scene::Scene drawn = boxesOf(scene);
   const scene::Camera camera = *scene::parseScene(scene, "a", ".").scene.camera;
@@ -97,7 +97,7 @@ TEST_CASE("boxes are seen from where the scene is seen, by both tracers") {
   }
 }
 
-TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") {
+TEST_CASE("without -o the boxes go to stdout, and their number to stderr") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.nff", row());
   const ProgramResult result = runCandela({"boxes", scene, "--depth", "1"});
@@ -108,7 +108,7 @@ TEST_CASE("without -o the boxes go to stdout, and how many they are to stderr") 
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("boxes without a scene, a view or a writable file are errors that leave no file") {
+TEST_CASE("a missing scene, view or writable file is an error of `boxes` that leaves no file") {
   const TemporaryFolder folder;
   CHECK(runCandela({"boxes"}).exitCode == 1);
   CHECK(runCandela({"boxes", "a.nff", "--depth", "x"}).exitCode == 1);

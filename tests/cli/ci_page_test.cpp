@@ -31,7 +31,7 @@ std::set<std::string> wordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// Packages that apt-get is asked for; nothing for other apt-get commands.
+// Returns the packages that an apt-get command installs; nothing for other apt-get commands.
 std::set<std::string> installedBy(const std::string& commands) {
   std::set<std::string> words = wordsOf(commands);
   if (!words.contains("install")) return {};
@@ -48,7 +48,7 @@ std::set<std::string> packagesToRun() {
   return packages;
 }
 
-// What stands in the place of `match` group 1 in every line of `text` that matches as a whole.
+// Returns group 1 of the match in every line of `text` that matches `pattern` as a whole.
 std::vector<std::string> captured(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   std::istringstream lines(text);
@@ -77,7 +77,7 @@ std::optional<std::string> fileOf(const std::string& mark) {
   return mark.starts_with(start) ? std::optional(mark.substr(start.size())) : std::nullopt;
 }
 
-// A repository as the page has it: Candela with its build beside some scenes. Links stand for what is not written to.
+// A repository as on the page: Candela with its build beside some scenes. Folders that are only read are links.
 class Repository {
  public:
   Repository() {
@@ -104,7 +104,7 @@ class Repository {
 
 }  // namespace
 
-TEST_CASE("every block of the page on continuous integration is one that is checked") {
+TEST_CASE("every block of the page on continuous integration is checked") {
   const MarkedPage page = readPage();
   REQUIRE_FALSE(page.blocks.empty());
   for (const MarkedBlock& block : page.blocks) {
@@ -139,7 +139,7 @@ TEST_CASE("the workflow runs the commands that the page on continuous integratio
   }
 }
 
-TEST_CASE("every command of the page on continuous integration ends as the page says") {
+TEST_CASE("every command of the page on continuous integration has the stated result") {
   const MarkedPage page = readPage();
   const Repository repository;
   for (const MarkedBlock& block : page.blocks) {
@@ -152,7 +152,7 @@ TEST_CASE("every command of the page on continuous integration ends as the page 
     CHECK_THAT(result.out + result.err, Catch::Contains(expected->message));
   }
   for (const std::string& kept : captured(theBlock(page, "workflow").text, " *path: (.*)")) CHECK(repository.has(kept));
-  // The table of what is left has a file's name, or several, at the start of each row.
+  // The table of result files has one or more file names at the start of each row.
   const std::vector<std::string> rows = captured(page.prose, "\\| (`[a-z]+\\.[a-z]+`.*) \\|.*");
   REQUIRE(rows.size() >= 5);
   for (const std::string& row : rows) {
@@ -165,7 +165,7 @@ TEST_CASE("every command of the page on continuous integration ends as the page 
   }
 }
 
-TEST_CASE("the page on continuous integration has the program's exit codes, and no option that there is not") {
+TEST_CASE("the page on continuous integration states the program's exit codes and only options that exist") {
   const MarkedPage page = readPage();
   const std::string help = cli::helpText(std::nullopt);
   CHECK(captured(page.prose, "\\| ([0-9]+) \\|.*") ==

@@ -21,7 +21,7 @@ std::string messageFor(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("the word render may be left out") {
+TEST_CASE("the command render may be omitted") {
   for (const auto& words : {std::vector<std::string>{"a.p3f", "-o", "a.png"},
                             {"render", "a.p3f", "-o", "a.png"},
                             {"-o", "a.png", "a.p3f"},
@@ -34,7 +34,7 @@ TEST_CASE("the word render may be left out") {
   }
 }
 
-TEST_CASE("defaults are those of the settings") {
+TEST_CASE("defaults of options are those of the settings") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png"});
   CHECK_FALSE(arguments.sampleCount);
   CHECK_FALSE(arguments.size);
@@ -49,7 +49,7 @@ TEST_CASE("defaults are those of the settings") {
   CHECK(arguments.verbosity() == Verbosity::normal);
 }
 
-TEST_CASE("options may be repeated: outputs add up, of others the last counts") {
+TEST_CASE("repeated outputs add up, and of other repeated options the last one counts") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
   CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
   CHECK(arguments.settings.image.seed == 2);
@@ -59,7 +59,7 @@ TEST_CASE("a negative number is a value, not an option") {
   CHECK(parse({"a.p3f", "-o", "a.png", "--exposure", "-1.5"}).display.exposure == -1.5f);
 }
 
-TEST_CASE("a file whose name begins with a dash comes after two dashes") {
+TEST_CASE("a file whose name begins with a dash may follow two dashes") {
   CHECK(parse({"-o", "a.png", "--", "-a.p3f"}).files == std::vector<std::string>{"-a.p3f"});
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("a wrong command line names the expected value and the help") {
         "--stats and --json - both write to stdout\nsee candela render --help");
 }
 
-TEST_CASE("generate has a --size and an -o of its own") {
+TEST_CASE("generate has its own --size and -o") {
   const Arguments arguments = parse({"generate", "balls", "--size", "3", "-o", "balls.nff"});
   CHECK(arguments.command == Command::generate);
   CHECK(arguments.files == std::vector<std::string>{"balls"});
@@ -103,7 +103,7 @@ TEST_CASE("generate has a --size and an -o of its own") {
         "--spp is not an option of candela generate\nsee candela generate --help");
 }
 
-TEST_CASE("a tree of rays has fewer levels than a path may have") {
+TEST_CASE("the maximum depth of a tree of rays is lower than that of a path") {
   CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).maxDepth == 5000);
   CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).maxDepth == 20);
   CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
@@ -117,7 +117,7 @@ TEST_CASE("options of one comparison are refused for the other") {
         "--tolerance is for comparing two images, not one scene\nsee candela compare --help");
 }
 
-TEST_CASE("help and version need nothing else") {
+TEST_CASE("the options --help and --version need no other arguments") {
   CHECK(parse({"--help"}).help);
   CHECK_FALSE(parse({"-h"}).commandNamed);
   CHECK(parse({"compare", "-h"}).commandNamed);

@@ -10,7 +10,7 @@ namespace {
 using Catch::Contains;
 using nlohmann::json;
 
-// A ball on a floor under a lamp of so much red, green and blue, 16x12 pixels, by the reference.
+// A ball on a floor under a light of the given red, green and blue, 16x12 pixels, by the reference.
 std::string renderFilm(const TemporaryFolder& folder, const std::string& name, const std::string& seed,
                        const std::string& lamp = "4 4 4", const std::vector<std::string>& options = {}) {
   std::string text = smallScene();
@@ -73,7 +73,7 @@ TEST_CASE("the option --alpha requires variance and two samples in every pixel")
              Contains("B has pixels with fewer than two samples"));
 }
 
-TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met") {
+TEST_CASE("the option --tolerance alone replaces the statistical test, and with --alpha both criteria must be met") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1", "6 6 6");
   const std::string b = renderFilm(folder, "b.exr", "2");
@@ -84,7 +84,7 @@ TEST_CASE("a tolerance alone is judged alone, and with --alpha both must be met"
   CHECK(runCandela({"compare", b, c, "--tolerance", "1e-9", "--alpha", "0.01"}).exitCode == 3);
 }
 
-TEST_CASE("a report of two films is one page, the same each time, and there as a whole or not at all") {
+TEST_CASE("a report on two films is one page, the same each time, written completely or not at all") {
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string b = renderFilm(folder, "b.exr", "2");

@@ -69,14 +69,14 @@ TEST_CASE("images that cannot be compared are an error, and nothing is written")
   CHECK(folder.fileCount() == 3);
 }
 
-TEST_CASE("a value that is not a number fails any tolerance") {
+TEST_CASE("a value that is not a number exceeds any tolerance") {
   const TemporaryFolder folder;
   const std::string a = writeGrey(folder, "a.exr", std::numeric_limits<float>::quiet_NaN());
   const std::string b = writeGrey(folder, "b.exr", 0.5f);
   CHECK(runCandela({"compare", a, b, "--tolerance", "1e9"}).exitCode == 3);
 }
 
-TEST_CASE("the reference cannot be verified by itself") {
+TEST_CASE("the reference cannot be verified against itself") {
   const TemporaryFolder folder;
   const ProgramResult result = runCandela({"verify", folder.write("a.p3f", smallScene()), "--device", "cpu"});
   CHECK(result.exitCode == 1);

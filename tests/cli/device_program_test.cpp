@@ -28,7 +28,7 @@ json reportOf(const std::string& scene, const std::vector<std::string>& options)
 
 }  // namespace
 
-TEST_CASE("devices are listed, for people and for programs") {
+TEST_CASE("devices are listed as text and as JSON") {
   const ProgramResult text = runCandela({"devices"});
   REQUIRE(text.exitCode == 0);
   const json devices = json::parse(runCandela({"devices", "--json", "-"}).out)["devices"];
@@ -87,7 +87,7 @@ TEST_CASE("requested settings are used and change no bit of the film", "[swiftsh
   CHECK(reportOf(scene, {"--seed", "1"})["filmHash"] != plain["filmHash"]);
 }
 
-TEST_CASE("a device that does not exist is refused with a list of those that do") {
+TEST_CASE("a device that does not exist is refused with a list of the existing ones") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string name = json::parse(runCandela({"devices", "--json", "-"}).out)["devices"][0]["name"];
@@ -179,7 +179,7 @@ TEST_CASE("compare SCENE and verify write a page that names the device, with pic
   CHECK(contains(verified, "candela verify " + scene));
 }
 
-TEST_CASE("verify finds a wrong answer although both sides agree") {
+TEST_CASE("verify reports a wrong result although both sides agree") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("# exact-mean: 9 9 9\n"));
   const ProgramResult result = runOnDevice({"verify", scene, "--bias", "10%"});
@@ -188,7 +188,8 @@ TEST_CASE("verify finds a wrong answer although both sides agree") {
   CHECK(contains(result.out, "NOT with the exact result that the scene states"));
 }
 
-TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and count the same", "[swiftshader-slow]") {
+TEST_CASE("two tracers that agree on bad samples fail only with --strict, and have equal counts",
+          "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f",
                                          "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\nf 0 0 "
@@ -217,7 +218,7 @@ TEST_CASE("two tracers that agree on bad samples fail under --strict alone, and 
   CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 }
 
-TEST_CASE("Ctrl-C during work on a device writes what was done and exits with 7") {
+TEST_CASE("Ctrl-C during a render on a device writes the finished samples and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");

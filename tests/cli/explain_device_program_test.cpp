@@ -18,7 +18,7 @@ ProgramResult explainOnDevice(std::vector<std::string> words) {
 
 }  // namespace
 
-TEST_CASE("explain prints two equal paths, and the same as JSON") {
+TEST_CASE("explain prints two equal paths as text and as JSON") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string file = folder.path("a.json");

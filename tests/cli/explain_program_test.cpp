@@ -1,4 +1,4 @@
-// What `candela explain` refuses before it asks for a device.
+// Command lines that `candela explain` refuses before it opens a device.
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run_program.h"
@@ -31,7 +31,7 @@ TEST_CASE("explain refuses a pixel outside the image and names its limits") {
   CHECK(refuse({"--pixel", "16,0", "--size", "17x1"}).exitCode == 4);
 }
 
-TEST_CASE("explain refuses what is no pixel") {
+TEST_CASE("explain refuses a value that is no pixel") {
   for (const char* pixel : {"3", "3x4", "-1,0", "3,", ",4", "3,4,5", "1.5,2", "a,b"}) {
     CAPTURE(pixel);
     const ProgramResult result = refuse({std::string("--pixel=") + pixel});
@@ -40,7 +40,7 @@ TEST_CASE("explain refuses what is no pixel") {
   }
 }
 
-TEST_CASE("explain refuses a sample that a pixel does not have, and one of no pixel") {
+TEST_CASE("explain refuses a sample index that the pixel does not have, and one without a pixel") {
   const ProgramResult beyond = refuse({"--pixel", "1,1", "--sample", "16"});
   CHECK(beyond.exitCode == 1);
   CHECK_THAT(beyond.err, Contains("a pixel has 16 samples (0 to 15); use --spp 17 or more"));
@@ -51,7 +51,7 @@ TEST_CASE("explain refuses a sample that a pixel does not have, and one of no pi
   CHECK_THAT(nowhere.err, Contains("--sample needs --pixel X,Y"));
 }
 
-TEST_CASE("explain refuses the reference against itself, and integrators without paths") {
+TEST_CASE("explain refuses the reference as the device, and integrators without paths") {
   const ProgramResult itself = refuse({"--device", "cpu"});
   CHECK(itself.exitCode == 1);
   CHECK_THAT(itself.err, Contains("the reference tracer cannot be compared with itself"));

@@ -23,19 +23,19 @@ TEST_CASE("a scene is written to the file of -o, or to stdout") {
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("without a size a kind has its default") {
+TEST_CASE("a kind of scene without a size has its default") {
   const ProgramResult result = runCandela({"generate", "tetra"});
   CHECK(contains(result.err, "tetra of size 6: 4096 primitives"));
   CHECK(result.out == runCandela({"generate", "tetra", "--size", "6"}).out);
 }
 
-TEST_CASE("quiet means that only the scene is written") {
+TEST_CASE("generate --quiet prints nothing but the scene") {
   const ProgramResult result = runCandela({"generate", "jacks", "-q"});
   CHECK(result.err.empty());
   CHECK_FALSE(result.out.empty());
 }
 
-TEST_CASE("an unknown kind is named with the nearest one, or with all") {
+TEST_CASE("an unknown kind is refused with the most similar kind, or with all kinds") {
   const ProgramResult near = runCandela({"generate", "mout"});
   CHECK(near.exitCode == 1);
   CHECK(near.err == "candela: unknown kind mout; did you mean mount?\ncandela: see candela generate --help\n");

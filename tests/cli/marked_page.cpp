@@ -1,3 +1,4 @@
+// Parses a Markdown page with marked blocks.
 #include "tests/cli/marked_page.h"
 
 #include <sstream>

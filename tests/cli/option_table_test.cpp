@@ -38,7 +38,7 @@ std::string readmeBlock(const std::string& marker) {
 
 }  // namespace
 
-TEST_CASE("every option has the promised name, value and default") {
+TEST_CASE("every option has the documented name, value and default") {
   struct Promise {
     const char* names;
     const char* metavar;
@@ -120,7 +120,7 @@ TEST_CASE("every option has the promised name, value and default") {
   }
 }
 
-TEST_CASE("no command has two options of one name") {
+TEST_CASE("no command has two options with the same name") {
   for (const CommandInfo& info : commandTable()) {
     std::set<std::string> names;
     for (const Option& option : optionTable()) {
@@ -134,7 +134,7 @@ TEST_CASE("no command has two options of one name") {
   }
 }
 
-TEST_CASE("an option shows the value that it was given") {
+TEST_CASE("an option prints the value that it was given") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> samples{
       {"--spp", {"0", "1", "16", "1073741824"}},
       {"--seed", {"0", "4294967295"}},
@@ -215,7 +215,7 @@ TEST_CASE("settings print as the command line that states them") {
   CHECK(commandLineOf(arguments, OptionGroup::sceneFile, false) == "--allow-path /a --allow-path /b");
 }
 
-TEST_CASE("every option that is tuned is one of tracing, and has auto and all values that are tried") {
+TEST_CASE("every tuned option belongs to tracing, and has auto and all values that are tried") {
   for (const tune::Dimension& dimension : tune::dimensionTable()) {
     const std::string name = "--" + dimension.option;
     const Option& option = find(name);
@@ -241,7 +241,7 @@ TEST_CASE("README quotes the list of packages") {
   CHECK(readmeBlock("packages") == packages);
 }
 
-TEST_CASE("help of generate names every kind with its sizes, and its own options only") {
+TEST_CASE("the help of generate has every kind with its sizes, and only its own options") {
   const std::string help = helpText(Command::generate);
   for (const generate::Kind& kind : generate::kindTable()) {
     CHECK(help.find("\n  " + std::string(kind.name) + " ") != std::string::npos);
@@ -253,7 +253,7 @@ TEST_CASE("help of generate names every kind with its sizes, and its own options
   CHECK(helpText(Command::render).find("balls") == std::string::npos);
 }
 
-TEST_CASE("help fits on a terminal of 100 columns and names every exit code") {
+TEST_CASE("the help fits into 100 columns and states every exit code") {
   const std::string help = helpText(std::nullopt) + helpText(Command::generate);
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

@@ -66,16 +66,16 @@ TEST_CASE("a damaged file of compiled pipelines is ignored and replaced") {
   CHECK(cache.stored().problem.empty());
 }
 
-TEST_CASE("--no-cache stores no compiled pipelines") {
+TEST_CASE("the option --no-cache stores no compiled pipelines") {
   const Cache cache;
   const ProgramResult result = cache.render({"--no-cache"});
   REQUIRE(result.exitCode == 0);
   CHECK_FALSE(cache.isStored());
 }
 
-TEST_CASE("a render succeeds where compiled pipelines cannot be stored") {
+TEST_CASE("a render succeeds if compiled pipelines cannot be stored") {
   const Cache cache;
-  cache.removeFolder();  // a file of that name takes its place
+  cache.removeFolder();  // replaced by a file of that name
   const ProgramResult result = cache.render();
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("compiled pipelines are not stored: "));

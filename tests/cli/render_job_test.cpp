@@ -17,7 +17,7 @@ scene::Scene sceneWithCamera() {
 
 }  // namespace
 
-TEST_CASE("the command line wins over the file, the file over the default") {
+TEST_CASE("the command line takes precedence over the file, and the file over the default") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::verbose);
   scene::Scene scene = sceneWithCamera();
@@ -48,7 +48,7 @@ TEST_CASE("the command line wins over the file, the file over the default") {
   CHECK(byOption.settings.image.size.height == 6);
 }
 
-TEST_CASE("no samples mean one ray through each pixel's origin") {
+TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
   scene.requestedSamples = 0;
@@ -63,7 +63,7 @@ TEST_CASE("no samples mean one ray through each pixel's origin") {
   CHECK(byOption.settings.image.jittersPixels());
 }
 
-TEST_CASE("a structure that only the scene asks for is a preference") {
+TEST_CASE("a structure that only the scene requests is a preference") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
   scene.requestedAccel = 0;
@@ -93,7 +93,7 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
   CHECK(stated.settings.image.maxDepth == 7);
 }
 
-TEST_CASE("a file may ask for each of the structures") {
+TEST_CASE("a file can request each of the structures") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
   for (const auto& [number, accel] :

@@ -1,4 +1,4 @@
-// `candela render` as a person meets it, on the reference tracer.
+// `candela render` as a user runs it, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ TEST_CASE("an EXR file describes how it was rendered") {
         "--sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --one-sided");
 }
 
-TEST_CASE("the report has every promised figure") {
+TEST_CASE("the JSON report has every documented figure") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult result = runCandela({scene, "--json", "-", "--device", "cpu", "--spp", "2", "-q"});
@@ -115,7 +115,7 @@ TEST_CASE("the Whitted integrator reports rays by kind and options without effec
   CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
 }
 
-TEST_CASE("the same film, whatever the threads and the structure, and another one for another seed") {
+TEST_CASE("the film does not depend on threads and structure, but on the seed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto filmHash = [&](const std::vector<std::string>& options) {
@@ -135,7 +135,7 @@ TEST_CASE("the same film, whatever the threads and the structure, and another on
   CHECK(filmHash({"--seed", "1"}) != hash);
 }
 
-TEST_CASE("a file's request for samples counts unless the command line has its own") {
+TEST_CASE("the file's number of samples is used unless the command line states another") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("spp 3\n"));
   const auto run = [&](std::vector<std::string> options) {
@@ -149,7 +149,7 @@ TEST_CASE("a file's request for samples counts unless the command line has its o
   CHECK(json::parse(run({"--spp", "1"}).out)["samples"] == 1 * 16 * 12);
 }
 
-TEST_CASE("quiet is silent, --stats prints a table") {
+TEST_CASE("the option --quiet suppresses all output, and --stats prints a table") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult quiet = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu", "--spp", "1", "-q"});
@@ -192,7 +192,7 @@ TEST_CASE("an output that cannot be written is refused before any work, and no f
   }
 }
 
-TEST_CASE("an invalid scene gives no image and a message for every invalid line") {
+TEST_CASE("an invalid scene gives no image, but a message for every invalid line") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("broken.p3f", smallScene("spehre 0 0 0 1\ns 0 0\n"));
   const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});
@@ -202,13 +202,13 @@ TEST_CASE("an invalid scene gives no image and a message for every invalid line"
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("a missing scene is a file error") {
+TEST_CASE("a missing scene exits with the code of a file error") {
   const ProgramResult result = runCandela({"/nowhere/scene.p3f", "-o", "a.png", "--device", "cpu"});
   CHECK(result.exitCode == 2);
   CHECK(contains(result.err, "/nowhere/scene.p3f"));
 }
 
-TEST_CASE("Ctrl-C writes what was done and exits with 7") {
+TEST_CASE("Ctrl-C writes the finished samples and exits with 7") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");
@@ -224,7 +224,7 @@ TEST_CASE("Ctrl-C writes what was done and exits with 7") {
   CHECK(image.metadata.at("candela.interrupted") == "yes");
 }
 
-TEST_CASE("sizes have stated limits") {
+TEST_CASE("images beyond the stated limits of size are refused") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const auto run = [&](const std::string& size) {
@@ -239,7 +239,7 @@ TEST_CASE("sizes have stated limits") {
   CHECK(folder.fileCount() == 1);
 }
 
-TEST_CASE("the wavefront is refused where no paths are traced") {
+TEST_CASE("the wavefront is refused for integrators that trace no paths") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const char* integrator : {"whitted", "ao"}) {

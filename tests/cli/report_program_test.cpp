@@ -46,7 +46,7 @@ TEST_CASE("check reads every file, lists all errors, and exits with 2") {
   CHECK(files[2]["valid"] == true);
 }
 
-TEST_CASE("lenient accepts what strict refuses, with a warning") {
+TEST_CASE("the option --lenient accepts files that are otherwise refused, with a warning") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("wibble 1 2 3\n"));
   CHECK(runCandela({"check", scene, "-q"}).exitCode == 2);
@@ -55,7 +55,7 @@ TEST_CASE("lenient accepts what strict refuses, with a warning") {
   CHECK(contains(lenient.out, "wibble"));
 }
 
-TEST_CASE("a report that cannot be written is no success") {
+TEST_CASE("a report that cannot be written is an error") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const Surroundings fullDisk{{}, "/dev/full", {}};
@@ -63,7 +63,7 @@ TEST_CASE("a report that cannot be written is no success") {
   CHECK(runCandela({"--help"}, fullDisk).exitCode == 2);
 }
 
-TEST_CASE("without a Vulkan driver the program says what to install and exits with 4") {
+TEST_CASE("the program without a Vulkan driver exits with 4 and names the packages to install") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   for (const auto& words :

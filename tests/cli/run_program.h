@@ -25,7 +25,7 @@ struct Surroundings {
 /// std::runtime_error if it cannot be started or takes over five minutes.
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
-/// The same for another program, given by its path.
+/// Runs another program, given by its path.
 ProgramResult runProgram(const std::string& program, const std::vector<std::string>& words,
                          const Surroundings& surroundings = {});
 
@@ -50,7 +50,7 @@ class TemporaryFolder {
 
 std::string readFile(const std::string& path);
 
-/// A diffuse ball on a floor under a lamp, 16x12 pixels; `extra` lines are appended.
+/// A diffuse ball on a floor under a light, 16x12 pixels; `extra` lines are appended.
 std::string smallScene(const std::string& extra = "");
 
 }  // namespace candela

@@ -40,7 +40,7 @@ TEST_CASE("rates are per second of tracing") {
   CHECK(json["auto"] == "tuned");
 }
 
-TEST_CASE("rays of a Whitted tree are reported by kind, those of a path are not") {
+TEST_CASE("rays of the Whitted tracer are reported by kind, those of paths are not") {
   render::RenderResult result = exampleResult();
   CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));
   result.statistics.treeRays = {.cameraHits = 3, .reflected = 4, .refracted = 1};
@@ -60,7 +60,7 @@ TEST_CASE("dispatch times have median, 99th percentile and maximum by nearest ra
   CHECK(dispatch["max"] == 100.0);
 }
 
-TEST_CASE("a report of nothing divides by nothing") {
+TEST_CASE("the report of a render without samples divides nothing by 0") {
   const auto json = toJson(RenderReport{RenderJob{}, render::RenderResult{}, 0, 0});
   CHECK(json["msamplesPerSecond"] == 0.0);
   CHECK(json["verticesPerSample"] == 0.0);

@@ -1,4 +1,4 @@
-// Bad samples and --strict as a person meets them, on the reference tracer.
+// Bad samples and --strict as a user sees them, on the reference tracer.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 using Catch::Contains;
 using nlohmann::json;
 
-// A lamp brighter than the film can hold, in the middle of 8x8 pixels.
+// A light brighter than the film can represent, in the middle of 8x8 pixels.
 std::string tooBrightScene() {
   return "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
          "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n";
@@ -64,7 +64,7 @@ TEST_CASE("the option --strict exits with 3 after bad samples and still writes t
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }
 
-TEST_CASE("the option --strict changes nothing where no sample is bad") {
+TEST_CASE("the option --strict changes nothing if no sample is bad") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");

@@ -24,7 +24,7 @@ std::string sceneWithATree() {
 
 Surroundings inside(const std::vector<std::string>& environment) { return {environment, {}, {}}; }
 
-// A scene, a place for what is tuned, and the program with both.
+// A scene, a folder for tuning results, and the program with both.
 class Home {
  public:
   Home() : scene_(folder_.write("a.p3f", sceneWithATree())) { std::filesystem::create_directory(cache()); }
@@ -104,7 +104,7 @@ TEST_CASE("a dry run stores nothing", "[slow]") {
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("tuned values are used and reported where an option is auto, and change no bit of the film",
+TEST_CASE("tuned values are used and reported if an option is auto, and change no bit of the film",
           "[swiftshader-slow]") {
   const Home home;
   const json plain = home.render();

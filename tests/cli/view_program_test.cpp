@@ -1,4 +1,4 @@
-// The views as a person asks for them, on the reference tracer.
+// The views as a user requests them, on the reference tracer.
 #include <catch2/catch.hpp>
 
 #include "host/image/image.h"
@@ -63,7 +63,7 @@ TEST_CASE("the other views are shown like light") {
   }
 }
 
-TEST_CASE("the reach of ambient occlusion changes its image") {
+TEST_CASE("the option --ao-distance changes the image of ambient occlusion") {
   const image::Image near = renderView({"--integrator", "ao", "--ao-distance", "0.01"}).linear;
   const image::Image far = renderView({"--integrator", "ao", "--ao-distance", "10"}).linear;
   double nearSum = 0, farSum = 0;

@@ -31,7 +31,7 @@ TEST_CASE("an atomic write creates and replaces a file and leaves no temporary f
   CHECK(fileCount(folder.path()) == 2);
 }
 
-TEST_CASE("an atomic write to a relative name works") {
+TEST_CASE("a file with a relative name is written atomically") {
   TemporaryFolder folder;
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());

@@ -1,4 +1,4 @@
-// Which lines each verbosity shows.
+// The lines that each verbosity shows.
 #include "host/core/log.h"
 
 #include <catch2/catch.hpp>
@@ -19,13 +19,13 @@ std::string allLines(Verbosity verbosity) {
 
 }  // namespace
 
-TEST_CASE("quiet hides all but problems, verbose shows details too") {
+TEST_CASE("a quiet log shows only problems, and a verbose one also details") {
   CHECK(allLines(Verbosity::quiet) == "candela: p\n");
   CHECK(allLines(Verbosity::normal) == "candela: p\ncandela: warning: w\ncandela: n\n");
   CHECK(allLines(Verbosity::verbose) == "candela: p\ncandela: warning: w\ncandela: n\ncandela: d\n");
 }
 
-TEST_CASE("each line of a message names the program") {
+TEST_CASE("each line of a message begins with the name of the program") {
   std::ostringstream sink;
   Log(sink, Verbosity::quiet).problem("first\nsecond");
   CHECK(sink.str() == "candela: first\ncandela: second\n");

@@ -29,7 +29,7 @@ TEST_CASE("a quiet render prints no progress") {
   CHECK(progressStyle(Verbosity::quiet) == ProgressStyle::none);
 }
 
-TEST_CASE("a terminal's line is rewritten at most ten times a second and removed at the end") {
+TEST_CASE("the line on a terminal is rewritten at most ten times a second and removed at the end") {
   std::ostringstream sink;
   double now = 0;
   std::optional<Progress> progress(std::in_place, sink, ProgressStyle::terminal, [&] { return now; });
@@ -45,7 +45,7 @@ TEST_CASE("a terminal's line is rewritten at most ten times a second and removed
   CHECK(sink.str() == whileRunning + "\r\x1b[K");
 }
 
-TEST_CASE("a plain log has few lines: none for a render of two seconds, one per tenth of a long one") {
+TEST_CASE("a plain log has no line for a render of two seconds, and one line per tenth of a long one") {
   std::ostringstream sink;
   double now = 0;
   Progress progress(sink, ProgressStyle::plain, [&] { return now; });
@@ -70,7 +70,7 @@ TEST_CASE("a render that hardly advances prints its progress every minute") {
   CHECK(count(sink.str(), '\n') == 5);
 }
 
-TEST_CASE("progress shows percentage, rate and remaining time") {
+TEST_CASE("the progress shows percentage, rate and remaining time") {
   CHECK(progressText(0.25, 5'000'000, 2) == "25 %, 2.5 Msamples/s, 6 s left");
   CHECK(progressText(0, 0, 0) == "0 %");
   CHECK(durationText(59.4) == "59 s");

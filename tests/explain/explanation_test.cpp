@@ -1,4 +1,4 @@
-// Which difference is named first, and what is said of it.
+// The difference that is named first, and its description.
 #include <catch2/catch.hpp>
 #include <functional>
 #include <limits>
@@ -84,13 +84,13 @@ TEST_CASE("every quantity that differs is named, at its vertex") {
   for (const auto& [change, named] : all) CHECK(firstIn(change) == named);
 }
 
-TEST_CASE("values that are not finite differ from finite ones") {
+TEST_CASE("values that are not finite differ from finite values") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK(firstIn([](render::PathTrace& p) { p.radiance.x = kNan; }) == "sample: radiance");
   CHECK(firstIn([](render::PathTrace& p) { p.vertices[0].hit->position.x = kNan; }) == "vertex 1: position");
 }
 
-TEST_CASE("an earlier number precedes a later decision, and both are reported") {
+TEST_CASE("a number that differs before a decision is reported along with the decision") {
   const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].scattering->weight *= 1.005;
     path.vertices[0].roulette->survived = false;
@@ -105,7 +105,7 @@ TEST_CASE("an earlier number precedes a later decision, and both are reported") 
                                "reference.\nThe sample's radiance is equal."));
 }
 
-TEST_CASE("behind a decision that differs nothing is compared but the result") {
+TEST_CASE("after a decision that differs, only the result is compared") {
   const Explanation explanation = explainChanged([](render::PathTrace& path) {
     path.vertices[0].hit->primitive = 1;
     path.vertices[0].hit->position.x = 7;
@@ -169,7 +169,7 @@ TEST_CASE("JSON has each quantity by name, and the first that differs") {
   CHECK(json["stages"].back()["radiance"]["differs"] == false);
 }
 
-TEST_CASE("integrators without paths are refused with what to do instead") {
+TEST_CASE("integrators without paths are refused with an alternative") {
   CHECK_NOTHROW(requirePaths(render::Integrator::path));
   CHECK_THROWS_WITH(requirePaths(render::Integrator::whitted), Contains("candela compare SCENE"));
   CHECK_THROWS_AS(requirePaths(render::Integrator::normal), UsageError);

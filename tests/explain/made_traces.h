@@ -1,11 +1,11 @@
-// Paths made by hand.
+// Traces of paths with chosen values.
 #pragma once
 #include "host/explain/explanation.h"
 #include "host/scene/nff_material.h"
 
 namespace candela::explain {
 
-/// Two spheres, the second a lamp; a diffuse material and one that emits.
+/// Two spheres, the second of which is a light; a diffuse material and one that emits.
 inline scene::Scene twoSpheres() {
   scene::Scene scene;
   scene.name = "made.p3f";
@@ -15,7 +15,7 @@ inline scene::Scene twoSpheres() {
   return scene;
 }
 
-/// Off the first sphere, lit by the lamp, and past everything.
+/// A path that hits the first sphere, is lit by the light, and then hits nothing.
 inline render::PathTrace madePath() {
   render::VertexTrace first;
   first.origin = {0, -5, 0};

@@ -10,8 +10,8 @@ using namespace candela::explain;
 
 namespace {
 
-// Primitives: 0 lamp, 1 ball of glass, 2 shiny ball, 3 another far away, 4 and 5 floor. Materials in their order. None
-// of the changes below needs another kernel.
+// Primitives: 0 light, 1 glass ball, 2 glossy ball, 3 another one far away, 4 and 5 floor. Materials are in the same
+// order. None of the changes below needs another kernel.
 const char* const kScene =
     "b 0.1 0.2 0.3\nv\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
     "f 1 1 1 1 0 0 0 0 1 0 1 12 11 10\ns 2 -1 6 1\n"
@@ -83,7 +83,7 @@ void requireFirst(const Wanted& wanted, const Change& change, const std::string&
 
 }  // namespace
 
-TEST_CASE("nothing planted, nothing named") {
+TEST_CASE("without a planted fault, no difference is reported") {
   const Explanation explanation = explainPlanted(
       seesLitFloor, [](scene::Scene&, render::RenderSettings&) {}, true);
   CAPTURE(toText(explanation));
@@ -91,7 +91,7 @@ TEST_CASE("nothing planted, nothing named") {
   CHECK(explanation.furthestBefore);
 }
 
-TEST_CASE("another albedo is named where the surface is lit, with its size") {
+TEST_CASE("a different albedo is reported where the surface is lit, with its size") {
   const auto brighter = [](scene::Scene& scene, render::RenderSettings&) {
     scene.materials[3].diffuse->colour *= 1.005f;
   };
@@ -100,13 +100,13 @@ TEST_CASE("another albedo is named where the surface is lit, with its size") {
   CHECK(explanation.at(*explanation.firstDifference).apart == Approx(0.005 / 1.005).epsilon(0.01));
 }
 
-TEST_CASE("another radius is named by the position") {
+TEST_CASE("a different radius is reported by the position") {
   requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
                [](scene::Scene& scene, render::RenderSettings&) { scene.spheres[kShiny].radius = 1.01f; }, "vertex 1",
                "position");
 }
 
-TEST_CASE("another index of refraction is named by the direction in the glass") {
+TEST_CASE("a different index of refraction is reported by the direction in the glass") {
   const auto refracts = [](const render::VertexTrace& v) {
     return sees(v, kGlass) && v.scattering && v.scattering->lobe == render::Lobe::refract;
   };
@@ -126,7 +126,7 @@ TEST_CASE("a missing surface is reported by its primitive") {
       "vertex 1", "primitive");
 }
 
-TEST_CASE("another material of a primitive is named as such") {
+TEST_CASE("a different material of a primitive is reported as such") {
   requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
                [](scene::Scene& scene, render::RenderSettings&) { scene.primitives[kShiny].material = 3; }, "vertex 1",
                "material");
@@ -137,7 +137,7 @@ TEST_CASE("a brighter light is reported where it is visible, and by its contribu
   requireFirst(seesLitFloor, brighter, "vertex 1", "light adds");
 }
 
-TEST_CASE("a light at another position is reported by the direction to it") {
+TEST_CASE("a light at a different position is reported by the direction to it") {
   requireFirst(
       seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.spheres[kLamp].centre.x += 0.05f; },
       "vertex 1", "light direction");
@@ -153,13 +153,13 @@ TEST_CASE("an occluder of the light is reported by the shadow ray") {
   requireFirst(belowLamp, blocked, "vertex 1", "shadow ray");
 }
 
-TEST_CASE("another roulette is named as a decision") {
+TEST_CASE("a different rule of roulette is reported as a decision") {
   requireFirst([](const render::VertexTrace& v) { return seesLitFloor(v) && v.roulette && v.roulette->survived; },
                [](scene::Scene&, render::RenderSettings& settings) { settings.image.rouletteStart = 5; }, "vertex 1",
                "roulette");
 }
 
-TEST_CASE("another camera is named by its ray, another seed by the first random number") {
+TEST_CASE("a different camera is reported by its ray, a different seed by the first random number") {
   requireFirst(
       seesLitFloor, [](scene::Scene& scene, render::RenderSettings&) { scene.camera->from.x += 0.1f; }, "camera",
       "ray origin");
@@ -171,7 +171,7 @@ TEST_CASE("another camera is named by its ray, another seed by the first random 
       "filter x");
 }
 
-TEST_CASE("a difference at a later vertex is named there") {
+TEST_CASE("a difference at a later vertex is reported there") {
   // Off the shiny ball onto the floor, whose albedo differs: all up to there is equal.
   const auto viaBall = [](const render::VertexTrace& v) {
     return sees(v, kShiny) && v.scattering && v.scattering->direction.z < -0.5;

@@ -93,7 +93,8 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, and
   }
 }
 
-TEST_CASE("roulette spares the first vertices, and a path survives it by the square root of its throughput") {
+TEST_CASE(
+    "roulette starts after the first vertices, and the survival probability is the square root of the throughput") {
   const scene::Scene scene = device::loadTestScene("cornell.p3f");
   render::RenderSettings settings = device::squareSettings(6, 1);
   settings.image.rouletteStart = 2;
@@ -117,7 +118,7 @@ TEST_CASE("roulette spares the first vertices, and a path survives it by the squ
   }
 }
 
-TEST_CASE("the two tracers' replays agree where their pixels do, and part by the same decision where they do not") {
+TEST_CASE("the replays of the two tracers agree if their pixels do, and otherwise diverge at the same decision") {
   const scene::Scene scene = device::loadTestScene("primitives.p3f");
   render::RenderSettings settings = device::squareSettings(12, 1);
   settings.execution.recordPaths = true;

@@ -1,4 +1,4 @@
-// The table of kinds keeps its promises: ranges, limits, scenes that load.
+// The table of kinds: ranges, limits, scenes that can be loaded.
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
@@ -19,7 +19,7 @@ TEST_CASE("kinds have different names, a summary, and a default within their siz
   }
 }
 
-TEST_CASE("the largest size of a kind is the last within the limit of primitives") {
+TEST_CASE("the maximum size of a kind is the last one within the limit of primitives") {
   for (const generate::Kind& kind : generate::kindTable()) {
     CAPTURE(kind.name);
     CHECK(kind.primitiveCount(kind.maxSize()) <= generate::kMaxPrimitives);
@@ -45,7 +45,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the same scene is the same text every time") {
+TEST_CASE("generating a scene again gives the same text") {
   for (const generate::Kind& kind : generate::kindTable()) {
     const std::string name(kind.name);
     CHECK(generatedText(name, kind.minSize) == generatedText(name, kind.minSize));

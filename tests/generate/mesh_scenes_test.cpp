@@ -17,7 +17,7 @@ using Edge = std::pair<Point, Point>;
 
 Point key(const glm::vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Of each edge from a to b: how often there is one more of it than of b to a.
+/// For each edge from a to b: how many more of it there are than of the edge from b to a.
 std::map<Edge, int> unmatchedEdges(std::span<const scene::Triangle> triangles) {
   std::map<Edge, int> edges;
   for (const scene::Triangle& triangle : triangles) {
@@ -59,7 +59,7 @@ std::set<Corner> cornersOf(const scene::Scene& scene, std::size_t first, std::si
 
 }  // namespace
 
-TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
+TEST_CASE("the terrain is 100 wide, between 0 and 35 high, and faces up") {
   const scene::Scene scene = generatedScene("terrain", 64).scene;
   glm::vec3 least(1e9f), greatest(-1e9f);
   for (const scene::Triangle& triangle : trianglesOf(scene)) {
@@ -76,7 +76,7 @@ TEST_CASE("terrain is 100 wide, between 0 and 35 high, and faces up") {
   CHECK(greatest.z - least.z > 15);
 }
 
-TEST_CASE("terrain is the same landscape at every size") {
+TEST_CASE("the terrain is the same landscape at every size") {
   const auto heightAt = [](const scene::Scene& scene, const glm::vec2& place) {
     for (const scene::Triangle& triangle : trianglesOf(scene)) {
       for (const glm::vec3& p : triangle.p) {
@@ -149,7 +149,7 @@ TEST_CASE("the balls of the Cornell box are closed, face outwards, and touch nei
   CHECK(glm::length(centres[0] - centres[1]) > 2 * 100);
 }
 
-TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
+TEST_CASE("one ball of the Cornell box is a mirror, and the other is glass") {
   const scene::Scene scene = generatedScene("cornell", 1).scene;
   const scene::Material& mirror = scene.materials[scene.primitives[18].material];
   const scene::Material& glass = scene.materials[scene.primitives[18 + 12].material];
@@ -158,7 +158,7 @@ TEST_CASE("one ball of the Cornell box is a mirror, the other of glass") {
   CHECK(glass.dielectric->ior == 1.5f);
 }
 
-TEST_CASE("the box and light of the balls are those of scenes/cornell.p3f, open only at the front") {
+TEST_CASE("the box and the light around the balls are those of scenes/cornell.p3f, open only at the front") {
   const scene::Scene box = generatedScene("cornell", 1).scene;
   const scene::Scene original = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
                                     .scene;

@@ -20,7 +20,7 @@ std::string textOf(Write write) {
 
 }  // namespace
 
-TEST_CASE("statements have the form of the format, with six digits") {
+TEST_CASE("statements are written in the documented form with six digits") {
   CHECK(textOf([](NffWriter& out) { out.sphere({1.0 / 3, -2e6, 1e-7}, 0.5); }) == "s 0.333333 -2e+06 1e-07 0.5\n");
   CHECK(textOf([](NffWriter& out) { out.cone({0, 0, 0}, 1, {0, 0, 2}, 0.5); }) == "c 0 0 0 1 0 0 2 0.5\n");
   CHECK(textOf([](NffWriter& out) { out.light({1, 2, 3}); }) == "l 1 2 3\n");
@@ -42,7 +42,7 @@ TEST_CASE("statements have the form of the format, with six digits") {
         }) == "v\nfrom 1 2 3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.5\nresolution 64 48\n");
 }
 
-TEST_CASE("nine digits keep a number of single precision") {
+TEST_CASE("nine digits preserve a number of single precision") {
   std::string text;
   NffWriter out([&](std::string_view block) { text += block; }, 9);
   out.light({1.0f / 3, 0.1f, 16777215});

@@ -51,7 +51,7 @@ bool linesAgree(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-TEST_CASE("lines agree if their words do, to the last printed digit") {
+TEST_CASE("two lines agree if their words do, numbers to the last printed digit") {
   CHECK(linesAgree("s 1.62187 0 -1.11022e-16", "s 1.62188 -0 0"));
   CHECK_FALSE(linesAgree("s 1.62187 0", "s 1.62189 0"));
   CHECK_FALSE(linesAgree("s 0.00350044", "s 0.00350046"));

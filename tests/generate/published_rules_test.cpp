@@ -1,4 +1,4 @@
-// What the published rules say beyond the sizes of the published files.
+// Published rules of the databases beyond the sizes of the published files.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>

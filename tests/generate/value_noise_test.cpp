@@ -6,7 +6,7 @@
 
 namespace candela::generate {
 
-TEST_CASE("value noise is within 0 and 1 and approaches both") {
+TEST_CASE("value noise is between 0 and 1 and approaches both") {
   double least = 1;
   double greatest = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -20,7 +20,7 @@ TEST_CASE("value noise is within 0 and 1 and approaches both") {
   CHECK(greatest > 0.95);
 }
 
-TEST_CASE("value noise has no steps, not at cells' borders either") {
+TEST_CASE("value noise has no steps, even at the borders of cells") {
   constexpr double kStep = 1e-6;
   constexpr double kSteepest = 1.5;  // of smoothstep, between values at most 1 apart
   for (int i = 0; i < 3000; ++i) {

@@ -5,9 +5,9 @@
     python3 tests/guard/film_hashes.py check --program PROGRAM --compiler "GNU 12.2" [--icd FILE] [--quick] [--variants]
 
 Without --icd the reference tracer renders (--device cpu), with --icd the Vulkan driver whose manifest FILE is. Each
-scene is rendered by every integrator except `cost`, whose film depends on the search structure, and by `path` with and
+scene is rendered by every integrator except `cost`, whose film depends on the acceleration structure, and by `path` with and
 without next-event estimation. `check --quick` renders `path` with next-event estimation alone. `check --variants`
-renders `path` with other search structures, node layouts and kernels, too: all of them must have the recorded hash.
+renders `path` with other acceleration structures, node layouts and kernels, too: all of them must have the recorded hash.
 
 The hashes are in film_hashes.json, under a key that names what may alter the last bits of an unchanged program's film:
 - device and driver as the program reports them: lavapipe's names contain the releases of Mesa and LLVM and the vector

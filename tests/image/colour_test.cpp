@@ -32,7 +32,8 @@ TEST_CASE("sRGB signals decode to the values of IEC 61966-2-1") {
 TEST_CASE("sRGB encoding inverts decoding and is continuous at the joint of its pieces") {
   for (int i = 0; i <= 1000; ++i) {
     const double signal = i / 1000.0;
-    CHECK(srgbEncode(srgbDecode(signal)) == Approx(signal).margin(1e-7));  // the standard's pieces meet to 1e-8
+    CHECK(srgbEncode(srgbDecode(signal)) ==
+          Approx(signal).margin(1e-7));  // the standard's pieces agree to 1e-8 at their joint
   }
   CHECK(srgbEncode(0.0031308) == Approx(srgbEncode(std::nextafter(0.0031308, 1.0))).margin(1e-7));
 }
@@ -68,13 +69,13 @@ TEST_CASE("tone curves give the pixels of their published formulas") {
   }
 }
 
-TEST_CASE("exposure counts in stops") {
+TEST_CASE("exposure is measured in stops") {
   CHECK(display({0.5f, 0.25f, 0.125f}, ToneMap::none, 1) == glm::ivec3(255, 128, 64));
   CHECK(display({0.5f, 0.25f, 0.125f}, ToneMap::none, -1) == glm::ivec3(64, 32, 16));
   CHECK(display({0.18f, 0.18f, 0.18f}, ToneMap::aces, 2) == display({0.72f, 0.72f, 0.72f}, ToneMap::aces));
 }
 
-TEST_CASE("no tone curve trips over values that are no radiance") {
+TEST_CASE("every tone curve handles values that are no radiance") {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kMaxValue = std::numeric_limits<float>::max();
@@ -87,7 +88,7 @@ TEST_CASE("no tone curve trips over values that are no radiance") {
   }
 }
 
-TEST_CASE("tone curves never get darker as grey gets brighter") {
+TEST_CASE("the result of a tone curve never gets darker as grey gets brighter") {
   for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
     int last = 0;
     for (float stops = -14; stops < 8; stops += 0.01f) {

@@ -32,7 +32,7 @@ glm::ivec3 heat(float value, float scale, float exposure = 0) {
 
 }  // namespace
 
-TEST_CASE("depth shades fall from white over middle grey at the scale to black, which nothing is too") {
+TEST_CASE("the shades of depth decrease from white over middle grey at the scale to black, the shade of misses") {
   CHECK(depthShade(1e-4f, 5) == 255);
   CHECK(depthShade(5, 5) == 128);       // 255 / 2
   CHECK(depthShade(10, 5) == 51);       // 255 / (1 + 4)
@@ -43,7 +43,7 @@ TEST_CASE("depth shades fall from white over middle grey at the scale to black, 
   CHECK(depthShade(kInfinity, 5) == 0);
 }
 
-TEST_CASE("heat is the colour map up to the scale, and its last colour beyond") {
+TEST_CASE("heat uses the colour map up to the scale, and its last colour beyond") {
   for (const float share : {0.f, 0.25f, 0.5f, 1.f}) {
     const glm::ivec3 expected(glm::round(255.0 * magma(share)));
     CHECK(heat(share * 200, 200) == expected);
@@ -63,7 +63,7 @@ TEST_CASE("heat gets lighter as the value grows") {
   }
 }
 
-TEST_CASE("the scale is the largest cost, and the median depth of what was hit") {
+TEST_CASE("the scale is the maximum of costs, and the median of the depths of hits") {
   const Image image = greys({0, 4, 1, 0, 9, 2, 1000, 0});
   CHECK(falseColourScale(image, ToneMap::heat) == 1000);
   CHECK(falseColourScale(image, ToneMap::depth) == 4);

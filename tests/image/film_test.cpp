@@ -1,4 +1,4 @@
-// The film's sums, by hand.
+// The film's sums, compared with values computed by hand.
 #include "host/image/film.h"
 
 #include <algorithm>
@@ -149,7 +149,7 @@ TEST_CASE("any order and any split of the samples gives the same film") {
   }
 }
 
-TEST_CASE("a film's hash sees every field and the size") {
+TEST_CASE("the hash of a film depends on every field and on the size") {
   const auto changed = [](auto change) {
     Film film(2, 2);
     change(film.at(1, 1));
@@ -207,7 +207,7 @@ TEST_CASE("a film without samples is black and has no variance") {
   CHECK(film.luminanceVariance(0, 0) < 1e-12);
 }
 
-TEST_CASE("films that do not fit are refused and stay as they were") {
+TEST_CASE("films of different sizes are refused and stay unchanged") {
   Film film(2, 1);
   CHECK_THROWS_AS(film.merge(Film(1, 2)), UsageError);
   film.at(1, 0).sampleCount = 0xfffffff0u;

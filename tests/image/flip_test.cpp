@@ -105,7 +105,7 @@ TEST_CASE("FLIP clamps radiance to the range of the display") {
   CHECK(solidFlip({nan, -3, -infinity}, {0, 0, 0}) == 0);
 }
 
-TEST_CASE("FLIP refuses images of different sizes and displays that cannot be") {
+TEST_CASE("FLIP refuses images of different sizes and impossible displays") {
   CHECK_THROWS_AS(computeFlip(solid({0, 0, 0}, 2, 3), solid({0, 0, 0}, 3, 2)), UsageError);
   for (const double pixelsPerDegree : {0.0, -67.0, 1e9, std::nan("")}) {
     CHECK_THROWS_AS(computeFlip(solid({0, 0, 0}), solid({0, 0, 0}), pixelsPerDegree), UsageError);

@@ -108,7 +108,7 @@ TEST_CASE("16-bit PNG files are rounded to 8 bits without a change of gamma") {
         std::vector<int>{128, 1, 255, 128, 129, 0});
 }
 
-TEST_CASE("transparent PNG pixels are composed on black in linear light") {
+TEST_CASE("transparent PNG pixels are composited over black in linear light") {
   // Half opacity, 128/255, of white: libpng takes sRGB for gamma 2.2 here, 0.50196^(1/2.2) * 255 = 186.4.
   CHECK(pngPixels(3, {255, 255, 255, 255, 9, 9, 9, 0, 255, 255, 255, 128}, {8, PNG_COLOR_TYPE_RGBA}) ==
         std::vector<int>{255, 255, 255, 0, 0, 0, 186, 186, 186});

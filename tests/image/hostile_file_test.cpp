@@ -68,7 +68,7 @@ TEST_CASE("damaged PFM files are refused") { attack(encodePfm(testImage(20, 9)),
 
 TEST_CASE("damaged EXR files are refused") { attack(encodeExr(testImage(20, 9)), decodeExr, 0); }
 
-TEST_CASE("sizes beyond the limits are refused before memory is taken") {
+TEST_CASE("images beyond the limits of size are refused before memory is allocated") {
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 65536 1 -1\n")), Catch::Contains("exceed the limits"));
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 65535 65535 -1\n")), Catch::Contains("exceed the limits"));
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 60000 4000 -1\n")), Catch::Contains("truncated"));
@@ -90,7 +90,7 @@ TEST_CASE("HDR files that are not of the usual orientation or format are refused
   CHECK_THROWS_WITH(decodeHdr(toBytes("#?RGBE\n" + std::string(10000, 'x'))), Catch::Contains("the header has no end"));
 }
 
-TEST_CASE("HDR runs that leave their row are refused") {
+TEST_CASE("HDR runs that extend beyond their row are refused") {
   using namespace std::string_literals;
   const std::string header = "#?RGBE\n\n-Y 1 +X 8\n";
   const std::string start = "\x02\x02\x00\x08"s;

@@ -1,4 +1,4 @@
-// Image files keep what they promise to keep.
+// Image files preserve what their formats can store.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -37,7 +37,7 @@ TEST_CASE("an image of a film with bad samples has their number per pixel") {
   CHECK(image.metadata.at("candela.badSamples") == "2");
 }
 
-TEST_CASE("EXR files keep every bit of an image") {
+TEST_CASE("EXR files preserve every bit of an image") {
   TemporaryFolder folder;
   const Image image = testImage(37, 21);
   writeImage(folder / "a.exr", image, {});
@@ -51,7 +51,7 @@ TEST_CASE("EXR files keep every bit of an image") {
   CHECK(back.metadata == image.metadata);
 }
 
-TEST_CASE("EXR files without variance and counts read as such") {
+TEST_CASE("EXR files without variance and counts are read without them") {
   TemporaryFolder folder;
   Image image = testImage(3, 2);
   image.luminanceVariance.clear();
@@ -65,7 +65,7 @@ TEST_CASE("EXR files without variance and counts read as such") {
   CHECK(back.metadata.empty());
 }
 
-TEST_CASE("EXR metadata cannot overwrite what the format needs") {
+TEST_CASE("EXR metadata cannot overwrite attributes of the format") {
   TemporaryFolder folder;
   Image image = testImage(1, 1);
   for (const char* name : {"channels", "compression", "type"}) {
@@ -75,7 +75,7 @@ TEST_CASE("EXR metadata cannot overwrite what the format needs") {
   CHECK(!std::filesystem::exists(folder / "a.exr"));
 }
 
-TEST_CASE("PFM files keep every bit of the colours") {
+TEST_CASE("PFM files preserve every bit of the colours") {
   TemporaryFolder folder;
   const Image image = testImage(5, 3);
   writeImage(folder / "a.pfm", image, {});
@@ -96,7 +96,7 @@ TEST_CASE("PFM files are read in both byte orders, in colour and grey, bottom ro
   CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(1, 2, 0));
 }
 
-TEST_CASE("HDR files keep colours to one part in 128 of the largest channel") {
+TEST_CASE("HDR files preserve colours to one part in 128 of the largest channel") {
   TemporaryFolder folder;
   for (const std::uint32_t width : {1u, 7u, 8u, 200u}) {  // below 8 pixels rows are not compressed
     const Image image = testImage(width, 3);
@@ -144,7 +144,7 @@ TEST_CASE("HDR files of the old kind are read, and divided by their exposures") 
   CHECK(readImage(folder / "exposed.hdr").rgb[0] == glm::vec3(0.25f, 0.125f, 0.0625f));
 }
 
-TEST_CASE("PNG pixels are the display transform of what EXR stores") {
+TEST_CASE("PNG pixels are the display transform of the values in EXR") {
   TemporaryFolder folder;
   const Image image = testImage(64, 32);
   writeImage(folder / "a.exr", image, {});
@@ -166,7 +166,7 @@ TEST_CASE("PNG pixels are the display transform of what EXR stores") {
   }
 }
 
-TEST_CASE("PNG files keep every 8-bit value") {
+TEST_CASE("PNG files preserve every 8-bit value") {
   TemporaryFolder folder;
   const Pixels8 pixels = testPixels();
   writeImage(folder / "a.png", toImage(pixels), {});

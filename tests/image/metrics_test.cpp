@@ -1,4 +1,4 @@
-// Image metrics by hand.
+// Image metrics, compared with values computed by hand.
 #include "host/image/metrics.h"
 
 #include <catch2/catch.hpp>
@@ -66,7 +66,7 @@ TEST_CASE("pixels count as different beyond the relative and the absolute tolera
   CHECK(compareImages(row({{0, 0x1p-25f, 0}}), row({{0, 0, 0}})).differingCount == 1);
 }
 
-TEST_CASE("pixels that are not finite are counted and left out") {
+TEST_CASE("pixels that are not finite are counted and ignored") {
   const Image reference = row({{1, 1, 1}, {1, 1, 1}, {kNanPixel, 1, 1}, {1, 1, 1}});
   const Image a = row({{2, 2, 2}, {kInfinitePixel, 1, 1}, {1, 1, 1}, {1, 1, -kInfinitePixel}});
   const ImageComparison c = compareImages(a, reference);
@@ -82,12 +82,12 @@ TEST_CASE("pixels that are not finite are counted and left out") {
   CHECK(none.differingShare == 0);
 }
 
-TEST_CASE("images of different sizes are not compared") {
+TEST_CASE("images of different sizes are refused") {
   CHECK_THROWS_AS(compareImages(testImage(2, 3), testImage(3, 2)), UsageError);
   CHECK_THROWS_AS(differencePicture(testImage(2, 3), testImage(3, 2)), UsageError);
 }
 
-TEST_CASE("a light where the reference is black is an infinite relative difference") {
+TEST_CASE("a pixel that is lit where the reference is black has an infinite relative difference") {
   CHECK(compareImages(row({{1, 1, 1}}), row({{0, 0, 0}})).relativeMeanDifference ==
         std::numeric_limits<double>::infinity());
   CHECK(compareImages(row({{0, 0, 0}}), row({{0, 0, 0}})).relativeMeanDifference == 0);
@@ -103,7 +103,7 @@ TEST_CASE("the JSON of a comparison contains its numbers, and null for infinity"
   CHECK(json.at("relativeTolerance") == 1e-4);
 }
 
-TEST_CASE("the text of a comparison names what it shows") {
+TEST_CASE("the text of a comparison names its figures") {
   const std::string text = toText(compareImages(row({{2, 1, 1}, {kNanPixel, 1, 1}}), row({{1, 1, 1}, {1, 1, 1}})));
   CHECK_THAT(text, Catch::Contains("2 x 1") && Catch::Contains("relMSE") && Catch::Contains("1 pixels, ignored") &&
                        Catch::Contains("+21.26 %") && Catch::Contains("largest difference    1 at 0 0"));

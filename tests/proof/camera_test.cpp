@@ -1,4 +1,4 @@
-// What the camera makes of a point and of an edge: a lens' circle of confusion, and pixel filters.
+// Images of a point and of an edge: a lens' circle of confusion, and pixel filters.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/leaves.h"
@@ -12,7 +12,7 @@ using test::SceneBuilder;
 
 namespace {
 
-// Only what camera rays meet.
+// Settings that show only what camera rays hit.
 render::RenderSettings directView(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = test::settingsOf(side, side, samples);
   settings.image.maxDepth = 1;
@@ -40,7 +40,7 @@ struct Moments {
   double farthest = 0;  // distance from the mean
 };
 
-// Of an image's light over the places of its pixels' centres.
+// Returns the moments of an image's light over the positions of its pixel centres.
 Moments momentsOf(const image::Film& film) {
   Moments moments;
   const auto forEachPixel = [&](const auto& body) {
@@ -70,14 +70,14 @@ double tentBelow(double x) {
 
 }  // namespace
 
-TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, or over the square of a square lens",
+TEST_CASE("a point out of focus is spread uniformly over its circle of confusion, or over the square of a square lens",
           "[swiftshader-slow]") {
   constexpr std::uint32_t kSide = 64;
   constexpr double kFocus = 2, kDistance = 1.25, kAperture = 40;
   // A point at distance z is spread over the lens' radius times |z - F| / z in the plane in focus, whose pixels are F
   // times as large as those at distance 1, in which the aperture is measured.
   constexpr double kRadius = kAperture * (kFocus - kDistance) / kDistance / kFocus;
-  constexpr double kPointSide = 10;  // the point is a square of so many pixels
+  constexpr double kPointSide = 10;  // the point is a square with this side in pixels
 
   SceneBuilder b = cameraOf(30);
   b.scene.camera->aperture = kAperture;
@@ -105,7 +105,8 @@ TEST_CASE("a point out of focus is spread over its circle of confusion, evenly, 
   }
 }
 
-TEST_CASE("an edge shows the pixel filter's distribution function, across and down", "[swiftshader-slow]") {
+TEST_CASE("the image of an edge is the pixel filter's distribution function, horizontally and vertically",
+          "[swiftshader-slow]") {
   constexpr std::uint32_t kSide = 8;
   const dvec2 edge(3.3, 4.6);  // in pixels from the upper left corner
   SceneBuilder b = cameraOf(40);

@@ -22,7 +22,7 @@ class Cells {
   const std::vector<double>& counts() const { return counts_; }
 
  private:
-  // Rounding may carry a place that belongs to the outermost cells beyond them.
+  // Rounding may move a point of the outermost cells beyond them.
   static constexpr double kSlack = 1e-6;
 
   std::size_t cellOf(const glm::dvec2& place) const {
@@ -39,14 +39,14 @@ class Cells {
   std::vector<double> counts_;
 };
 
-/// Of `total` places that are uniform on the unit square.
+/// Returns the expected counts of `total` points that are uniform on the unit square.
 inline std::vector<double> uniformCounts(int rows, int columns, double total) {
   Cells cells(rows, columns);
   std::fill(cells.counts().begin(), cells.counts().end() - 1, total / (double{1} * rows * columns));
   return cells.counts();
 }
 
-/// The azimuth as a share of the full turn, in [0, 1).
+/// Returns the azimuth as a fraction of the full circle, in [0, 1).
 inline double turns(double x, double y) {
   const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
   return turn < 0 ? turn + 1 : turn;

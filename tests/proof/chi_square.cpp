@@ -1,3 +1,4 @@
+// Computes Pearson's statistic over cells of sufficient expected counts.
 #include "tests/proof/chi_square.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace candela::proof {
 namespace {
 
 constexpr double kSuiteAlpha = 1e-3;
-constexpr std::uint64_t kChecksOfSuite = 64;  // at most so many on one side
+constexpr std::uint64_t kChecksOfSuite = 64;  // maximum number of checks on one side
 
 struct Pool {
   double observed = 0;

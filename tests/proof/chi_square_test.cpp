@@ -1,4 +1,5 @@
-// The test that the proofs rest on: by hand, its false alarms, and wrong densities that it must reject.
+// The chi-square test of the proofs: values computed by hand, its false alarms, and wrong densities that it must
+// reject.
 #include "tests/proof/chi_square.h"
 
 #include <catch2/catch.hpp>
@@ -36,7 +37,7 @@ Counts expectedOfPower(int rows, double power) {
 
 }  // namespace
 
-TEST_CASE("the statistic and its p-value are those worked out by hand") {
+TEST_CASE("the statistic and its p-value equal those computed by hand") {
   // (15 - 10)^2/10 + (20 - 25)^2/25 = 3.5 with one degree of freedom: p = erfc(sqrt(3.5 / 2)).
   const ChiSquareTest two = chiSquare(Counts{15, 20}, Counts{10, 25});
   CHECK(two.statistic == Approx(3.5));
@@ -48,8 +49,8 @@ TEST_CASE("the statistic and its p-value are those worked out by hand") {
   CHECK(three.pValue == Approx(std::exp(-0.4)));
 }
 
-TEST_CASE("rare cells are pooled until five are expected, and what is left joins the others") {
-  // 1 + 2 + 3 make a pool of 6; 8 and 9 stand alone.
+TEST_CASE("cells are pooled until five samples are expected, and the rest joins the last pool") {
+  // 1 + 2 + 3 make a pool of 6; 8 and 9 are pools of their own.
   const ChiSquareTest pooled = chiSquare(Counts{9, 2, 2, 2, 8}, Counts{8, 1, 3, 2, 9});
   CHECK(pooled.degreesOfFreedom == 2);
   CHECK(pooled.statistic == Approx(1.0 / 8 + 1.0 / 9));
@@ -57,7 +58,7 @@ TEST_CASE("rare cells are pooled until five are expected, and what is left joins
   CHECK(chiSquare(Counts{1, 2}, Counts{2, 1}).pValue == 1);
 }
 
-TEST_CASE("one sample where nothing can be is rejected") {
+TEST_CASE("one sample in a cell of probability 0 is rejected") {
   CHECK(chiSquare(Counts{1000, 1000, 1}, Counts{1000, 1001, 0}).pValue == 0);
 }
 
@@ -73,7 +74,7 @@ TEST_CASE("correct densities are rejected with the probability of the level") {
   CHECK(rejected <= 70);
 }
 
-TEST_CASE("a million samples are rejected by densities that are a little wrong, and by no others") {
+TEST_CASE("with a million samples, slightly wrong densities are rejected and correct ones are not") {
   const Counts counts = countsOfCosine(64, 1);
   CHECK(chiSquare(counts, expectedOfPower(64, 2)).pValue > 1e-3);
   CHECK(chiSquare(counts, expectedOfPower(64, 2.02)).pValue < 1e-6);  // cosines to the power 1.02

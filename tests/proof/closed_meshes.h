@@ -1,4 +1,4 @@
-// Closed meshes around a place, for rays that must not leave them.
+// Closed meshes around a point, for rays that must not escape.
 #pragma once
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 namespace candela::proof {
 
-/// Triangles with shared vertices; a ray from the middle meets exactly one.
+/// Triangles with shared vertices. A ray from the centre hits exactly one.
 struct ClosedMesh {
   std::vector<glm::vec3> vertices;
   std::vector<glm::uvec3> faces;
@@ -17,7 +17,7 @@ struct ClosedMesh {
     faces.push_back({a, b, c});
     faces.push_back({a, c, d});
   }
-  /// Vertices are rounded anew, so that neighbours still share them.
+  /// Vertices are rounded again, and neighbours still share them.
   ClosedMesh movedTo(const glm::vec3& place) const {
     ClosedMesh moved = *this;
     for (glm::vec3& vertex : moved.vertices) vertex += place;

@@ -21,7 +21,7 @@ constexpr std::size_t kEstimatorSamples = 1000000;
 
 const scene::Material kFloor = mixtureMaterial(0.3f, 0.6f, 15);
 
-// The lamps over the origin, none in the way of another there.
+// Lights over the origin, none of which occludes another one there.
 SceneBuilder lampsAlone() {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0), vec3(3, 2, 1))).sphere({-1.5f, 0.3f, 1.5f}, 0.6f);
@@ -29,7 +29,7 @@ SceneBuilder lampsAlone() {
   return b;
 }
 
-// Seen from where the glossy lobe points between the lamps. So narrow an angle that every ray meets the origin.
+// The view is along the glossy reflection between the lights, with so small an angle that every ray hits the origin.
 scene::Scene lampsOverFloor() {
   SceneBuilder b = lampsAlone();
   b.material(kFloor).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -54,7 +54,7 @@ Estimate byLightSamples() {
   const dvec3 wo = normalize(dvec3(0.5, -2.5, 2.5));
   double sum = 0, squares = 0;
   for (std::uint32_t entry = 0; entry < 2; ++entry) {
-    // Each lamp by itself, which leaves the probability of its choice to one lamp of both.
+    // Each light is sampled alone, so that the probability of the choice is divided out.
     const std::vector<LitPoint> lit = lights.sample(entry, {}, numbers);
     std::vector<DirectionPair> pairs;
     for (const LitPoint& point : lit) pairs.push_back({0, wo, point.wi});
@@ -83,7 +83,7 @@ void checkAgreement(const char* names, const Estimate& a, const Estimate& b) {
 
 }  // namespace
 
-TEST_CASE("light samples, lobe samples and both together find the same light", "[swiftshader-slow]") {
+TEST_CASE("light sampling, BSDF sampling and both combined give the same light", "[swiftshader-slow]") {
   const Estimate lights = byLightSamples(), lobes = rendered(false), both = rendered(true);
   checkAgreement("lights and lobes", lights, lobes);
   checkAgreement("lights and both", lights, both);

@@ -40,7 +40,7 @@ struct Slab {
 
 }  // namespace
 
-TEST_CASE("the end of a corridor of two mirrors is dimmed once per reflection, as unfolding predicts") {
+TEST_CASE("the end of a corridor of two mirrors is attenuated once per reflection, as unfolding predicts") {
   // Mirrors at x = 0 and x = 1, one of them of triangles, and a glowing end at y = 8. The camera looks along y.
   constexpr double kStart = 0.375, kLength = 8;
   constexpr std::uint32_t kWidth = 512, kHeight = 4;
@@ -73,7 +73,8 @@ TEST_CASE("the end of a corridor of two mirrors is dimmed once per reflection, a
   CHECK(mostMirrors >= 20);
 }
 
-TEST_CASE("a slab of glass transmits and reflects by the series of its inner reflections", "[swiftshader-slow]") {
+TEST_CASE("a slab of glass transmits and reflects the sums of the series of its inner reflections",
+          "[swiftshader-slow]") {
   for (const double degrees : {0.0, 45.0, 70.0}) {
     const double angle = degrees * std::numbers::pi / 180;
     SceneBuilder b;

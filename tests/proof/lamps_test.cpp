@@ -1,4 +1,4 @@
-// Light whose amount is known: lamps over a diffuse floor, a point light among them, and furnaces.
+// Known amounts of light: lights over a diffuse floor, among them a point light, and furnaces.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/closed_meshes.h"
@@ -56,9 +56,9 @@ render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples
 
 }  // namespace
 
-TEST_CASE("a ball, two triangles and a point light light the floor by their closed forms, each in its channel",
+TEST_CASE("a sphere, two triangles and a point light illuminate the floor by their closed forms, each in its channel",
           "[swiftshader-slow]") {
-  for (const vec3& seen : {vec3(0), vec3(0.25f, -0.5f, 0)}) {  // places from which no lamp hides another
+  for (const vec3& seen : {vec3(0), vec3(0.25f, -0.5f, 0)}) {  // points from which no light occludes another
     const dvec3 at(seen);
     const dvec3 towardsPoint = dvec3(0, -4, 3) - at;
     const dvec3 expected = double{kAlbedo} / std::numbers::pi *
@@ -76,7 +76,7 @@ TEST_CASE("a ball, two triangles and a point light light the floor by their clos
   }
 }
 
-TEST_CASE("furnaces of a mesh with neighbours in one plane show 1 / (1 - albedo), with roulette or without",
+TEST_CASE("furnaces made of a mesh with coplanar neighbours show 1 / (1 - albedo), with and without roulette",
           "[swiftshader-slow]") {
   for (const float albedo : {0.25f, 0.5f, 0.75f}) {
     scene::Scene furnace = boxMesh(1, 4).scene();

@@ -20,7 +20,7 @@ extern const double kRounding;
 /// Renders on this side; a device must not have truncated a loop.
 render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings);
 
-/// What the warps of docs/light-transport.md section 2 make of pairs of numbers (the tent: of the first).
+/// Applies the warps of docs/light-transport.md section 2 to pairs of numbers (the tent: to the first).
 struct WarpValues {
   std::vector<dvec2> disc;
   std::vector<dvec2> triangle;  ///< weights of the second and the third corner
@@ -76,7 +76,7 @@ struct LitPoint {
   dvec3 emission{0};
 };
 struct FoundLight {
-  double distance = 0;  ///< 0: the ray does not meet it
+  double distance = 0;  ///< 0: the ray does not hit it
   double pdf = 0;       ///< with which light samples find it
 };
 struct ChosenLight {

@@ -19,7 +19,7 @@ vec4 choice(uint number) {
   return vec4(float(entry), loadLight(entry).probability, float(truncated), 0.0);
 }
 
-// Nothing of it but its place and its slot counts: lights are sampled without regard to the surface's normal.
+// Only its position and its slot matter: lights are sampled without regard to the surface's normal.
 Surface surfaceOf(vec4 place, uint slot) {
   vec3 up = vec3(0.0, 0.0, 1.0);
   return Surface(place.xyz, up, up, place.w != 0.0 ? slot : kNoSlot, 0u, 0u, 0u, false);

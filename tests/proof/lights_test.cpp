@@ -37,7 +37,7 @@ dvec3 areaNormalOf(const scene::Triangle& triangle) {
   return cross(dvec3(triangle.p[1]) - origin, dvec3(triangle.p[2]) - origin) / 2.0;
 }
 
-// The share of a triangle's weights as a place in the unit square: see the proof of the warp.
+// Maps the weights of a triangle to the unit square: see the proof of the warp.
 dvec2 placeInTriangle(const dvec3& point, const scene::Triangle& triangle) {
   const dvec3 origin(triangle.p[0]), edge1 = dvec3(triangle.p[1]) - origin, edge2 = dvec3(triangle.p[2]) - origin;
   const dvec3 normal = cross(edge1, edge2), across = point - origin;
@@ -66,12 +66,12 @@ double probabilityOf(std::uint32_t entry) {
   return weights[entry] / (weights[0] + weights[1] + weights[2] + weights[3]);
 }
 
-// What a density may be off by, relatively: rounding, and the table's probabilities, which are multiples of 2^-24.
+// Relative error that a density may have: rounding, and the table's probabilities, which are multiples of 2^-24.
 double densityTolerance(std::uint32_t entry) { return 30 * kRounding + 0x1p-24 / probabilityOf(entry); }
 
 }  // namespace
 
-TEST_CASE("samples of a sphere fill the cap of directions that it covers, evenly") {
+TEST_CASE("samples of a sphere are uniform in the cap of directions that it subtends") {
   const LightLeaves lights(lamps());
   for (const std::uint32_t entry : {0u, 1u}) {
     CAPTURE(entry);
@@ -97,11 +97,11 @@ TEST_CASE("samples of a sphere fill the cap of directions that it covers, evenly
     expected.back() += cells.counts().back();
     checkCounts(cells.counts(), expected);
     CHECK(worstPdf < densityTolerance(entry));
-    CHECK(worstPoint < 1e-3);  // grazing rays meet it near where they should
+    CHECK(worstPoint < 1e-3);  // grazing rays hit it near the expected point
   }
 }
 
-TEST_CASE("from inside a sphere and from its own surface all directions are sampled alike") {
+TEST_CASE("all directions are sampled uniformly from inside a sphere and from its own surface") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1))).sphere({0, 0, 3}, 1);
   const LightLeaves lights(b.scene);
@@ -118,7 +118,7 @@ TEST_CASE("from inside a sphere and from its own surface all directions are samp
       REQUIRE(length(from.position + lit.distance * lit.wi - dvec3(0, 0, 3)) == Approx(1).margin(kRounding));
       cells.add({(1 + lit.wi.z) / 2, turns(lit.wi.x, lit.wi.y)});
     }
-    // From the lowest point of the surface only directions that go up meet the sphere.
+    // From the lowest point of the surface, only directions that point up hit the sphere.
     std::vector<double> expected = uniformCounts(kLightSide, kLightSide, kLightSamples);
     for (std::size_t i = 0; onLight && i < kLightSide * kLightSide / 2; ++i) {
       expected.back() += expected[i];
@@ -128,7 +128,7 @@ TEST_CASE("from inside a sphere and from its own surface all directions are samp
   }
 }
 
-TEST_CASE("samples of a triangle are uniform on it, from the front and from behind") {
+TEST_CASE("samples of a triangle are uniform on it, seen from the front and from behind") {
   const LightLeaves lights(lamps());
   for (const std::uint32_t entry : {2u, 3u}) {
     const scene::Triangle triangle = trianglesOf(lamps()).at(entry - 2);
@@ -150,7 +150,7 @@ TEST_CASE("samples of a triangle are uniform on it, from the front and from behi
   }
 }
 
-TEST_CASE("densities with which lights are found integrate to the probability of their choice") {
+TEST_CASE("the densities of light sampling integrate to the probability of choosing the light") {
   const LightLeaves lights(lamps());
   const std::vector<dvec3> directions = latticeDirections(kLightSamples);
   for (std::uint32_t entry = 0; entry < 4; ++entry) {
@@ -162,7 +162,7 @@ TEST_CASE("densities with which lights are found integrate to the probability of
   }
 }
 
-TEST_CASE("a light that is found by a sample's direction has the sample's density and distance") {
+TEST_CASE("a light that is hit in the direction of a sample has the density and the distance of the sample") {
   const LightLeaves lights(lamps());
   for (std::uint32_t entry = 0; entry < 4; ++entry) {
     const std::vector<LitPoint> samples = lights.sample(entry, {}, randomNumbers(20000, 305));
@@ -184,7 +184,7 @@ TEST_CASE("a light that is found by a sample's direction has the sample's densit
   }
 }
 
-TEST_CASE("lights are chosen by power, half of the time a point light, and never one of weight 0") {
+TEST_CASE("lights are chosen by power, with probability 1/2 a point light, and never one of weight 0") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1, 2, 3))).sphere({0, 0, 0}, 0.5f);
   b.material(diffuseMaterial(vec3(1), vec3(9, 1, 0.5f)));

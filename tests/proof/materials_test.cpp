@@ -90,7 +90,7 @@ double reflectance(double cosOutside, double ior) {
 
 }  // namespace
 
-TEST_CASE("directions of every lobe and mixture are found with the density that is stated") {
+TEST_CASE("directions of every lobe and mixture are sampled with the stated density") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
   const std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples, 201);
@@ -114,7 +114,7 @@ TEST_CASE("directions of every lobe and mixture are found with the density that 
   });
 }
 
-TEST_CASE("densities integrate to 1 with what falls below the surface or to the dielectric") {
+TEST_CASE("densities integrate to 1, including directions below the surface and the dielectric lobe") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
   forEachView([&](std::uint32_t material, const dvec3& wo) {
@@ -127,7 +127,7 @@ TEST_CASE("densities integrate to 1 with what falls below the surface or to the 
   });
 }
 
-TEST_CASE("the mean weight of samples is the albedo that quadrature finds") {
+TEST_CASE("the mean weight of samples is the albedo computed by quadrature") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
   const std::vector<glm::vec3> numbers = latticeNumbers(200000);
@@ -164,7 +164,7 @@ TEST_CASE("samples have the weight and the density of the evaluated BSDF") {
   });
 }
 
-TEST_CASE("scattering is the same both ways") {
+TEST_CASE("scattering is reciprocal for every lobe and mixture") {
   const MaterialLeaves leaves(smoothMaterials());
   const std::vector<glm::vec3> first = randomNumbers(20000, 205), second = randomNumbers(20000, 206);
   for (std::uint32_t material = 0; material < kSmooth.size(); ++material) {
@@ -186,7 +186,7 @@ TEST_CASE("scattering is the same both ways") {
   }
 }
 
-TEST_CASE("nothing is scattered below the horizon, nor from below it") {
+TEST_CASE("nothing is scattered below the horizon or from below it") {
   const MaterialLeaves leaves(smoothMaterials());
   for (std::uint32_t material = 0; material < kSmooth.size(); ++material) {
     const dvec3 up = directionAt(0.4, 0.2), down = directionAt(-0.4, 0.6);
@@ -222,7 +222,7 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
   }
 }
 
-TEST_CASE("lobes are chosen in proportion to their weights") {
+TEST_CASE("the lobes of a mixture are chosen in proportion to their weights") {
   const scene::Material three = mixtureMaterial(0.2f, 0.3f, 8, 0.1f, 1.0f);    // ior 1 reflects nothing at steep angles
   const scene::Material tooMuch = mixtureMaterial(0.8f, 0.8f, 8, 0.4f, 1.0f);  // scaled to 0.4, 0.4 and 0.2
   const MaterialLeaves leaves({three, tooMuch});
@@ -267,7 +267,7 @@ TEST_CASE("glass reflects Schlick's fraction and refracts by Snell's law in both
   }
 }
 
-TEST_CASE("glass reflects all beyond the critical angle, and a mirror everything") {
+TEST_CASE("glass reflects everything beyond the critical angle, and a mirror at any angle") {
   const MaterialLeaves leaves({glassMaterial(glm::vec3(1), 1.5f), mirrorMaterial({0.9f, 0.5f, 0.1f})});
   const dvec3 wo = directionAt(std::sqrt(1 - 0.7 * 0.7), 0.7);  // sine 0.7 > 1 / 1.5
   const dvec3 reflected(-wo.x, -wo.y, wo.z);

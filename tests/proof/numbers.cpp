@@ -1,3 +1,4 @@
+// Generates numbers for the functions under proof.
 #include "tests/proof/numbers.h"
 
 #include <cmath>

@@ -33,7 +33,7 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 struct MaterialLeaves::Side {
   std::vector<reference::Bsdf> bsdfs;
 
-  // As a path goes on from a vertex whose geometric and shading normals are equal.
+  // A path that continues from a vertex whose geometric and shading normals are equal.
   Scattered sample(const ScatterQuery& query) const {
     const reference::Bsdf& bsdf = bsdfs[query.material];
     if (bsdf.isBlack()) return {};

@@ -1,4 +1,4 @@
-// Warps against their densities: inverted to the unit square by the test's own formulas, a million random places are
+// Warps and their densities: a million random points, inverted to the unit square by the test's own formulas, are
 // uniform there.
 #include <catch2/catch.hpp>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kWarpSamples = 1000000;
 constexpr int kWarpSide = 32;
 
-// `unwarp` gives the place in the unit square to which a value belongs.
+// `unwarp` returns the point of the unit square to which a value belongs.
 template <class Value, class Unwarp>
 void checkUniform(const std::vector<Value>& values, const Unwarp& unwarp) {
   Cells cells(kWarpSide, kWarpSide);
@@ -33,10 +33,10 @@ dvec2 unwarpTriangle(const dvec2& b) {
 
 }  // namespace
 
-TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
+TEST_CASE("the warps to disc, cosine hemisphere, triangle and tent have their densities") {
   const WarpValues values = warps(randomNumbers(kWarpSamples, 101), 1);
   checkUniform(values.disc, [](const dvec2& p) { return dvec2(dot(p, p), turns(p.x, p.y)); });
-  // The share of a cosine hemisphere within the angle theta is sin^2 theta.
+  // The fraction of a cosine hemisphere within the angle theta is sin^2 theta.
   checkUniform(values.cosineHemisphere, [](const dvec3& w) { return dvec2(1 - w.z * w.z, turns(w.x, w.y)); });
   checkUniform(values.triangle, unwarpTriangle);
   Cells heights(kWarpSide * kWarpSide, 1);
@@ -44,12 +44,12 @@ TEST_CASE("disc, cosine hemisphere, triangle and tent have their densities") {
   checkCounts(heights.counts(), uniformCounts(kWarpSide * kWarpSide, 1, kWarpSamples));
 }
 
-TEST_CASE("caps from a thousandth of the hemisphere to the whole sphere are uniform, of unit vectors") {
+TEST_CASE("the warps to caps from a thousandth of the hemisphere to the whole sphere give uniform unit vectors") {
   for (const float height : {1e-3f, 0.3f, 1.0f, 2.0f}) {
     CAPTURE(height);
     const WarpValues values = warps(randomNumbers(kWarpSamples, 102), height);
     checkUniform(values.cap, [&](const dvec3& w) {
-      // By the distance from the axis, which keeps its accuracy in narrow caps; by z in wide ones.
+      // Narrow caps are inverted by the distance from the axis, which is accurate there, and wide ones by z.
       const double across = w.x * w.x + w.y * w.y;
       const double fromTop = w.z > 0.5 ? across / (1 + w.z) : 1 - w.z;
       return dvec2(fromTop / height, turns(w.x, w.y));

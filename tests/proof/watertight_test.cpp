@@ -1,4 +1,4 @@
-// Rays from inside closed meshes must meet them, also far from the origin, where single precision is coarse; after the
+// Rays from inside closed meshes must hit them, also far from the origin, where single precision is coarse; after the
 // watertightness test of Embree (Wald et al., SIGGRAPH 2014): at most 2e-5 of the rays may miss.
 #include <catch2/catch.hpp>
 #include <random>
@@ -86,13 +86,13 @@ void checkWatertight(std::size_t raysPerMesh) {
 
 }  // namespace
 
-TEST_CASE("of a hundred thousand rays into each closed mesh at most two miss it") { checkWatertight(100000); }
+TEST_CASE("at most two of a hundred thousand rays into each closed mesh miss it") { checkWatertight(100000); }
 
-TEST_CASE("of ten million rays into each closed mesh at most two hundred miss it", "[slow]") {
+TEST_CASE("at most two hundred of ten million rays into each closed mesh miss it", "[slow]") {
   checkWatertight(10000000);
 }
 
-TEST_CASE("an open mesh is missed: rays through the gap are counted") {
+TEST_CASE("rays through the gap of an open mesh are counted as misses") {
   ClosedMesh open = sphereMesh(20, 128, 64);
   open.faces.erase(open.faces.begin());
   CHECK(misses(open, 100000) > 2);

@@ -87,8 +87,8 @@ class SceneBuilder {
   std::uint32_t lastMaterial() const { return static_cast<std::uint32_t>(scene.materials.size() - 1); }
 };
 
-/// A box of side 2 around the origin, open to no side: red left, green right, a lamp below the ceiling; in it a box, a
-/// mirror ball and a glass ball. The camera is inside.
+/// A closed box of side 2 around the origin: red on the left, green on the right, a light below the ceiling; in it a
+/// box, a mirror ball and a glass ball. The camera is inside.
 inline SceneBuilder cornellBox() {
   SceneBuilder b;
   b.view({0, 0, 0.95f}, {0, 0, 0}, {0, 1, 0}, 80);

@@ -1,4 +1,4 @@
-// Lobes: weights, densities against sampling, reciprocity, energy, and the dielectric by hand.
+// Lobes: weights, densities compared with sampling, reciprocity, energy, and the dielectric by values computed by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -50,7 +50,7 @@ TEST_CASE("a surface scatters by the lobes that its material has") {
   CHECK_FALSE(Bsdf(scene::Material{}).hasSmoothLobe());
 }
 
-TEST_CASE("lobes with a density serve reflection, and there alone have a value") {
+TEST_CASE("lobes with a density scatter to the side of reflection, and only there have a value") {
   for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
     CHECK(bsdf.scattersTo(Side::reflection));
@@ -86,7 +86,7 @@ TEST_CASE("a mixture's lobes are chosen by their weights, scaled to at most 1") 
   CHECK(opaque.chooseLobe(0.99) == render::Lobe::glossy);
 }
 
-TEST_CASE("the glossy lobe has the value that is worked out by hand") {
+TEST_CASE("the glossy lobe has the value computed by hand") {
   // n = 2, wo = (0.6, 0, 0.8), wi mirrored: h = z, D = 2/pi, wo.h = 0.8, G = min(1, 2 * 0.8 / 0.8) = 1.
   const Bsdf bsdf(mixtureMaterial(0, 0.5f, 2));
   const BsdfValue value = bsdf.evaluate({0.6, 0, 0.8}, {-0.6, 0, 0.8});
@@ -100,7 +100,7 @@ TEST_CASE("the glossy lobe has the value that is worked out by hand") {
   CHECK(bsdf.evaluate({s, 0, 0.5}, {0, s, 0.5}).f.z == Approx(0.5 * (2 / kPi) * h.z * h.z * g));
 }
 
-TEST_CASE("scattering is reciprocal") {
+TEST_CASE("scattering of the reference is reciprocal") {
   std::mt19937 random(1);
   for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
@@ -124,7 +124,7 @@ TEST_CASE("no surface scatters more than it receives") {
   }
 }
 
-TEST_CASE("the density of all directions, those that end the path included, is 1") {
+TEST_CASE("the densities of all directions, including those that end the path, integrate to 1") {
   for (const scene::Material& material : kSmoothMaterials) {
     const Bsdf bsdf(material);
     for (const double cosTheta : {1.0, 0.6, 0.2}) {
@@ -145,7 +145,7 @@ TEST_CASE("the density of all directions, those that end the path included, is 1
   }
 }
 
-TEST_CASE("directions are sampled with the density that is stated") {
+TEST_CASE("directions are sampled with the stated density") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (const scene::Material& material : kSmoothMaterials) {
@@ -188,7 +188,7 @@ TEST_CASE("directions are sampled with the density that is stated") {
   }
 }
 
-TEST_CASE("a mirror reflects about the normal and colours with the diffuse triple") {
+TEST_CASE("a mirror reflects about the normal and has the diffuse colour") {
   const DeltaSample sample = Bsdf(test::mirrorMaterial({0.9f, 0.5f, 0.1f})).sampleMirror({0.6, 0, 0.8});
   CHECK(sample.wi == dvec3(-0.6, 0, 0.8));
   CHECK(sample.weight == dvec3(glm::vec3(0.9f, 0.5f, 0.1f)));

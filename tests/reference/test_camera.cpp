@@ -1,4 +1,4 @@
-// Camera rays and the background, by hand.
+// Camera rays and the background, compared with values computed by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -34,7 +34,7 @@ Ray generate(const scene::Camera& camera, const render::RenderSettings& settings
 
 }  // namespace
 
-TEST_CASE("a pixel's rays cross the view plane within the pixel, row 0 on top") {
+TEST_CASE("the rays of a pixel cross the view plane within the pixel, and row 0 is at the top") {
   const render::RenderSettings settings = test::settingsOf(80, 40, 1);  // pixels of 8 / 40
   for (std::uint32_t sample = 0; sample < 100; ++sample) {
     const dvec2 at = crossing(generate(lookingAtOrigin(), settings, 79, 0, sample), 0);
@@ -60,7 +60,7 @@ TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre
   CHECK(most > 1.4);
 }
 
-TEST_CASE("without jitter rays go through pixels' centres, or through the corners of a grid of one pixel less") {
+TEST_CASE("rays without jitter pass through pixels' centres, or through the corners of a grid of one pixel less") {
   render::RenderSettings settings = test::settingsOf(5, 3, 1);
   settings.image.integrator = render::Integrator::whitted;
   const auto at = [&](std::uint32_t x, std::uint32_t y) {
@@ -74,11 +74,11 @@ TEST_CASE("without jitter rays go through pixels' centres, or through the corner
   CHECK(isNear(at(2, 1), {0, 0}));
   CHECK(isNear(at(0, 0), {-8, 4}));
   CHECK(isNear(at(4, 2), {8, -4}));
-  settings.image.size = {1, 3};  // one column keeps its centre
+  settings.image.size = {1, 3};  // a single column has its ray at the centre
   CHECK(isNear(at(0, 0), {0, 4}));
 }
 
-TEST_CASE("corners are jittered about") {
+TEST_CASE("jittered rays are distributed around the corners of pixels") {
   render::RenderSettings settings = test::settingsOf(5, 3, 1);
   settings.image.pixelOrigin = render::PixelOrigin::corner;
   double most = 0;
@@ -90,7 +90,7 @@ TEST_CASE("corners are jittered about") {
   CHECK(most > 1.9);
 }
 
-TEST_CASE("a lens keeps the plane in focus sharp and its radius in pixels of the stated resolution") {
+TEST_CASE("a lens leaves the plane in focus sharp, and its radius is in pixels of the stated resolution") {
   scene::Camera camera = lookingAtOrigin();
   camera.aperture = 5;  // 5 * 8 / 50 = 0.8
   camera.focal = 1.5f;  // at z = -2

@@ -1,4 +1,4 @@
-// The estimator as a whole, against answers that are known exactly or that two ways of estimating must share.
+// The whole estimator, compared with results that are known exactly or on which two kinds of estimates must agree.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -94,7 +94,7 @@ TEST_CASE("furnaces of every primitive show 1 / (1 - a)") {
   checkFurnace(inwardBall, 2);
 }
 
-TEST_CASE("a spherical furnace keeps its mean under next-event estimation") {
+TEST_CASE("next-event estimation preserves the mean of a spherical furnace") {
   for (const float radius : {1.0f, -1.0f}) {
     SceneBuilder ball;
     ball.material(diffuseMaterial(vec3(0.5f), vec3(1))).sphere({0, 0, 0}, radius);
@@ -123,7 +123,7 @@ TEST_CASE("walls of radius 100,000 make a furnace without acne or leaks") {
   }
 }
 
-TEST_CASE("colourless glass is invisible in a furnace, whatever else the furnace contains") {
+TEST_CASE("colourless glass is invisible in any furnace") {
   SceneBuilder b = closedBox(diffuseMaterial(vec3(0.5f), vec3(1)));
   b.material(glassMaterial(vec3(1), 1.5f));
   b.sphere({-0.4f, 0, 0}, 0.3f).box({0.1f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.1f});
@@ -135,7 +135,7 @@ TEST_CASE("colourless glass is invisible in a furnace, whatever else the furnace
   CHECK(meanOf(renderScene(b.scene, settings).film).x == Approx(2).epsilon(1e-3));
 }
 
-TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
+TEST_CASE("a spherical light over a plane gives the irradiance of the closed form") {
   // E = pi L (R / d)^2 cos; radiance a E / pi = a L R^2 h / d^3.
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0.8f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -151,7 +151,7 @@ TEST_CASE("a sphere lamp over a plane lights it as the closed form says") {
   }
 }
 
-TEST_CASE("a point light shows Kd Lc cd (N.L), with next-event estimation or without") {
+TEST_CASE("a point light gives Kd Lc cd (N.L), with and without next-event estimation") {
   SceneBuilder b;
   scene::Material material = mixtureMaterial(0.5f, 0, 1);
   material.diffuse->colour = {0.25f, 0.5f, 1};
@@ -170,14 +170,14 @@ TEST_CASE("a point light shows Kd Lc cd (N.L), with next-event estimation or wit
   CHECK(renderScene(b.scene, onePixel(1)).film.mean(0, 0) == dvec3(0));
 }
 
-TEST_CASE("many point lights add up") {
+TEST_CASE("the contributions of many point lights add up") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.pointLight({0, 0, 5}, vec3(1)).pointLight({0, 0, 7}, vec3(3)).pointLight({0, 0, 9}, vec3(0.5f));
   b.material(diffuseMaterial(vec3(0), vec3(2))).sphere({0, 0, 12}, 1);  // seen by its cap: 2 / 144
   lookDownAt(b, 0, 0);
   b.scene.primitives[1].material = 1;
-  // The lamp is a shadow caster to none of the point lights, and they are none to it.
+  // The light does not occlude the point lights, and they do not occlude it.
   CHECK(renderScene(b.scene, onePixel(65536, 2)).film.mean(0, 0).x == Approx(4.5 + 2.0 / 144).epsilon(5e-3));
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("next-event estimation preserves the mean of a glossy surface under la
   checkEqualMeans(with, estimateOf(renderScene(b.scene, settings).film), 0.005);
 }
 
-TEST_CASE("one-sided lights shine from their front, with next-event estimation or without") {
+TEST_CASE("one-sided lights emit only from their front, with and without next-event estimation") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0.9f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(diffuseMaterial(vec3(0), vec3(3)));
@@ -248,7 +248,7 @@ TEST_CASE("Russian roulette preserves the mean") {
   checkEqualMeans(estimateOf(without.film), estimateOf(with.film), 0.01);
 }
 
-TEST_CASE("a path between two parallel mirrors has 5000 rays") {
+TEST_CASE("a path between two parallel mirrors can have 5000 rays") {
   SceneBuilder b;
   scene::Material material = mirrorMaterial(vec3(0.999f));
   material.emission = vec3(1);
@@ -264,7 +264,7 @@ TEST_CASE("a path between two parallel mirrors has 5000 rays") {
   for (std::uint32_t i = 0; i < 4; ++i) CHECK(result.film.mean(i % 2, i / 2).y == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("emitters outside the table are found by paths, at full weight") {
+TEST_CASE("emitters outside the table are hit by paths, with weight 1") {
   for (const bool nextEvent : {true, false}) {
     SceneBuilder b;
     b.material(diffuseMaterial(vec3(0.5f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});

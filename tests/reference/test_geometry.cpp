@@ -1,4 +1,4 @@
-// Intersections, against values by hand and against a second form.
+// Intersections, compared with values computed by hand and with a second formula.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -28,7 +28,7 @@ struct RandomRays {
 
 }  // namespace
 
-TEST_CASE("a sphere is met at the nearer of its roots") {
+TEST_CASE("a sphere is hit at the smaller positive root") {
   const SphereShape sphere({vec3(0, 0, 0), 2});
   CHECK(sphere.distance(rayOf({0, 0, 5}, {0, 0, -1}), false) == 3);
   CHECK(sphere.distance(rayOf({0, 0, 0}, {0, 0, -1}), false) == 2);
@@ -37,7 +37,7 @@ TEST_CASE("a sphere is met at the nearer of its roots") {
   CHECK(sphere.normal({0, 2, 0}) == dvec3(0, 1, 0));
 }
 
-TEST_CASE("a sphere of negative radius is met from inside only") {
+TEST_CASE("a sphere of negative radius is hit only from inside") {
   const SphereShape sphere({vec3(0, 0, 0), -2});
   CHECK(sphere.distance(rayOf({0, 0, 5}, {0, 0, -1}), false) == 7);
   CHECK(sphere.distance(rayOf({0, 0, 1}, {0, 0, -1}), false) == 3);
@@ -51,7 +51,7 @@ TEST_CASE("a ray that starts on a sphere can only hit it at the other root") {
   CHECK(sphere.distance(rayOf({0, 0, 2.0001}, {1, 0, -1}), true) == Approx(2.0001 * std::sqrt(2)));
 }
 
-TEST_CASE("a wall of radius 100,000 never catches the ray that it scatters outward") {
+TEST_CASE("a ray that starts outward on a sphere of radius 100,000 never hits it") {
   const SphereShape wall({vec3(50, -1e5f, 81.6f), 1e5f});
   RandomRays rays;
   for (int i = 0; i < 1000; ++i) {
@@ -67,7 +67,7 @@ TEST_CASE("a wall of radius 100,000 never catches the ray that it scatters outwa
   }
 }
 
-TEST_CASE("a triangle is met inside and on its edges") {
+TEST_CASE("a triangle is hit inside and on its edges") {
   const TriangleShape triangle(scene::Triangle{{vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0)}});
   const auto down = [&](double x, double y) { return triangle.distance(rayOf({x, y, 3}, {0, 0, -1})); };
   CHECK(down(0.25, 0.25) == 3);
@@ -86,7 +86,7 @@ TEST_CASE("a triangle is met inside and on its edges") {
   CHECK(b.y == Approx(0.5));
 }
 
-TEST_CASE("a triangle agrees with the plane and the sides of its edges") {
+TEST_CASE("the hits of a triangle agree with its plane and the sides of its edges") {
   RandomRays rays;
   int hits = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("a ray hits a box where it enters, or exits if it starts inside") {
   CHECK(box.normal(slanted, false) == dvec3(-1, 0, 0));
 }
 
-TEST_CASE("a ray that starts on a box hits only its far side, and only when it goes inside") {
+TEST_CASE("a ray that starts on a box hits only the opposite side, and only if it goes inside") {
   const BoxShape box({vec3(-1, -1, -1), vec3(1, 1, 1)});
   Ray ray = rayOf({0, 0, 1}, {0, 0, -1});
   ray.leavingNormal = {0, 0, 1};
@@ -131,7 +131,7 @@ TEST_CASE("a ray that starts on a box hits only its far side, and only when it g
   CHECK(box.distance(ray, true) == kNoHit);
 }
 
-TEST_CASE("a box without thickness is met, on the side that the ray sees") {
+TEST_CASE("a box without thickness is hit on the side of the ray's origin") {
   const BoxShape flat({vec3(-1, -1, 0), vec3(1, 1, 0)});
   const Ray down = rayOf({0, 0, 5}, {0, 0, -1}), up = rayOf({0, 0, -5}, {0, 0, 1});
   CHECK(flat.distance(down, false) == 5);
@@ -139,7 +139,7 @@ TEST_CASE("a box without thickness is met, on the side that the ray sees") {
   CHECK(flat.normal(up, false) == dvec3(0, 0, -1));
 }
 
-TEST_CASE("a cylinder has a side but no caps") {
+TEST_CASE("a cylinder has a lateral surface but no caps") {
   const ConeShape cylinder({vec3(0, 0, 0), 1, vec3(0, 0, 4), 1});
   CHECK(cylinder.distance(rayOf({5, 0, 2}, {-1, 0, 0}), false) == 4);
   CHECK(cylinder.distance(rayOf({0, 0, 2}, {-1, 0, 0}), false) == 1);
@@ -150,7 +150,7 @@ TEST_CASE("a cylinder has a side but no caps") {
   CHECK(cylinder.normal({0, 1, 3}) == dvec3(0, 1, 0));
 }
 
-TEST_CASE("a cone is met on its side alone, not on its mirror image beyond the tip") {
+TEST_CASE("a cone is hit only on its lateral surface, not on its mirror image beyond the apex") {
   const ConeShape cone({vec3(0, 0, 0), 2, vec3(0, 0, 2), 0});
   CHECK(cone.distance(rayOf({5, 0, 1}, {-1, 0, 0}), false) == Approx(4));
   CHECK(cone.distance(rayOf({5, 0, 3}, {-1, 0, 0}), false) == kNoHit);
@@ -169,7 +169,7 @@ TEST_CASE("a ray that starts on a cone can only hit it at the other root") {
   CHECK(cylinder.distance(rayOf({1, 0, 2}, {-1, 0, 2}), true) == kNoHit);  // out through the open end
 }
 
-TEST_CASE("a cone's hits lie on it, and none is nearer") {
+TEST_CASE("a cone's hits are on its surface, and none is closer") {
   RandomRays rays;
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("a cone's hits lie on it, and none is nearer") {
   CHECK(hits > 100);
 }
 
-TEST_CASE("a plane is met in front of the ray, from either side") {
+TEST_CASE("a plane is hit in front of the ray's origin, from both sides") {
   const PlaneShape plane({vec3(0, 0, 1), vec3(1, 0, 1), vec3(0, 1, 1)});
   CHECK(plane.unitNormal == dvec3(0, 0, 1));
   CHECK(plane.distance(rayOf({7, 7, 3}, {0, 0, -1})) == 2);
@@ -213,7 +213,7 @@ TEST_CASE("a plane is met in front of the ray, from either side") {
   CHECK(plane.distance(rayOf({7, 7, 3}, {1, 0, 0})) == kNoHit);
 }
 
-TEST_CASE("a patch's shading normal is interpolated, faces the ray, and gives way where it would not") {
+TEST_CASE("the shading normal of a patch is interpolated, or is the geometric normal if it would not face the ray") {
   test::SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1)));
   const vec3 tilted = normalize(vec3(0, -2, 1));

@@ -1,4 +1,4 @@
-// Which hit counts: ties, sides, and what shadow rays see.
+// Rules that decide which hit counts: ties, sides, and the view of shadow rays.
 #include <catch2/catch.hpp>
 
 #include "host/reference/tracing.h"
@@ -9,7 +9,7 @@ using namespace candela::reference;
 using glm::vec3;
 using test::SceneBuilder;
 
-TEST_CASE("a scene without primitives is traced, and few primitives need no hierarchy") {
+TEST_CASE("a scene without primitives can be traced, and few primitives have no BVH") {
   Counters counters;
   CHECK_FALSE(Tracing(SceneBuilder().scene, {}).closest({{0, 0, 0}, {0, 0, 1}}, counters));
   CHECK_FALSE(Tracing(test::cornellBox().scene, {}).hasHierarchy());
@@ -27,7 +27,7 @@ TEST_CASE("at equal distances the lower primitive index is hit") {
   CHECK(counters.traversalSteps == 8);
 }
 
-TEST_CASE("one-sided rendering drops the backs of opaque triangles and planes, and of nothing else") {
+TEST_CASE("one-sided rendering ignores the backs of opaque triangles and planes, and of no other primitives") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1)));
   b.triangle({-9, -9, 5}, {9, -9, 5}, {0, 9, 5});  // front towards +z
@@ -55,7 +55,7 @@ TEST_CASE("one-sided rendering drops the backs of opaque triangles and planes, a
   CHECK_FALSE(oneSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, 8, kNoPrimitive, counters));
 }
 
-TEST_CASE("shadow rays ignore their light and everything at its distance or beyond") {
+TEST_CASE("shadow rays ignore their light and everything at or beyond its distance") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).sphere({0, 0, 3}, 1).plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});
   const Tracing tracing(b.scene, {});

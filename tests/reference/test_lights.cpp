@@ -1,4 +1,5 @@
-// The light table's thresholds by hand, and the sampling of lights against their densities.
+// The thresholds of the light table, compared with values computed by hand, and the sampling of lights with its
+// densities.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -60,14 +61,14 @@ TEST_CASE("triangles share the table by area and luminance") {
   CHECK(lights.choose(~0u).probability == 0.75);
 }
 
-TEST_CASE("thresholds are rounded to the nearest and the last one is complete") {
+TEST_CASE("thresholds are rounded to nearest, and the last one is 2^24") {
   SceneBuilder b;
   b.pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1));
   // 2^24 / 3 = 5592405.33, 2 * 2^24 / 3 = 11184810.67.
   CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{5592405, 11184811, kAll});
 }
 
-TEST_CASE("emitters and point lights get half of the samples each") {
+TEST_CASE("emitters and point lights are each chosen with probability 1/2") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1).sphere({5, 0, 0}, 1);
   b.pointLight({0, 0, 3}, vec3(0.001f));
@@ -87,7 +88,7 @@ TEST_CASE("lights of weight 0 stay in the table and are never chosen") {
   CHECK_FALSE(LightTable(dark.scene, {}).canChoose());
 }
 
-TEST_CASE("without next-event estimation only point lights are in the table") {
+TEST_CASE("only point lights are in the table without next-event estimation") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1);
   CHECK_FALSE(LightTable(b.scene, settingsWith(false)).canChoose());
@@ -131,7 +132,7 @@ TEST_CASE("triangle samples give the form factor of a triangle") {
   CHECK(found == Approx(expected).epsilon(1e-4));
 }
 
-TEST_CASE("the density of a hit is that of sampling it") {
+TEST_CASE("the density of a hit is the density with which it is sampled") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1)));
   b.sphere({0, 0, 3}, 1).sphere({0, 0, 0}, -5).triangle({1, 0, 1}, {1, 1, 1}, {2, 0, 1});
@@ -154,7 +155,7 @@ TEST_CASE("the density of a hit is that of sampling it") {
   }
 }
 
-TEST_CASE("a triangle light does not light itself, nor with --one-sided what is behind it") {
+TEST_CASE("a triangle light does not illuminate itself and, with --one-sided, nothing behind it") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});  // front towards +z
   const LightTable twoSided(b.scene, {}), oneSided(b.scene, settingsWith(true, true));
@@ -175,7 +176,7 @@ TEST_CASE("the background has no entry, no samples and no density") {
   CHECK_FALSE(BackgroundLight().sample(surfaceFacing(dvec3(0), {0, 0, 1}), {0.5, 0.5}));
 }
 
-TEST_CASE("every kind of light states its power") {
+TEST_CASE("every kind of light has the documented power") {
   const dvec3 white(1);
   CHECK(SphereLight({vec3(0), -2}, white, 0).power() == Approx(16 * kPi));
   CHECK(TriangleLight({{vec3(0), vec3(2, 0, 0), vec3(0, 3, 0)}}, white, 0, false).power() == Approx(3));

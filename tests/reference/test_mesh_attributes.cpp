@@ -1,4 +1,4 @@
-// Attributes of meshes where rays meet them, against values by hand.
+// Attributes of meshes at the hits of rays, compared with values computed by hand.
 #include <catch2/catch.hpp>
 
 #include "host/reference/geometry.h"
@@ -23,7 +23,7 @@ scene::Mesh fullMesh() {
   return mesh;
 }
 
-// Of the point (1, 2, 0), from above or from below.
+// Returns the attributes at the point (1, 2, 0), hit from above or from below.
 MeshAttributes attributesOf(const scene::Mesh& mesh, double height = 5) {
   scene::Scene scene;
   scene.materials.emplace_back();
@@ -34,7 +34,7 @@ MeshAttributes attributesOf(const scene::Mesh& mesh, double height = 5) {
 
 }  // namespace
 
-TEST_CASE("attributes of a mesh are interpolated where a ray meets it, from either side") {
+TEST_CASE("attributes of a mesh are interpolated at the hit of a ray, from both sides") {
   for (const double height : {5., -3.}) {
     const MeshAttributes attributes = attributesOf(fullMesh(), height);  // weights 1/4, 1/4, 1/2
     CHECK(attributes.texCoords[0] == glm::dvec2(0.25, 0.5));
@@ -45,7 +45,7 @@ TEST_CASE("attributes of a mesh are interpolated where a ray meets it, from eith
   }
 }
 
-TEST_CASE("a tangent frame has unit tangents, and the geometric normal where vertices have none") {
+TEST_CASE("a tangent frame has unit tangents, and the geometric normal if vertices have none") {
   scene::Mesh mesh = fullMesh();
   mesh.normals.clear();
   mesh.tangents = {{1, 0, 0, 1}, {0, 1, 0, 1}, {1, 0, 0, 1}};
@@ -55,7 +55,7 @@ TEST_CASE("a tangent frame has unit tangents, and the geometric normal where ver
   CHECK(length(attributes.bitangent - dvec3(-tangent.y, tangent.x, 0)) < 1e-15);
 }
 
-TEST_CASE("what a mesh does not give is 0, and so is everything at other primitives") {
+TEST_CASE("attributes that a mesh does not have are 0, and so are those of other primitives") {
   scene::Mesh mesh;
   mesh.positions = fullMesh().positions;
   mesh.colours = fullMesh().colours;

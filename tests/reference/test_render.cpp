@@ -11,7 +11,7 @@ using namespace candela::test;
 
 namespace {
 
-// A camera over a diffuse floor that sees it in a mirror; a lamp above, with a screen on one side of it.
+// A camera over a diffuse floor that is reflected in a mirror; a light above, with an occluder on one side of it.
 SceneBuilder mirroredFloor() {
   SceneBuilder b;
   b.material(mirrorMaterial(vec3(1))).plane({0, 0, -5}, {1, 0, -5}, {0, 1, -5});
@@ -29,7 +29,7 @@ render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
 
 }  // namespace
 
-TEST_CASE("neither threads nor tiles nor the structure change a byte of the film") {
+TEST_CASE("threads, tiles and the structure do not change a byte of the film") {
   scene::Scene scene = cornellBox().scene;
   for (int i = 0; i < 40; ++i) {  // enough for a hierarchy
     scene.spheres.push_back({vec3(-0.9f + 0.045f * static_cast<float>(i), -0.95f, 0.3f), 0.04f});
@@ -80,7 +80,7 @@ TEST_CASE("a lens of aperture 0 is a pinhole, bit for bit") {
   CHECK(renderScene(scene, settings).film.hash() != pinhole);
 }
 
-TEST_CASE("samplers, filters, lenses and sides each change the film") {
+TEST_CASE("sampler, filter, lens and --one-sided each change the film") {
   scene::Scene scene = cornellBox().scene;
   scene.camera->aperture = 4;
   render::RenderSettings settings = settingsOf(16, 16, 4);
@@ -103,7 +103,7 @@ TEST_CASE("samplers, filters, lenses and sides each change the film") {
   CHECK(std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end());
 }
 
-TEST_CASE("statistics count what was done") {
+TEST_CASE("statistics have the counts of the work that was done") {
   render::RenderSettings settings = settingsOf(7, 5, 3);
   settings.execution.threads = 2;
   const render::RenderStatistics direct = renderScene(mirroredFloor().scene, settings).statistics;
@@ -150,13 +150,13 @@ TEST_CASE("a record contains the decisions of a path") {
   CHECK(cut.vertices[1].shadow == render::ShadowOutcome::notTraced);
 
   SceneBuilder screened = mirroredFloor();
-  screened.sphere({0.9f, 0, 3}, 0.8f);  // leaves the view free and hides nothing yet
+  screened.sphere({0.9f, 0, 3}, 0.8f);  // outside the view, and occludes nothing yet
   CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::visible);
   screened.scene.pointLights[0].position = {1.8f, 0, 1};
   CHECK(recordOf(screened.scene, 64).vertices[1].shadow == render::ShadowOutcome::occluded);
 }
 
-TEST_CASE("a record ends with the miss, or where roulette ended the path") {
+TEST_CASE("a record ends with the miss, or at the vertex at which roulette ended the path") {
   SceneBuilder b;
   const render::PathRecord miss = recordOf(b.scene, 64);
   REQUIRE(miss.vertexCount == 1);
@@ -179,7 +179,7 @@ TEST_CASE("a record contains the first 32 vertices") {
   CHECK(record.vertices.back().lobe == render::Lobe::mirror);
 }
 
-TEST_CASE("progress reaches the end, on the calling thread") {
+TEST_CASE("progress is reported up to the end, on the calling thread") {
   std::vector<double> fractions;
   std::uint64_t samples = 0;
   render::RenderControl control;
@@ -196,7 +196,7 @@ TEST_CASE("progress reaches the end, on the calling thread") {
   CHECK(samples == 3200);
 }
 
-TEST_CASE("a stopped render reports it and keeps the samples rendered so far") {
+TEST_CASE("a stopped render reports it and returns the samples rendered so far") {
   std::atomic<bool> stop = false;
   render::RenderControl control;
   control.stop = &stop;

@@ -47,7 +47,7 @@ TEST_CASE("each kind of sampler gives the vectors of an independent calculation"
   CHECK(stratified.group(kPixel, 5, 3) == Words{0xaf808fc4u, 0x59bc937cu, 0xf1499debu, 0x873c20a5u});
 }
 
-TEST_CASE("Sobol points before scrambling are those that Joe and Kuo publish") {
+TEST_CASE("Sobol points before scrambling are those published by Joe and Kuo") {
   // In Gray code order, the order of their generator.
   const double published[8][4] = {{0, 0, 0, 0},
                                   {0.5, 0.5, 0.5, 0.5},
@@ -65,7 +65,7 @@ TEST_CASE("Sobol points before scrambling are those that Joe and Kuo publish") {
   }
 }
 
-TEST_CASE("any 2^k scrambled Sobol samples have one number in each interval of length 2^-k") {
+TEST_CASE("each interval of length 2^-k contains one number of any 2^k scrambled Sobol samples") {
   const Sampler sampler(render::SamplerKind::sobol, 3, 64);
   for (std::uint32_t slot = 0; slot < 4; ++slot) {
     std::set<std::uint32_t> intervals;
@@ -109,7 +109,7 @@ TEST_CASE("permute is a permutation") {
   }
 }
 
-TEST_CASE("a stratum's numbers span it and no more") {
+TEST_CASE("the numbers of a stratum span the stratum and no more") {
   // 2^32 / 3 = 1431655765.33, so strata start at 0, 1431655765, 2863311530.
   CHECK(jitterInStratum(0, 3, 0) == 0u);
   CHECK(jitterInStratum(0, 3, 0xffffffffu) == 1431655764u);
@@ -141,7 +141,7 @@ TEST_CASE("stratified samples fill every stratum exactly once") {
   for (const auto& taken : cells) CHECK(taken.size() == kSide * kSide);
 }
 
-TEST_CASE("samples beyond the last full square of strata are independent ones") {
+TEST_CASE("samples beyond the last full square of strata are independent") {
   const Sampler stratified = samplerOf(render::SamplerKind::stratified, 11);  // n = 3
   const Sampler independent = samplerOf(render::SamplerKind::independent, 11);
   CHECK(stratified.group(kPixel, 8, 0) != independent.group(kPixel, 8, 0));
@@ -173,7 +173,7 @@ TEST_CASE("every sampler's numbers are uniform over pixels") {
   }
 }
 
-TEST_CASE("a unit number is the word's upper 24 bits") {
+TEST_CASE("a unit number is made from the word's upper 24 bits") {
   CHECK(toUnit(0) == 0);
   CHECK(toUnit(0xff) == 0);
   CHECK(toUnit(0x80000000u) == 0.5);

@@ -59,7 +59,7 @@ TEST_CASE("the disc warp is uniform in area") {
 TEST_CASE("the cosine warp has the moments of a cosine density") {
   const auto mean = meanOverSquare<dvec3>([](const dvec2& u) { return sampleCosineHemisphere(u); });
   CHECK(mean.x == Approx(0).margin(1e-12));
-  CHECK(mean.z == Approx(2.0 / 3).epsilon(5e-4));  // the midpoint rule meets a square root's edge
+  CHECK(mean.z == Approx(2.0 / 3).epsilon(5e-4));  // the midpoint rule at the edge of a square root
   const auto squared = meanOverSquare<double>([](const dvec2& u) { return std::pow(sampleCosineHemisphere(u).z, 2); });
   CHECK(squared == Approx(0.5).epsilon(1e-4));
 }
@@ -115,7 +115,7 @@ TEST_CASE("a frame is orthonormal and right-handed around any direction") {
   }
 }
 
-TEST_CASE("a frame's tangents are those that the page states") {
+TEST_CASE("the tangents of a frame are those of docs/light-transport.md") {
   // n = (0.6, 0, 0.8): s = 1, a = -1/1.8, b = 0.
   const Frame up(dvec3(0.6, 0, 0.8));
   CHECK(length(up.tangent - dvec3(1 - 0.36 / 1.8, 0, -0.6)) < 1e-15);

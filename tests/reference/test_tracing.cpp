@@ -78,7 +78,7 @@ class RandomScene {
 
 }  // namespace
 
-TEST_CASE("every structure finds what brute force finds, in scenes of all kinds and with ties") {
+TEST_CASE("every structure gives the hits of brute force in scenes of all kinds and with ties") {
   RandomScene random;
   const scene::Scene scene = random.make(100);
   const Tracing brute(scene, withAccel(render::AccelKind::none));
@@ -122,7 +122,7 @@ TEST_CASE("every structure finds what brute force finds, in scenes of all kinds 
   for (const Counters& counters : work) CHECK(counters.traversalSteps * 3 < bruteWork.traversalSteps);
 }
 
-TEST_CASE("every structure finds what brute force finds on the edges of what scenes can be") {
+TEST_CASE("every structure of the reference gives the hits of brute force in extreme scenes") {
   std::vector<scene::Scene> scenes;
   const auto add = [&](auto&& fill) {
     SceneBuilder b;
@@ -193,7 +193,7 @@ TEST_CASE("every primitive is in exactly one leaf, within the leaf's box") {
   }
 }
 
-TEST_CASE("the report's rule splits at the centre, else at the mean of the centres, else two from the rest") {
+TEST_CASE("midpoint splits are at the centre, else at the mean of the centres, else after two items") {
   const auto point = [](double x) { return Bounds{dvec3(x, 0, 0), dvec3(x, 0, 0)}; };
   // The first child follows its parent; the second is at `first`.
   const auto leftLeaf = [](const Hierarchy& hierarchy) {

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> primitivesOf(const render::PathRecord& record) {
 
 }  // namespace
 
-TEST_CASE("a node comes first, then what it reflects, then what it refracts") {
+TEST_CASE("a node precedes its reflected subtree, which precedes its refracted subtree") {
   const render::RenderResult result = renderScene(paneBetweenWalls().scene, whittedSettings(4));
   const render::PathRecord& record = result.paths.at(0);
   CHECK(primitivesOf(record) == std::vector<std::uint32_t>{0, 2, 1});
@@ -46,7 +46,7 @@ TEST_CASE("a node comes first, then what it reflects, then what it refracts") {
   CHECK(result.statistics.bounceRays == 2);
 }
 
-TEST_CASE("the camera's ray has depth 1, and no ray comes from the last depth") {
+TEST_CASE("the camera ray has depth 1, and nodes of the maximum depth spawn no ray") {
   const render::RenderResult result = renderScene(paneBetweenWalls().scene, whittedSettings(1));
   CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0});
   CHECK(result.paths.at(0).vertices[0].lobe == render::Lobe::none);
@@ -62,7 +62,7 @@ TEST_CASE("glass of index 1 reflects no ray") {
   CHECK(result.film.mean(0, 0).x == 2);
 }
 
-TEST_CASE("a mirror's ray that would go into its own surface is not traced") {
+TEST_CASE("a mirror's ray that would enter its own surface is not traced") {
   // The shading normal leans so far that the mirrored ray dives below the flat triangle.
   const vec3 leaning = normalize(vec3(-1, 0, 0.2f));
   SceneBuilder b;
@@ -90,7 +90,7 @@ TEST_CASE("light sampling is skipped on glass that no light can illuminate") {
   CHECK(result.statistics.shadowRays == 2);
 }
 
-TEST_CASE("with several samples pixels are jittered, with one they are not") {
+TEST_CASE("rays are jittered with several samples per pixel, but not with one") {
   SceneBuilder b;
   b.view({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40);
   b.material(diffuseMaterial(vec3(0), vec3(1))).sphere({0, 0, 0}, 1);

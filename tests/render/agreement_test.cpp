@@ -26,7 +26,7 @@ render::RenderResult picture(double first, double second) {
 
 }  // namespace
 
-TEST_CASE("the first decision that differs is the cause") {
+TEST_CASE("the first decision that differs is reported as the cause") {
   const render::PathRecord record = twoVertices();
   render::PathRecord other = record;
   CHECK(verify::causeOf(record, other) == verify::Cause::rounding);
@@ -43,7 +43,7 @@ TEST_CASE("the first decision that differs is the cause") {
   CHECK(verify::causeOf(record, other) == verify::Cause::primitive);
 }
 
-TEST_CASE("pixels that differ are counted among all and among the lit ones") {
+TEST_CASE("pixels that differ are counted among all pixels and among lit ones") {
   render::RenderResult device = picture(0.5, 0);
   const render::RenderResult reference = picture(0.5001, 0);
   device.paths[0].vertices[0].primitive = 9;
@@ -62,7 +62,7 @@ TEST_CASE("channels within the tolerance are equal") {
   CHECK(verify::comparePixels(picture(0, 0), picture(0x1p-27, 0)).litShare() == 1);
 }
 
-TEST_CASE("means agree within a thousandth") {
+TEST_CASE("means agree if they differ by at most a thousandth") {
   CHECK(verify::MeanAgreement{.samples = 64, .device = 1.0009, .reference = 1}.agree());
   CHECK(!verify::MeanAgreement{.samples = 64, .device = 1.0011, .reference = 1}.agree());
   CHECK(verify::MeanAgreement{.samples = 64, .device = 0, .reference = 0}.agree());

@@ -1,4 +1,4 @@
-// What `automatic` stands for: AutomaticChoices where nothing was asked for and the scene fits.
+// Resolution of `automatic`: AutomaticChoices, unless the user chose or the scene does not fit.
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kRowBytes = 16;
 
-// A device that binds so many rows, and what is in use there of a scene of 100.
+// Returns the loads that a device with these limits, in records, uses for a scene of 100 records.
 render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, render::SceneLoads asked,
                               render::SceneLoads preferred) {
   vulkan::DeviceInfo info;
@@ -25,7 +25,7 @@ render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, r
   return loadsFor(info, flat, settings);
 }
 
-TEST_CASE("requested loads are used, otherwise the preferred ones, otherwise those that fit") {
+TEST_CASE("requested loads are used, else the preferred ones, else those that fit") {
   using enum render::SceneLoads;
   for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
     CHECK(loadsWhere(100, 100, render::SceneLoads::texel, preferred) == render::SceneLoads::texel);
@@ -47,7 +47,7 @@ TEST_CASE("requested loads that do not fit are refused, and the message names th
   }
 }
 
-TEST_CASE("a requested layout is used, otherwise the preferred one, but midpoint splits have binary nodes") {
+TEST_CASE("a requested layout is used, else the preferred one, but midpoint splits have binary nodes") {
   render::RenderSettings settings;
   for (const render::BvhLayout preferred : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     settings.execution.automatic.bvhLayout = preferred;
@@ -64,7 +64,7 @@ TEST_CASE("a requested layout is used, otherwise the preferred one, but midpoint
   }
 }
 
-TEST_CASE("a requested workgroup is used, otherwise the preferred one") {
+TEST_CASE("a requested workgroup is used, else the preferred one") {
   render::RenderSettings settings;
   CHECK(extentText(settings.execution.workgroupInUse()) == "8x8");
   settings.execution.automatic.workgroup = {32, 1};
@@ -73,7 +73,7 @@ TEST_CASE("a requested workgroup is used, otherwise the preferred one") {
   CHECK(extentText(settings.execution.workgroupInUse()) == "4x4");
 }
 
-TEST_CASE("a requested kernel is used, otherwise the preferred one, except by integrators with a single kernel") {
+TEST_CASE("a requested kernel is used, else the preferred one, except by integrators with a single kernel") {
   render::RenderSettings settings;
   const auto nameOf = [&] { return std::string(kernelFor(flatten::FlatScene{}, settings).name); };
   CHECK(nameOf() == "megakernel");

@@ -29,7 +29,7 @@ TEST_CASE("films without bad samples leave a tally empty") {
   CHECK(tally.firstPixels().empty());
 }
 
-TEST_CASE("a tally adds the samples of all renders, and counts a pixel once with where it was bad first") {
+TEST_CASE("a tally adds the samples of all renders, and counts a pixel once with its first bad sample") {
   render::BadSampleTally tally;
   image::Film first(4, 3);
   first.addSample(1, 2, kTooBright, 7);
@@ -55,7 +55,7 @@ TEST_CASE("a tally counts all bad pixels and lists the first") {
   CHECK(tally.firstPixels().back().y == 1);
 }
 
-TEST_CASE("a tally takes up what another one counted later") {
+TEST_CASE("a tally adds the counts of a later tally") {
   image::Film film(4, 3);
   film.addSample(1, 2, kTooBright, 7);
   render::BadSampleTally tally;

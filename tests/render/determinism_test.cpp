@@ -38,8 +38,7 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   for (const std::uint32_t segments : {1u, 4u, 64u, 1000u}) {
     render::RenderSettings settings = baseSettings();
     settings.execution.segmentsPerDispatch = segments;
-    settings.structure
-        .bvhLayout = render::BvhLayout::cwbvh;      // tests in a row would use up a device's loop limit sooner
+    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // a linear list would reach a device's loop limit sooner
     settings.execution.tile = settings.image.size;  // so that the number of dispatches depends on nothing else
     const render::RenderResult result = renderOnDevice(scene, settings);
     CHECK(result.film.hash() == expected);
@@ -63,7 +62,7 @@ TEST_CASE("the tile does not change the image") {
   }
 }
 
-TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slow]") {
+TEST_CASE("the structure and the type of scene loads do not change the image", "[swiftshader-slow]") {
   for (const char* name : {"primitives.p3f", "smallpt.p3f"}) {
     const scene::Scene scene = loadTestScene(name);
     render::RenderSettings settings = baseSettings();
@@ -82,7 +81,7 @@ TEST_CASE("structure and scene loads do not change the image", "[swiftshader-slo
   }
 }
 
-TEST_CASE("the reference's threads do not change its image") {
+TEST_CASE("the number of threads does not change the reference's image") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = baseSettings();
   settings.execution.threads = 1;

@@ -16,7 +16,7 @@ render::RenderSettings settingsFor(const scene::Scene& scene, std::uint32_t side
   return settings;
 }
 
-// Of pictures of one sample per pixel.
+// Requires that pictures with one sample per pixel agree.
 void requireSamePixels(const scene::Scene& scene, render::RenderSettings settings) {
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
@@ -94,9 +94,9 @@ TEST_CASE("depth limit and roulette agree with the reference") {
   requireSamePixels(scene, settings);
 }
 
-// A row of objects on a floor: a sphere that is seen from inside only, with the camera outside; a flat box of glass; a
-// box so thin that it is flat at its distance; a lamp that lets light through; a capped mixture in white light; and,
-// above them, the back of a triangle with normals of its own.
+// Objects on a floor: a sphere that is visible only from inside, with the camera outside; a flat box of glass; a box so
+// thin that it is flat at its distance; a light that transmits light; a mixture scaled to 1 in white light; and, above
+// them, the back of a triangle with vertex normals.
 const char* const kSeldomMet = R"(
 b 0.3 0.4 0.5
 v
@@ -130,7 +130,7 @@ pp 3
 1 0 1.4 0.5 0.8 0.1
 )";
 
-TEST_CASE("rules that scenes seldom meet agree with the reference", "[swiftshader-slow]") {
+TEST_CASE("rules for unusual scenes agree with the reference", "[swiftshader-slow]") {
   const scene::Scene scene = sceneFromText(kSeldomMet);
   render::RenderSettings settings = squareSettings(128, 1);
   settings.image.nextEventEstimation = GENERATE(true, false);

@@ -1,4 +1,4 @@
-// Sums of samples as the film keeps them: each lane adds `perLane` consecutive inputs.
+// Sums of samples as in the film: each invocation adds `perLane` consecutive inputs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "film.glsl"

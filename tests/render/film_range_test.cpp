@@ -9,7 +9,7 @@ using namespace candela::device;
 
 namespace {
 
-// A lamp brighter than the film can hold.
+// A light brighter than the film can represent.
 scene::Scene tooBright() {
   return sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"
@@ -36,7 +36,7 @@ void requireEqualCounts(const image::Film& device, const image::Film& reference)
 
 }  // namespace
 
-TEST_CASE("samples beyond the film's range are clamped and counted on both tracers") {
+TEST_CASE("samples beyond the film's range are clamped and counted by both tracers") {
   const scene::Scene scene = tooBright();
   const render::RenderSettings settings = squareSettings(8, 4);
   const render::RenderResult device = renderOnDevice(scene, settings);
@@ -52,7 +52,7 @@ TEST_CASE("samples beyond the film's range are clamped and counted on both trace
   requireEqualCounts(device.film, reference.film);
 }
 
-TEST_CASE("radiance that overflows on a device is counted as on the reference, where it does not overflow") {
+TEST_CASE("radiance that overflows only on a device is counted as a bad sample by both tracers") {
   const scene::Scene scene = overflowing();
   const render::RenderSettings settings = squareSettings(8, 4);
   const render::RenderResult device = renderOnDevice(scene, settings);

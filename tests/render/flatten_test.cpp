@@ -67,10 +67,10 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
   }
 }
 
-TEST_CASE("a light's row leads to its primitive and back") {
+TEST_CASE("the record of a light refers to its primitive, and the primitive to the light") {
   const scene::Scene scene = loadFixture("cornell.p3f");
   const flatten::FlatScene flat = flatten::flattenScene(scene, smallSettings());
-  REQUIRE(flat.constants.lightCount == 2);  // the lamp's two triangles
+  REQUIRE(flat.constants.lightCount == 2);  // the light's two triangles
   for (std::uint32_t light = 0; light < 2; ++light) {
     const gpu::uvec4& head = flat.rows[flat.constants.firstLightRow + light * gpu::kLightRows];
     const std::uint32_t row = flat.constants.firstPrimitiveRow + head.w * gpu::kPrimitiveRows;
@@ -145,7 +145,7 @@ TEST_CASE("a grid has at most the given number of cells along an axis") {
   CHECK(limited.structureQuality.at("density") < 2);
 }
 
-TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
+TEST_CASE("the Whitted tracer's lights are squares that face the camera's target") {
   scene::Scene scene = loadFixture("point_light.p3f");
   scene.pointLights.push_back({scene.camera->at, glm::vec3(1)});  // faces z
   render::RenderSettings settings = smallSettings();
@@ -167,7 +167,7 @@ TEST_CASE("Whitted's lights are squares that face what the camera looks at") {
   }
 }
 
-TEST_CASE("room for rays that wait is made where there is glass, one for each depth but the first") {
+TEST_CASE("states have space for a pending ray at each depth but the first if the scene has glass") {
   render::RenderSettings settings = smallSettings();
   settings.image.integrator = render::Integrator::whitted;
   settings.image.maxDepth = 5;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A ray that meets a boundary; `index` is the one behind it by the one before it.
+/// A ray that hits a boundary; `index` is the index of refraction behind it divided by the one before it.
 struct Incidence {
   double angle;
   double index;
@@ -70,7 +70,7 @@ TEST_CASE("at normal incidence glass reflects ((n - 1) / (n + 1))^2") {
   });
 }
 
-TEST_CASE("at Brewster's angle only the perpendicular half is left") {
+TEST_CASE("at Brewster's angle only perpendicularly polarised light is reflected") {
   onBothSides([](const Evaluate& evaluate) {
     for (const double n : {1.5, 1 / 1.5, 1.1, 2.4}) {
       const double expected = std::pow((n * n - 1) / (n * n + 1), 2) / 2;
@@ -79,7 +79,7 @@ TEST_CASE("at Brewster's angle only the perpendicular half is left") {
   });
 }
 
-TEST_CASE("everything is reflected at grazing incidence and beyond the critical angle, not before it") {
+TEST_CASE("everything is reflected at grazing incidence and beyond the critical angle, but not below it") {
   onBothSides([](const Evaluate& evaluate) {
     const double critical = std::asin(1 / 1.5);
     const auto values = evaluate(
@@ -92,13 +92,13 @@ TEST_CASE("everything is reflected at grazing incidence and beyond the critical 
   });
 }
 
-TEST_CASE("an index of 1 is no boundary") {
+TEST_CASE("a boundary with a relative index of 1 reflects nothing") {
   onBothSides([](const Evaluate& evaluate) {
     for (const double value : evaluate({{0, 1}, {30 * kDegree, 1}, {89 * kDegree, 1}})) CHECK(value == 0);
   });
 }
 
-TEST_CASE("between, the reflectance is that of Fresnel's form by angles, into glass and out of it") {
+TEST_CASE("the reflectance at other angles is that of Fresnel's form by angles, into and out of glass") {
   std::vector<Incidence> rays;
   for (const double index : {1.1, 1.33, 1.5, 2.4, 1 / 1.1, 1 / 1.5}) {
     for (double angle = 1; angle < 89; angle += 2.5) {

@@ -1,4 +1,4 @@
-// The governor keeps dispatches short on devices that are made up: slow, fast, noisy, changing.
+// The governor limits the duration of dispatches on simulated devices: slow, fast, noisy, changing.
 #include "host/device/governor.h"
 
 #include <algorithm>
@@ -131,7 +131,7 @@ TEST_CASE("a sweep whose strips differ in cost by a factor of eight stays within
   CHECK(countAbove(durations, 0.25) <= 10);
 }
 
-TEST_CASE("where the whole image takes seconds for one segment the region shrinks") {
+TEST_CASE("the region shrinks if one segment of the whole image takes seconds") {
   Governor governor(optionsFor(kMegapixel));
   FakeDevice device(1e5);  // one segment of the image: 10 s; of 16384 pixels: 0.16 s
   driveFromStart(governor, device, 30);
@@ -141,7 +141,8 @@ TEST_CASE("where the whole image takes seconds for one segment the region shrink
   CHECK(plan.pixels % 64 == 0);
 }
 
-TEST_CASE("paths get 128 segments before more pixels are used than the device needs, and more when all are used") {
+TEST_CASE(
+    "paths get 128 segments before more pixels are used than the device needs, and more once all pixels are used") {
   const auto planAt = [](double unitsPerSecond) {
     Governor governor(optionsFor(kMegapixel));
     FakeDevice device(unitsPerSecond, 0.0);
@@ -176,7 +177,7 @@ TEST_CASE("work grows at most eightfold from one dispatch to the next, and twofo
   }
 }
 
-TEST_CASE("the maximum number of segments is respected, with more pixels instead") {
+TEST_CASE("the maximum number of segments is respected by using more pixels") {
   GovernorOptions options = optionsFor(kMegapixel);
   options.maxSegments = 4;
   Governor governor(options);
@@ -196,7 +197,7 @@ TEST_CASE("an image smaller than a workgroup is dispatched whole") {
   CHECK(governor.next().segments == 1024);
 }
 
-TEST_CASE("fixed segments are obeyed and pixels follow") {
+TEST_CASE("a fixed number of segments is used, and the number of pixels adapts") {
   GovernorOptions options = optionsFor(kMegapixel);
   options.fixedSegments = 100;
   Governor governor(options);
@@ -209,7 +210,7 @@ TEST_CASE("fixed segments are obeyed and pixels follow") {
   CHECK(durations.back() == Approx(0.1).epsilon(0.3));
 }
 
-TEST_CASE("a fixed region is obeyed and segments follow") {
+TEST_CASE("a fixed region is used, and the number of segments adapts") {
   GovernorOptions options = optionsFor(kMegapixel);
   options.fixedPixels = 1000;
   Governor governor(options);
@@ -225,7 +226,7 @@ TEST_CASE("a fixed region is obeyed and segments follow") {
   CHECK(fixed.next().segments == 7);
 }
 
-TEST_CASE("when few pixels have work left, these get more segments") {
+TEST_CASE("if few pixels have work left, they get more segments") {
   Governor governor(optionsFor(kMegapixel));
   FakeDevice device(1e8, 0.0);
   driveFromStart(governor, device, 60);
@@ -234,7 +235,7 @@ TEST_CASE("when few pixels have work left, these get more segments") {
   CHECK(governor.segmentsFor(0) == 1024);
 }
 
-TEST_CASE("a small remainder that was quick does not shrink what follows") {
+TEST_CASE("a short dispatch of a small remainder does not reduce the next ones") {
   Governor governor(optionsFor(kMegapixel));
   FakeDevice device(1e8);
   driveFromStart(governor, device, 60);

@@ -1,4 +1,4 @@
-// Host and shader agree on the place of every member of every structure that they share.
+// Host and shader agree on the offset of every member of every structure that they share.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
@@ -30,7 +30,7 @@ class Module {
     }
   }
 
-  // The structure of this name that has explicit offsets. SPIR-V keeps one copy per layout.
+  // The structure of this name that has explicit offsets. SPIR-V has one copy per layout.
   Offsets offsetsOf(const std::string& name) const {
     for (const auto& [id, structName] : names_) {
       if (structName != name || !offsets_.contains(id)) continue;
@@ -131,7 +131,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                 MEMBER(Counters, finishedSamples), MEMBER(Counters, unused)});
 }
 
-TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin as the megakernel's") {
+TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin like the megakernel's") {
   const Module module(spirv::wave_shade);
   const Offsets waves{MEMBER(WaveState, path), MEMBER(WaveState, hit), MEMBER(WaveState, shadowLimit),
                       MEMBER(WaveState, shadowLeaving), MEMBER(WaveState, shadowLight)};
@@ -146,7 +146,7 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
   }
 }
 
-TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C++, and are in no other kernel") {
+TEST_CASE("the records of a replayed sample have the same layout in SPIR-V and in C++, and are in no other kernel") {
   const Module module(spirv::replay);
   const Offsets vertex{MEMBER(TracedVertex, originDistance),   MEMBER(TracedVertex, directionPdf),
                        MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
@@ -166,7 +166,7 @@ TEST_CASE("the rows of a replayed sample have the same layout in SPIR-V and in C
   CHECK_FALSE(Module(spirv::path).mentions("TracedVertex"));
 }
 
-TEST_CASE("the film's pixel is what the device writes") {
+TEST_CASE("the host's pixel of the film has the layout that the device writes") {
   CHECK(sizeof(gpu::FilmRows) == sizeof(image::FilmPixel));
   CHECK(offsetof(image::FilmPixel, red) == offsetof(gpu::FilmRows, red));
   CHECK(offsetof(image::FilmPixel, sampleCount) == offsetof(gpu::FilmRows, red) + 12);
@@ -177,7 +177,7 @@ TEST_CASE("the film's pixel is what the device writes") {
   CHECK(offsetof(image::FilmPixel, luminanceSquared) == offsetof(gpu::FilmRows, luminanceSquared));
 }
 
-TEST_CASE("path records have the same vocabulary on both sides") {
+TEST_CASE("path records have the same values on both tracers") {
   CHECK(render::PathRecord::kRecordedVertices == gpu::kRecordedVertices);
   CHECK(render::VertexRecord::kMiss == gpu::kRecordMiss);
   CHECK(static_cast<std::uint32_t>(render::ShadowOutcome::notTraced) == gpu::kShadowNotTraced);

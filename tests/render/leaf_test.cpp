@@ -71,14 +71,14 @@ TEST_CASE("warps and elementary functions are accurate to a few units in the las
     CAPTURE(i, u.x, u.y, u.z, u.w);
     REQUIRE(isNear({disc, 0}, {rows[4 * i].x, rows[4 * i].y, 0}, 3e-7));
     REQUIRE(isNear(direction, glm::vec3(rows[4 * i + 1]), 4e-7));
-    // Of a narrow cap the distance from its axis counts.
+    // For a narrow cap, the distance from its axis is compared.
     REQUIRE(std::hypot(rows[4 * i + 1].x - direction.x, rows[4 * i + 1].y - direction.y) <= 1e-6 * std::sqrt(u.w));
     REQUIRE(rows[4 * i + 2].x == Approx(std::log1p(-u.x)).epsilon(1e-6));
     REQUIRE(rows[4 * i + 2].y == Approx(std::expm1(-50 * u.y)).epsilon(4e-6));
   }
 }
 
-TEST_CASE("the device's film adds up to the host's") {
+TEST_CASE("the sums of the device's film equal the host's") {
   constexpr std::uint32_t kLanes = 500, kPerLane = 40;
   std::mt19937 random(11);
   std::vector<glm::vec4> samples;
@@ -122,7 +122,7 @@ TEST_CASE("the device's film adds up to the host's") {
   }
 }
 
-TEST_CASE("a carry of the device's film runs through a word that is full") {
+TEST_CASE("a carry in the device's film propagates through a full word") {
   // 2^24 - 2^-9 fills the middle one of three words, in units of 2^-40; 2^-9 more go into the last.
   std::vector<glm::vec4> samples(15, glm::vec4(0x1p20f));
   for (const float value : {0x1p20f - 0x1p-4f, 0x1p-4f - 0x1p-9f, 0x1p-9f}) samples.emplace_back(value);

@@ -1,4 +1,4 @@
-// Light probabilities against values worked out by hand.
+// Probabilities of lights, compared with values computed by hand.
 #include "host/flatten/light_table.h"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ TEST_CASE("emitters are chosen in proportion to area times emission") {
   CHECK(table[1].probability == 0.75f);
 }
 
-TEST_CASE("point lights get half of the probability beside emitters, and all of it alone") {
+TEST_CASE("point lights have probability 1/2 if there are emitters, and 1 otherwise") {
   scene::Scene scene = lamps();
   scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}, {{0, 0, 6}, {3, 3, 3}}};
   const auto both = flatten::buildLightTable(scene, true);

@@ -17,7 +17,7 @@ using namespace candela::device;
 
 namespace {
 
-// A rough height field under a lamp: `cells` x `cells` x 2 triangles and a sphere.
+// A rough height field under a light: `cells` x `cells` x 2 triangles and a sphere.
 scene::Scene heightField(std::uint32_t cells) {
   std::mt19937 random(7);
   scene::Scene scene = sceneFromText(
@@ -91,11 +91,11 @@ TEST_CASE("paths of thousands of segments equal the reference, whatever the segm
   }
 }
 
-TEST_CASE("a kernel that overruns the device's loop limit is caught") {
-  // The renderer is told that there is no limit, so that its dispatches overrun it where there is one.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+TEST_CASE("a kernel that exceeds the device's loop limit is detected") {
+  // The renderer is configured without a limit, so that its dispatches exceed the limit of a device that has one.
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
   render::RenderSettings settings = squareSettings(8, 1);
   settings.image.maxDepth = limited ? 100000 : 100;
   settings.execution.segmentsPerDispatch = 100000;
@@ -109,9 +109,9 @@ TEST_CASE("a kernel that overruns the device's loop limit is caught") {
   CHECK(renderOnDevice(scene, settings).statistics.truncated == 0);
 }
 
-TEST_CASE("dispatches leave no memory behind") {
-  // lavapipe keeps two megabytes of compiled kernel for each dispatch of a kernel that branches on uniform values, or
-  // has a loop with such bounds, as the second scene's over its infinite plane, which is behind the BVH.
+TEST_CASE("dispatches do not leak memory") {
+  // lavapipe stores two megabytes of compiled code for each dispatch of a kernel that branches on uniform values, or
+  // has a loop with uniform bounds, such as the second scene's loop over its infinite plane, which is not in the BVH.
   const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));
   render::RenderSettings settings = squareSettings(16, 1);
   settings.structure.bvhLayout = GENERATE(render::BvhLayout::automatic, render::BvhLayout::cwbvh);
@@ -150,7 +150,7 @@ TEST_CASE("a workgroup that the device does not have is refused with a message")
   CHECK_THROWS_AS(testRenderer().render(loadTestScene("balls.p3f"), settings, {}), UsageError);
 }
 
-TEST_CASE("a stopped render returns what was done") {
+TEST_CASE("a stopped render returns the finished samples") {
   std::atomic<bool> stop = false;
   render::RenderControl control;
   control.stop = &stop;
@@ -162,7 +162,7 @@ TEST_CASE("a stopped render returns what was done") {
   CHECK(result.statistics.samples < std::uint64_t{64} * 64 * 4096);
 }
 
-TEST_CASE("an image of 4096 x 2160 renders in bands that do not show", "[slow]") {
+TEST_CASE("an image of 4096 x 2160 is rendered in bands that are not visible", "[slow]") {
   const scene::Scene scene = loadTestScene("lamp_over_plane.p3f");
   render::RenderSettings settings = squareSettings(1, 1);
   settings.image.size = {4096, 2160};

@@ -8,7 +8,7 @@ using flatten::Lobes;
 using flatten::lobesFor;
 using render::Integrator;
 
-TEST_CASE("records have the weights, colours and parameters of the lobes that exist") {
+TEST_CASE("records of materials have the weights, colours and parameters of the lobes that exist") {
   scene::Material material;
   material.diffuse = scene::DiffuseLobe{0.5, {1, 0.5f, 0}};
   material.glossy = scene::GlossyLobe{0.25, {0, 1, 0.5f}, 30};
@@ -25,7 +25,7 @@ TEST_CASE("records have the weights, colours and parameters of the lobes that ex
   CHECK(lobes.ior == 1.5);
 }
 
-TEST_CASE("a mirror has its colour and no weights, and black has nothing") {
+TEST_CASE("the record of a mirror has its colour and no weights, and that of a black material has neither") {
   scene::Material material;
   const Lobes black = lobesFor(Integrator::path, material);
   CHECK(black.diffuse + black.glossy + black.dielectric == 0);
@@ -37,7 +37,7 @@ TEST_CASE("a mirror has its colour and no weights, and black has nothing") {
   CHECK(lobes.specularColour == glm::dvec3(0.5, 0.25, 1));
 }
 
-TEST_CASE("Whitted's integrator has its own coefficients, whatever the lobes are") {
+TEST_CASE("the Whitted tracer has its own coefficients, whatever the lobes are") {
   scene::Material material;
   material.diffuse = scene::DiffuseLobe{};
   material.whitted = {.kind = scene::WhittedKind::glass, .kd = 0.125f, .ks = 0.5f, .shine = 7, .ior = 1.25f};
@@ -53,7 +53,7 @@ TEST_CASE("Whitted's integrator has its own coefficients, whatever the lobes are
   CHECK(lobesFor(Integrator::whitted, material).dielectric == 0);
 }
 
-TEST_CASE("ambient light is Whitted's alone") {
+TEST_CASE("only the Whitted tracer has ambient light") {
   scene::Material material;
   material.whitted = {.diffuse = {1, 0.5f, 0}, .ka = 0.5f};
   material.emission = {0, 0, 2};

@@ -47,9 +47,9 @@ std::vector<gpu::CastRay> scaledRays(std::vector<gpu::CastRay> rays, float facto
 
 }  // namespace
 
-TEST_CASE("rays alone find the same hits through every layout, however it is read, and by brute force") {
+TEST_CASE("rays alone have the same hits with every layout and buffer type, and by brute force") {
   vulkan::Device device = openTestDevice();
-  // Of the second scene most rays miss.
+  // Most rays miss the second scene.
   const scene::Scene scene = GENERATE(true, false) ? loadTestScene("primitives.p3f") : loadSpdScene("balls_2.nff");
   render::RenderSettings settings = squareSettings(48, 1);
   std::optional<RaySets> sets;

@@ -1,5 +1,6 @@
 // The numbers of rays that Haines published with his databases (README of the Standard Procedural Databases): 513 x 513
-// rays through the corners of pixels, trees of depth 5. He expects tracers to differ by up to 10 %; 4 % are asked here.
+// rays through the corners of pixels, trees of depth 5. He expects tracers to differ by up to 10 %; these tests require
+// 4 %.
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -50,13 +51,13 @@ void requirePublishedCounts(const render::RenderStatistics& statistics, const Pu
 
 }  // namespace
 
-TEST_CASE("the tetrahedron takes the rays that Haines published, on both tracers") {
+TEST_CASE("the tetrahedron takes the numbers of rays that Haines published, on both tracers") {
   const scene::Scene scene = generatedScene(kPublished[2].kind, kPublished[2].size).scene;
   requirePublishedCounts(renderOnDevice(scene, hainesSettings()).statistics, kPublished[2]);
   requirePublishedCounts(renderOnReference(scene, hainesSettings()).statistics, kPublished[2]);
 }
 
-TEST_CASE("every database takes the rays that Haines published, on both tracers", "[slow]") {
+TEST_CASE("every database takes the numbers of rays that Haines published, on both tracers", "[slow]") {
   for (const PublishedCounts& published : kPublished) {
     const scene::Scene scene = generatedScene(published.kind, published.size).scene;
     const render::RenderStatistics device = renderOnDevice(scene, hainesSettings()).statistics;

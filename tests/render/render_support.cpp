@@ -1,3 +1,4 @@
+// Renders on the device under test, and compares films.
 #include "tests/render/render_support.h"
 
 #include <algorithm>

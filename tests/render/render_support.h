@@ -1,4 +1,4 @@
-// What the tests of rendering on a device share.
+// Common parts of the tests of rendering on a device.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -23,7 +23,7 @@ scene::Scene loadSpdScene(const std::string& fileName);
 /// A scene from text, without warnings printed.
 scene::Scene sceneFromText(const std::string& text);
 
-/// Square pictures of so many pixels a side and samples per pixel, other settings at their defaults.
+/// Settings for square pictures with this side in pixels and this number of samples per pixel; the rest are defaults.
 render::RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples);
 
 /// Renders on the device under test, and requires that no loop was truncated.
@@ -31,7 +31,7 @@ render::RenderResult renderOnDevice(const scene::Scene& scene, const render::Ren
 render::RenderResult renderOnReference(const scene::Scene& scene, const render::RenderSettings& settings);
 /// The renderer on that device, kept so that equal kernels are compiled once.
 render::Renderer& testRenderer();
-/// What CANDELA_TEST_DEVICE selects; empty: the best device.
+/// The device that CANDELA_TEST_DEVICE selects; empty: the best device.
 std::string testDevice();
 
 double meanLuminance(const image::Film& film);

@@ -12,8 +12,8 @@
 
 namespace candela::device {
 
-/// The shader has the product's scene bindings, specialised as the product does it; in the places of path states and
-/// film it has its inputs and outputs.
+/// The shader has the program's scene bindings, with the same specialisation as in the program. Its inputs and outputs
+/// replace the path states and the film.
 class SceneLeaf {
  public:
   SceneLeaf(std::span<const std::uint32_t> spirv, const scene::Scene& scene,

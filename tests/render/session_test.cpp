@@ -97,7 +97,7 @@ TEST_CASE("films of two ranges add up to the film of both", "[swiftshader-slow]"
   });
 }
 
-TEST_CASE("a session that was stopped goes on where it was", "[swiftshader-slow]") {
+TEST_CASE("a session that was stopped continues where it was", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = sessionSettings();
   settings.execution.tile = render::Extent{16, 16};
@@ -120,7 +120,7 @@ TEST_CASE("a session that was stopped goes on where it was", "[swiftshader-slow]
   });
 }
 
-TEST_CASE("a session continues a film that was stopped in another one") {
+TEST_CASE("a session continues the film of another session that was stopped") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = sessionSettings();
   settings.execution.tile = render::Extent{16, 16};
@@ -141,8 +141,7 @@ TEST_CASE("a session continues a film that was stopped in another one") {
   });
 }
 
-TEST_CASE("a session that is reset renders with other random numbers, and again with the first ones",
-          "[swiftshader-slow]") {
+TEST_CASE("a session that is reset renders with the random numbers of the new seed", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     render::RenderSettings other = sessionSettings();
@@ -160,7 +159,7 @@ TEST_CASE("a session that is reset renders with other random numbers, and again 
   });
 }
 
-TEST_CASE("the wavefront's sessions go on, too", "[swiftshader-slow]") {
+TEST_CASE("sessions of the wavefront continue, too", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = sessionSettings();
   settings.execution.kernel = render::KernelKind::wavefront;
@@ -176,7 +175,7 @@ TEST_CASE("the wavefront's sessions go on, too", "[swiftshader-slow]") {
   CHECK(other->film().hash() == whole);
 }
 
-TEST_CASE("a camera that moves gives the film of a session prepared with it", "[swiftshader-slow]") {
+TEST_CASE("moving the camera gives the film of a session prepared with the new camera", "[swiftshader-slow]") {
   onAllRenderers([&](render::Renderer& renderer) {
     for (const char* const name : {"smallpt.p3f", "balls.p3f", "primitives.p3f"}) {
       INFO(name);
@@ -186,7 +185,7 @@ TEST_CASE("a camera that moves gives the film of a session prepared with it", "[
   });
 }
 
-TEST_CASE("a camera that moves may gain or lose its lens", "[swiftshader-slow]") {
+TEST_CASE("moving the camera may add or remove its lens", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   scene::Camera lens = *scene.camera;
   lens.aperture = 10;
@@ -207,7 +206,7 @@ TEST_CASE("square lights and ambient occlusion follow the camera", "[swiftshader
   });
 }
 
-TEST_CASE("ranges that do not continue the film are refused, and films of other images") {
+TEST_CASE("ranges that do not continue the film are refused, and so are films of other images") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     const std::unique_ptr<render::Session> session = renderer.prepare(scene, sessionSettings());
@@ -221,7 +220,7 @@ TEST_CASE("ranges that do not continue the film are refused, and films of other 
   });
 }
 
-TEST_CASE("a scene that prefers no structure gets a tree where the device cannot do without") {
+TEST_CASE("a scene that prefers no structure gets a BVH if the device needs one") {
   std::string
       text = "v\nfrom 0 -9 3\nat 0 0 1\nup 0 0 1\nangle 40\nhither 0\nresolution 4 4\nf 1 1 1 1 0 0 0 0 1 0 1 0 0 0\n";
   for (int i = 0; i < 600; ++i) text += "s " + std::to_string(i) + " 3 0 .4\n";

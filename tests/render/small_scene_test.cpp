@@ -1,4 +1,4 @@
-// Which scenes are traced in a row, without a structure.
+// Scenes that are traced as a linear list, without a structure.
 #include "host/flatten/small_scene.h"
 
 #include <catch2/catch.hpp>
@@ -28,7 +28,7 @@ vulkan::DeviceInfo deviceWith(const char* driver) {
 
 }  // namespace
 
-TEST_CASE("a scene is small by what its primitives cost, not by their number alone") {
+TEST_CASE("whether a scene is small depends on the cost of its primitives, not only on their number") {
   const flatten::SmallSceneRule rule{.maxCost = 48, .rowsAhead = false};
   CHECK(isSmall(scattered(kTriangle, 16), rule));
   CHECK(!isSmall(scattered(kTriangle, 17), rule));
@@ -45,7 +45,7 @@ TEST_CASE("no scene with more primitives than the uniform buffer can store is sm
   CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), all));
 }
 
-TEST_CASE("lavapipe traces larger scenes in a row than other devices, and reads them ahead") {
+TEST_CASE("lavapipe traces larger scenes as a linear list than other devices, and reads them ahead") {
   const flatten::SmallSceneRule lavapipe = flatten::smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
   const flatten::SmallSceneRule other = flatten::smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
   CHECK(isSmall(scattered(kTriangle, 40), lavapipe));

@@ -60,7 +60,7 @@ scene::Scene spheresAroundTheCamera() {
   return spheres(all);
 }
 
-// So many spheres of all sizes that the larger part of a tree's nodes lies below its trunk.
+// Spheres of all sizes, so many that most nodes of the BVH are below its trunk.
 scene::Scene cloud() {
   std::mt19937 random(11);
   const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-32f - 0.5f; };
@@ -82,7 +82,7 @@ scene::Scene flatScene() {
   return sceneFromText(text);
 }
 
-// Rays from the plane, up to far beyond what single precision tells apart, towards a lamp among small spheres.
+// Rays from the plane, up to far beyond the resolution of single precision, towards a light among small spheres.
 scene::Scene clusterOnPlane() {
   std::mt19937 random(5);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
@@ -93,7 +93,7 @@ scene::Scene clusterOnPlane() {
   return sceneFromText(text + "f 0 0 0 1 0 0 0 0 1 0 1 90 80 70\ns 0 0 1.3 .2\n");
 }
 
-// 70,000 spheres at one place and one far away, so that a grid has nearly all of them in one cell.
+// 70,000 spheres at one position and one far away, so that a grid has nearly all of them in one cell.
 scene::Scene crowdedCell() {
   scene::Scene scene = sceneFromText(std::string(kView) + "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns 1000 1000 1000 1\n");
   for (int i = 0; i < 70000; ++i) {
@@ -122,7 +122,7 @@ scene::Scene clustersOfAllSizes() {
   return sceneFromText(text);
 }
 
-// Red spheres, and green ones of higher numbers in the same places.
+// Red spheres, and green ones with higher indices at the same positions.
 scene::Scene coincidentSpheres() {
   std::string text = kView;
   for (const char* const colour : {"1 0 0", "0 1 0"}) {
@@ -150,7 +150,7 @@ render::RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   return settings;
 }
 
-// Renders all scenes one way before the next, since a renderer keeps its last kernel.
+// Renders all scenes in one way before the next, because compiled kernels are then reused.
 void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::RenderSettings& settings,
                       const std::vector<Way>& ways) {
   std::vector<std::set<std::uint64_t>> hashes(scenes.size());
@@ -166,7 +166,7 @@ void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::Ren
 
 }  // namespace
 
-TEST_CASE("every structure gives brute force's film, in its own number of steps") {
+TEST_CASE("every structure gives the film of brute force, with its own number of steps") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   std::set<std::uint64_t> hashes, steps;
   for (const Way& way : kWays) {
@@ -180,7 +180,8 @@ TEST_CASE("every structure gives brute force's film, in its own number of steps"
   CHECK(steps.size() == kWays.size());
 }
 
-TEST_CASE("every quality of a BVH gives the same film in its own number of steps, and is named", "[swiftshader-slow]") {
+TEST_CASE("every quality of a BVH gives the same film with its own number of steps, and is reported",
+          "[swiftshader-slow]") {
   const scene::Scene scene = cloud();
   for (const render::BvhLayout layout : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     std::set<std::uint64_t> hashes, steps;
@@ -199,7 +200,7 @@ TEST_CASE("every quality of a BVH gives the same film in its own number of steps
   }
 }
 
-TEST_CASE("of equal distances the lower primitive wins, through every structure") {
+TEST_CASE("at equal distances the lower primitive is hit, with every structure") {
   const scene::Scene scene = coincidentSpheres();
   for (const Way& way : kWays) {
     const image::Film film = renderOnDevice(scene, along(way, shortPaths(24, 1))).film;
@@ -214,7 +215,7 @@ TEST_CASE("of equal distances the lower primitive wins, through every structure"
   }
 }
 
-TEST_CASE("a wide tree's leaves of three primitives, the most that there are, are tested whole") {
+TEST_CASE("leaves of an 8-wide BVH with the maximum of three primitives are tested completely") {
   const scene::Scene scene = triples();
   const render::RenderSettings settings = shortPaths(48, 1);
   REQUIRE(renderOnDevice(scene, along(kWays[6], settings)).statistics.structureQuality.at("maxLeafSize") == 3);
@@ -253,16 +254,16 @@ TEST_CASE("rays with very distant origins lose no hit in a grid", "[swiftshader-
   requireSameFilms({clusterOnPlane()}, settings, {kWays[0], kWays[3]});
 }
 
-TEST_CASE("one object, no object, and a camera within an object look the same through a grid", "[swiftshader-slow]") {
+TEST_CASE("a grid gives the same film of one object, of no object, and from inside an object", "[swiftshader-slow]") {
   requireSameFilms({spheres({{0, 0, 0.5, 1}}), spheresAroundTheCamera()}, shortPaths(24, 2), {kWays[0], kWays[3]});
   requireSameFilms({spheres({})}, shortPaths(24, 2), {kWays[0], kWays[3]});
 }
 
-TEST_CASE("a flat scene looks the same through a grid", "[swiftshader-slow]") {
+TEST_CASE("a grid gives the same film of a flat scene", "[swiftshader-slow]") {
   requireSameFilms({flatScene()}, shortPaths(24, 2), {kWays[0], kWays[3], kWays[5]});
 }
 
-TEST_CASE("overlapping shells look the same through a grid, and through the coarser one of a device that limits loops",
+TEST_CASE("a grid gives the same film of overlapping shells, also the coarser one of a device that limits loops",
           "[swiftshader-slow]") {
   const scene::Scene scene = loadSpdScene("shells_1.nff");
   const render::RenderSettings settings = squareSettings(40, 2);
@@ -277,11 +278,11 @@ TEST_CASE("overlapping shells look the same through a grid, and through the coar
   CHECK(coarse.film.hash() == renderOnDevice(scene, along(kWays[4], settings)).film.hash());
 }
 
-TEST_CASE("a segment too long for the device's loop limit is caught, whatever the structure", "[swiftshader-slow]") {
+TEST_CASE("a segment too long for the device's loop limit is detected, with every structure", "[swiftshader-slow]") {
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
-  // The renderer is told that there is no limit, so that it takes brute force on.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
+  // The renderer is configured without a limit, so that it accepts brute force.
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   const scene::Scene scene = crowdedCell();
   for (const Way& way : {kWays[0], kWays[2], kWays[3], kWays[6]}) {
     render::RenderSettings settings = along(way, squareSettings(8, 1));

@@ -1,4 +1,4 @@
-// Every sweep covers every pixel once, whatever sizes are asked for.
+// Every sweep covers every pixel once, whatever sizes are requested.
 #include "host/device/tile_cursor.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,8 @@ using namespace candela::device;
 
 namespace {
 
-/// How often each pixel was in a piece of one sweep. Fails on a piece that is empty or leaves the image.
+/// Returns how often each pixel was in a rectangle of one sweep. Fails if a rectangle is empty or extends beyond the
+/// image.
 std::vector<int> sweep(
     TileCursor& cursor, render::Extent image, const std::function<std::uint64_t()>& wanted,
     const std::function<void(std::uint64_t, const Rect&)>& check = [](std::uint64_t, const Rect&) {}) {
@@ -47,7 +48,7 @@ bool isRect(const Rect& rect, std::uint32_t x, std::uint32_t y, std::uint32_t wi
 
 }  // namespace
 
-TEST_CASE("each sweep covers each pixel once for random sizes of image, workgroup and pieces") {
+TEST_CASE("each sweep covers each pixel once for random sizes of image, workgroup and rectangles") {
   std::mt19937 random(7);
   const auto upTo = [&](std::uint32_t most) { return std::uniform_int_distribution<std::uint32_t>(1, most)(random); };
   for (int round = 0; round < 200; ++round) {
@@ -67,20 +68,20 @@ TEST_CASE("each sweep covers each pixel once for random sizes of image, workgrou
   }
 }
 
-TEST_CASE("pieces have at most the requested size, or one workgroup, and are aligned to workgroups") {
+TEST_CASE("rectangles have at most the requested size, or one workgroup, and are aligned to workgroups") {
   const std::vector<Rect> rects = pieces(TileCursor({100, 50}, {8, 8}), 8 * 20);
   CHECK(isRect(rects[0], 0, 0, 16, 8));
   CHECK(isRect(rects[1], 16, 0, 16, 8));
   CHECK(isRect(rects.back(), 56, 48, 44, 2));  // two rows are left: 80 across would do
 }
 
-TEST_CASE("an image requested as one region is one piece") {
+TEST_CASE("an image requested as one region is one rectangle") {
   CHECK(isRect(pieces(TileCursor({100, 50}, {8, 8}), 5000).at(0), 0, 0, 100, 50));
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), 5000).size() == 1);
   CHECK(pieces(TileCursor({100, 50}, {8, 8}), ~std::uint64_t{0}).size() == 1);
 }
 
-TEST_CASE("full strips are divided evenly instead of leaving a small rest") {
+TEST_CASE("full strips are divided evenly without a small remainder") {
   const std::vector<Rect> rects = pieces(TileCursor({100, 1000}, {8, 8}), 100 * 300);
   REQUIRE(rects.size() == 4);  // 296 rows at most
   CHECK(isRect(rects[0], 0, 0, 100, 256));
@@ -103,7 +104,7 @@ TEST_CASE("fixed tiles of any size cover the image row by row") {
   CHECK(sweep(sweeping, {70, 40}, [] { return std::uint64_t{5}; }) == once({70, 40}));
 }
 
-TEST_CASE("an image as large as images may be is walked without overflow") {
+TEST_CASE("iterating over an image of the maximum size does not overflow") {
   TileCursor cursor({65535, 65535}, {8, 8});
   const Rect first = cursor.next(std::uint64_t{1} << 33);
   CHECK(isRect(first, 0, 0, 65535, 65535));

@@ -6,14 +6,14 @@
 using namespace candela;
 using namespace candela::device;
 
-TEST_CASE("at first every pixel has work left") {
+TEST_CASE("every pixel has work left at first") {
   const UnfinishedRows rows({100, 50});
   CHECK(rows.activeIn({0, 0, 100, 50}) == 5000);
   CHECK(rows.activeIn({20, 10, 30, 2}) == 60);
   CHECK(rows.pixelsHolding(1000, 0) == 1000);
 }
 
-TEST_CASE("a region grows over rows that are finished, up to where work is left") {
+TEST_CASE("a region extends over finished rows until it contains enough unfinished pixels") {
   UnfinishedRows rows({100, 50});
   rows.finish({0, 0, 100, 20}, 2000);
   CHECK(rows.activeIn({0, 0, 100, 20}) == 1);

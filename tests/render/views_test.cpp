@@ -52,7 +52,7 @@ scene::Scene lookingAt(const vec3& at, const vec3& from) {
 render::RenderSettings viewSettings(render::Integrator integrator, std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
   settings.image.integrator = integrator;
-  settings.execution.recordPaths = true;  // everywhere, so that there is one kernel for a view of a scene
+  settings.execution.recordPaths = true;  // always, so that each view of a scene has one kernel
   return settings;
 }
 
@@ -99,7 +99,7 @@ double mean(const image::Film& film) {
 
 }  // namespace
 
-TEST_CASE("normals keep the primitive's orientation, whichever side is seen") {
+TEST_CASE("normals have the primitive's own orientation, whichever side is seen") {
   constexpr render::Integrator kNormal = render::Integrator::normal;
   onBothTracers([&](const RenderFunction& renderScene) {
     const vec3 towards(2 / 3.f, -1 / 3.f, 2 / 3.f);
@@ -114,7 +114,7 @@ TEST_CASE("normals keep the primitive's orientation, whichever side is seen") {
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kNormal); }
 }
 
-TEST_CASE("albedos are the file's colours, weighted as the lobes are") {
+TEST_CASE("the view albedo shows the file's colours, weighted as the lobes are") {
   constexpr render::Integrator kAlbedo = render::Integrator::albedo;
   onBothTracers([&](const RenderFunction& renderScene) {
     checkClose(seenFromAbove(renderScene, kAlbedo, {0, -50, 0}), {0.8, 0.5, 0.25});
@@ -130,7 +130,7 @@ TEST_CASE("albedos are the file's colours, weighted as the lobes are") {
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kAlbedo); }
 }
 
-TEST_CASE("depth is the distance along the ray") {
+TEST_CASE("the view depth shows the distance along the ray") {
   constexpr render::Integrator kDepth = render::Integrator::depth;
   onBothTracers([&](const RenderFunction& renderScene) {
     CHECK(seenFromAbove(renderScene, kDepth, {0, -50, 0}).x == Approx(3).epsilon(1e-5));
@@ -141,7 +141,7 @@ TEST_CASE("depth is the distance along the ray") {
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kDepth); }
 }
 
-TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
+TEST_CASE("the view id shows a different colour for each primitive, the same on both tracers") {
   constexpr render::Integrator kId = render::Integrator::id;
   const vec3 kFloor(0, -50, 0);
   const std::vector<vec3> objects{kFloor, kMixedBall, kMirrorBall, kBlackBall, kLamp, kGlassBall, kLeaningTriangle};
@@ -161,7 +161,7 @@ TEST_CASE("every primitive has a colour of its own, the same on both tracers") {
   requireReferencesPixels(exhibition(), kId);
 }
 
-TEST_CASE("ambient occlusion is the cosine-weighted fraction of directions without an occluder") {
+TEST_CASE("the view ao shows the cosine-weighted fraction of directions without an occluder") {
   constexpr render::Integrator kAo = render::Integrator::ao;
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = viewSettings(kAo, 8, 256);
@@ -171,7 +171,7 @@ TEST_CASE("ambient occlusion is the cosine-weighted fraction of directions witho
       return lookingAt(foot, foot + vec3(0, 0, height));
     };
     CHECK(mean(renderScene(above(50, 4), settings).film) == 1);
-    // In the corner half of the directions meet the wall. 16384 samples: a standard deviation of 0.004.
+    // In the corner, half of the directions hit the wall. 16384 samples: a standard deviation of 0.004.
     CHECK(mean(renderScene(above(1e-3, 4), settings).film) == Approx(0.5).margin(0.016));
     // At distance d < D those do whose component towards the wall exceeds a = d/D, cosine-weighted a coordinate of the
     // unit disc: 1 - (acos a - a sqrt(1 - a^2)) / pi.
@@ -188,7 +188,7 @@ TEST_CASE("ambient occlusion is the cosine-weighted fraction of directions witho
   SECTION("pixel by pixel") { requireReferencesPixels(exhibition(), kAo); }
 }
 
-TEST_CASE("cost is what the statistics count, pixel by pixel") {
+TEST_CASE("the view cost shows the traversal steps of the statistics, pixel by pixel") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const auto primitives = static_cast<double>(scene.primitives.size());
   // Mean cost with a tree.
@@ -198,7 +198,8 @@ TEST_CASE("cost is what the statistics count, pixel by pixel") {
     const image::Film all = renderScene(scene, settings).film;
     for (std::uint32_t i = 0; i < 64; ++i) CHECK(all.mean(i, 63 - i) == dvec3(primitives));
     settings.structure.accel = render::AccelKind::bvh;
-    settings.structure.bvhLayout = render::BvhLayout::cwbvh;  // the device would else test so few in a row
+    settings.structure
+        .bvhLayout = render::BvhLayout::cwbvh;  // the device would test so few primitives as a linear list
     const render::RenderResult tree = renderScene(scene, settings);
     CHECK(mean(tree.film) * 4 * 64 * 64 == static_cast<double>(tree.statistics.traversalSteps));
     return mean(tree.film);
@@ -214,8 +215,7 @@ TEST_CASE("every view of all kinds of primitives has the reference's pixels") {
   }
 }
 
-TEST_CASE("neither work's division, nor its structure, nor what concerns paths alone changes a view",
-          "[swiftshader-slow]") {
+TEST_CASE("the division of work, the structure, and options of paths do not change a view", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = viewSettings(render::Integrator::ao, 64, 4);
   settings.image.size.height = 50;  // no multiple of any workgroup

@@ -62,7 +62,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: a sky, a point 
   }
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts: every scene file, with light samples and without",
+TEST_CASE("the wavefront gives the megakernel's film and counts: every scene file, with and without light sampling",
           "[slow]") {
   for (const std::filesystem::path& file : sceneFiles()) {
     for (const bool samplesLights : {true, false}) {
@@ -74,8 +74,9 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: every scene fil
   }
 }
 
-TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other numbers, one side, no light samples",
-          "[swiftshader-slow]") {
+TEST_CASE(
+    "the wavefront gives the megakernel's film and counts: tent filter, other samplers, --one-sided, no light sampling",
+    "[swiftshader-slow]") {
   render::RenderSettings settings = wavefrontSettings();
   settings.image.nextEventEstimation = false;
   settings.image.oneSided = true;
@@ -86,7 +87,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts: tent, other num
   requireSame(primitivesUnderLights(), settings);
 }
 
-TEST_CASE("no structure changes the film of the wavefront kernel", "[swiftshader-slow]") {
+TEST_CASE("the structure does not change the film of the wavefront kernel", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid, render::AccelKind::bvh}) {
     CAPTURE(static_cast<int>(accel));
@@ -97,7 +98,7 @@ TEST_CASE("no structure changes the film of the wavefront kernel", "[swiftshader
   }
 }
 
-TEST_CASE("neither workgroup nor segments nor tile change the film of the wavefront kernel", "[swiftshader-slow]") {
+TEST_CASE("workgroup, segments and tile do not change the film of the wavefront kernel", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const render::RenderResult mega = renderWith(render::KernelKind::megakernel, scene, wavefrontSettings());
   const auto requireSameWith = [&](auto&& change) {
@@ -136,7 +137,7 @@ TEST_CASE("the wavefront gives the megakernel's film and counts at every size an
   }
 }
 
-TEST_CASE("a queue with more workgroups than one dimension permits loses none", "[swiftshader-slow]") {
+TEST_CASE("a queue with more workgroups than one dimension permits loses no pixel", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(1, 1);
   settings.image.size = {520, 130};
   REQUIRE(settings.image.size.width * settings.image.size.height > 65535);
@@ -146,7 +147,7 @@ TEST_CASE("a queue with more workgroups than one dimension permits loses none", 
   requireSame(loadTestScene("lamp_over_plane.p3f"), settings);
 }
 
-TEST_CASE("the wavefront records the megakernel's paths") {
+TEST_CASE("the wavefront and the megakernel record the same paths") {
   render::RenderSettings settings = wavefrontSettings();
   settings.image.sampleCount = 1;
   settings.execution.recordPaths = true;
@@ -169,14 +170,14 @@ TEST_CASE("the wavefront records the megakernel's paths") {
   }
 }
 
-TEST_CASE("the wavefront counts the megakernel's bad samples", "[swiftshader-slow]") {
+TEST_CASE("the wavefront and the megakernel count the same bad samples", "[swiftshader-slow]") {
   const scene::Scene scene = sceneFromText(
       "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
   CHECK(requireSame(scene, wavefrontSettings()).statistics.badSamples > 0);
 }
 
-TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slow]") {
+TEST_CASE("a wavefront render that is stopped returns the finished samples", "[swiftshader-slow]") {
   std::atomic<bool> stop = false;
   render::RenderControl control;
   control.stop = &stop;
@@ -191,12 +192,12 @@ TEST_CASE("a wavefront that is stopped returns what was done", "[swiftshader-slo
   CHECK(result.statistics.cameraRays <= result.statistics.samples + std::uint64_t{64} * 64);
 }
 
-TEST_CASE("segments add up towards a device's loop limit in the megakernel, and do not in the wavefront",
+TEST_CASE("segments add up towards a device's loop limit in the megakernel, but not in the wavefront",
           "[swiftshader-slow]") {
-  // The renderer is told that there is no limit.
-  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedTurns});
+  // The renderer is configured without a limit.
+  const auto careless = makeGpuRenderer(testDevice(), {.loopLimit = vulkan::kUnlimitedIterations});
   vulkan::Device device = openTestDevice();
-  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedTurns;
+  const bool limited = vulkan::probeLoopLimit(device) != vulkan::kUnlimitedIterations;
   const scene::Scene scene = generatedScene("balls", 4).scene;
   render::RenderSettings settings = squareSettings(8, 8);
   settings.structure.accel = render::AccelKind::none;

@@ -53,19 +53,19 @@ scene::Scene loadDatabase(const char* file) {
 
 }  // namespace
 
-TEST_CASE("lights, mirrors, glass and every primitive look as in the reference") {
+TEST_CASE("images of lights, mirrors, glass and every primitive agree with the reference") {
   scene::Scene scene = primitivesUnderLights();
   scene.materials[2].whitted.ka = 0.2f;
   requireAgreement(scene, whittedSettings(256), kFlat);
 }
 
-TEST_CASE("procedural databases look as in the reference", "[swiftshader-slow]") {
+TEST_CASE("images of procedural databases agree with the reference", "[swiftshader-slow]") {
   requireAgreement(loadDatabase("balls_2.nff"), whittedSettings(192), kCurvedMirrors);
   requireAgreement(loadDatabase("gears_1.nff"), whittedSettings(192), kFlat);
 }
 
-// teapot_1.nff is not among them: spout and handle are flat there, two surfaces in one place.
-TEST_CASE("the other scenes and databases look as in the reference", "[slow]") {
+// teapot_1.nff is omitted: its spout and handle are flat, with two surfaces at the same position.
+TEST_CASE("images of the other scenes and databases agree with the reference", "[slow]") {
   for (const char* file : {"rings_1.nff", "jacks_1.nff", "shells_1.nff"}) {
     requireAgreement(loadDatabase(file), whittedSettings(256), kCurvedMirrors);
   }
@@ -80,7 +80,7 @@ TEST_CASE("the other scenes and databases look as in the reference", "[slow]") {
   }
 }
 
-TEST_CASE("corners of pixels, lenses and lights with a size agree with the reference") {
+TEST_CASE("images with pixel corners, lenses and square lights agree with the reference") {
   scene::Scene scene = loadTestScene("point_light.p3f");
   scene.camera->aperture = 4;
   render::RenderSettings settings = whittedSettings(96);
@@ -90,7 +90,7 @@ TEST_CASE("corners of pixels, lenses and lights with a size agree with the refer
   requireAgreement(scene, settings, kFlat);
 }
 
-TEST_CASE("several samples, jittered about corners, agree with the reference") {
+TEST_CASE("images of several samples, jittered around pixel corners, agree with the reference") {
   const scene::Scene scene = loadTestScene("point_light.p3f");
   render::RenderSettings settings = whittedSettings(48);
   settings.execution.recordPaths = false;

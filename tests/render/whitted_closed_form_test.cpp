@@ -53,7 +53,7 @@ TEST_CASE("a plane shows diffuse, specular, ambient, emitted and mirrored light"
   });
 }
 
-TEST_CASE("a light behind the surface, in its plane or behind an obstacle adds nothing") {
+TEST_CASE("a light behind the surface, in its plane or behind an occluder contributes nothing") {
   const auto [light, shadowRays] = GENERATE(
       table<std::string, std::uint64_t>({{"l 1 2 -3\n", 0}, {"l 7 0 0\n", 0}, {"l 1 1 2\n", 16}, {"l 1 1 0.5\n", 16}}));
   const bool visible = light == "l 1 1 0.5\n";  // in front of the obstacle at half the distance of the third
@@ -67,7 +67,7 @@ TEST_CASE("a light behind the surface, in its plane or behind an obstacle adds n
   });
 }
 
-TEST_CASE("a mirror shows Ks times the background that it faces") {
+TEST_CASE("a mirror shows Ks times the background that it reflects") {
   // The background is blue in every direction; the mirror's own colours do not count.
   const scene::Scene scene = sceneFromText("b 0.1 0.2 0.4\n" + view("1 2 5") +
                                            "f 0.3 0.6 0.9 0.7 0.2 0.4 0.6 0.75 1 0 1\npl 0 0 0 1 0 0 0 1 0\n");
@@ -76,7 +76,7 @@ TEST_CASE("a mirror shows Ks times the background that it faces") {
   });
 }
 
-TEST_CASE("a slab of glass loses what its last rays would bring, by exact Fresnel") {
+TEST_CASE("a slab of glass lacks only the contribution of rays beyond the maximum depth, by exact Fresnel") {
   // Every ray that gets out sees the background; those of depth 5 that stay inside see nothing.
   const double degrees = GENERATE(0.0, 30.0, 56.3, 75.0);
   const double angle = degrees * std::numbers::pi / 180;
@@ -97,7 +97,7 @@ TEST_CASE("a slab of glass loses what its last rays would bring, by exact Fresne
   });
 }
 
-TEST_CASE("inside glass a ray beyond the critical angle is reflected whole, and never gets out") {
+TEST_CASE("a ray inside glass beyond the critical angle is reflected totally, and never exits") {
   const scene::Scene scene = sceneFromText(
       "b 1 1 1\nv\nfrom 0.1 0.2 0\nat 1.1 1.2 0\nup 0 0 1\nangle 0.001\nhither 0\nresolution 4 4\n"
       "f 1 1 1 0 1 1 1 0 1 1 1.5\nbox -2 -2 -2 2 2 2\n");
@@ -109,7 +109,7 @@ TEST_CASE("inside glass a ray beyond the critical angle is reflected whole, and 
   });
 }
 
-TEST_CASE("T without an index of refraction shows the local colour alone") {
+TEST_CASE("a material with T but without an index of refraction shows only its local colour") {
   const scene::Scene scene = sceneFromText("b 1 1 1\n" + view("0 0 5") +
                                            "l 0 0 9\nf 0.5 0.5 0.5 0.5 1 1 1 0.5 1 1 0\npl 0 0 0 1 0 0 0 1 0\n");
   onBothTracers([&](const RenderFunction& renderScene) {
@@ -119,7 +119,7 @@ TEST_CASE("T without an index of refraction shows the local colour alone") {
   });
 }
 
-TEST_CASE("half of a square light, cut off by an edge, is half of its light") {
+TEST_CASE("a square light that is half occluded by an edge gives half of its light") {
   // The light is 4 above the origin and faces it; the edge is 2 above, where it hides one half exactly, or far below.
   const std::string floor = "l 0 0 4\nf 0.9 0.9 0.9 1 0 0 0 0 1 0 1\npl 0 0 0 1 0 0 0 1 0\n";
   const scene::Scene open = sceneFromText(view("1 -4 1") + floor + "p 3\n0 -50 -2\n90 0 -2\n0 50 -2\n");

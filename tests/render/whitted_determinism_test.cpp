@@ -19,7 +19,7 @@ render::RenderSettings whittedSettings() {
 
 }  // namespace
 
-TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader-slow]") {
+TEST_CASE("workgroup, segments and tile do not change the image of a tree of rays", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   const render::RenderResult base = renderOnDevice(scene, whittedSettings());
   CHECK(base.statistics.kernel == "whitted");
@@ -48,7 +48,7 @@ TEST_CASE("neither workgroup nor segments nor tile change a tree", "[swiftshader
   requireSame(settings);
 }
 
-TEST_CASE("the depth of the tree changes what is seen, and the segments do not, at any depth") {
+TEST_CASE("the maximum depth of the tree changes the image, and the number of segments does not") {
   const scene::Scene scene = primitivesUnderLights();
   std::vector<std::uint64_t> bounceRays;
   for (const std::uint32_t depth : {1u, 2u, 8u, render::kMaxTreeDepth}) {
@@ -69,7 +69,7 @@ TEST_CASE("the depth of the tree changes what is seen, and the segments do not, 
   CHECK(bounceRays[3] > bounceRays[2]);
 }
 
-TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]") {
+TEST_CASE("the structure and the type of scene loads do not change the image of a tree of rays", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   render::RenderSettings settings = whittedSettings();
   settings.execution.sceneLoads = render::SceneLoads::texel;
@@ -82,7 +82,7 @@ TEST_CASE("structure and scene loads do not change a tree", "[swiftshader-slow]"
   CHECK(renderOnDevice(scene, settings).film.hash() == expected);
 }
 
-TEST_CASE("the reference's threads do not change a tree") {
+TEST_CASE("the number of threads does not change the reference's image of a tree of rays") {
   const scene::Scene scene = primitivesUnderLights();
   render::RenderSettings settings = whittedSettings();
   settings.execution.threads = 1;

@@ -1,4 +1,4 @@
-// Histograms against counts by hand, and the reduction of large pictures.
+// Histograms, compared with counts computed by hand, and the reduction of large pictures.
 #include "host/report/histogram.h"
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ TEST_CASE("a histogram counts values outside its range in the outermost bins and
   CHECK(histogram.leftOut == 2);
 }
 
-TEST_CASE("luminances fall into two bins a stop, common to both images") {
+TEST_CASE("histograms of luminance have two bins per stop, common to both images") {
   const auto [a, b] = valueHistograms(greys({0.3f, 0.3f, 0}, 3), greys({1.1f, 1.6f, 3}, 3));
   // From 2^-2 to 2^2; log2 of 0.3 is -1.74, of 1.1 0.14, of 1.6 0.68, of 3 1.58.
   CHECK(a.low == -2);
@@ -36,7 +36,7 @@ TEST_CASE("luminances fall into two bins a stop, common to both images") {
   CHECK(b.counts == std::vector<std::uint64_t>{0, 0, 0, 0, 1, 1, 0, 1});
 }
 
-TEST_CASE("images without light, or with far too much range, still have a histogram") {
+TEST_CASE("images without light, or with a very large range, still have a histogram") {
   CHECK(valueHistograms(greys({0}, 1), greys({0}, 1)).a.counts.size() == 2);
   CHECK(valueHistograms(greys({1e-30f}, 1), greys({1e30f}, 1)).b.counts.size() == 48);
 }
@@ -51,7 +51,7 @@ TEST_CASE("the range of differences contains 99 % of the pixels") {
   CHECK(histogram.counts[20 + 16] == 1);  // (9 - 1) / 1.01 = 7.92, in bins of 20/41
 }
 
-TEST_CASE("pictures are reduced by the smallest whole factor that fits, to means") {
+TEST_CASE("pictures are reduced to means of blocks by the minimum whole factor that suffices") {
   CHECK(reductionOf(1024, 1024) == 1);
   CHECK(reductionOf(1025, 1024) == 2);
   CHECK(reductionOf(65535, 4096) == 16);

@@ -11,7 +11,7 @@ namespace {
 
 std::string encoded(const std::string& text) { return base64(std::as_bytes(std::span(text))); }
 
-TEST_CASE("escaped text can neither open a tag nor leave an attribute") {
+TEST_CASE("escaped text can neither open a tag nor end an attribute") {
   CHECK(escapeHtml("<script>\"'&amp;") == "&lt;script&gt;&quot;&#39;&amp;amp;");
   CHECK(escapeHtml("a\nb\tc \xc3\xa9") == "a\nb\tc \xc3\xa9");
   CHECK(escapeHtml(std::string("a\0b\x1b[0m\x7f", 8)) ==
@@ -19,7 +19,7 @@ TEST_CASE("escaped text can neither open a tag nor leave an attribute") {
         "b\xef\xbf\xbd[0m\xef\xbf\xbd");
 }
 
-TEST_CASE("a template takes each value as it is, and looks at none of them again") {
+TEST_CASE("a template inserts each value unchanged, and does not search inserted values") {
   CHECK(fillTemplate("<{{a}}|{{b}}|{{a}}>", {{"a", "{{b}}"}, {"b", "}}{{"}}) == "<{{b}}|}}{{|{{b}}>");
   CHECK(fillTemplate("{ {{", {}) == "{ {{");
   CHECK_THROWS_AS(fillTemplate("{{c}}", {{"a", ""}}), InternalError);
@@ -34,7 +34,7 @@ TEST_CASE("base64 gives the vectors of RFC 4648") {
   CHECK(encoded("\xfb\xff") == "+/8=");
 }
 
-TEST_CASE("values are binary32, little-endian") {
+TEST_CASE("pixel values are encoded as binary32, little-endian") {
   image::Image image;
   image.width = image.height = 1;
   image.rgb = {glm::vec3(1, -2, 0.5f)};  // 3f800000 c0000000 3f000000

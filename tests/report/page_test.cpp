@@ -32,7 +32,7 @@ TEST_CASE("equal reports give equal pages") {
   CHECK(toHtml(greyReport(0.5f, 0.25f)) != toHtml(greyReport(0.5f, 0.26f)));
 }
 
-TEST_CASE("the verdict is there in words, whatever it is") {
+TEST_CASE("the page contains every verdict in words") {
   Report report = greyReport(0.5f, 0.25f);
   report.verdict = "That is so.";
   CHECK_THAT(toHtml(report), Contains("No verdict.</strong> That is so."));
@@ -67,7 +67,7 @@ TEST_CASE("no text of a report becomes HTML") {
   CHECK_THAT(page, Contains("&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;&amp;{{style}}"));
 }
 
-TEST_CASE("tests of regions have a map for each size of tiles and a table of the most significant") {
+TEST_CASE("the page has a map for each size of tiles and a table of the most significant tests") {
   Report report = greyReport(0.5f, 0.25f, 32, 32);
   CHECK(toHtml(report).find("map-t8") == std::string::npos);
   LightTests tests;

@@ -9,7 +9,7 @@ namespace {
 using verify::Region;
 using verify::RegionResult;
 
-// A tile of 8 pixels at x = 8 column, 0, whose t is so many times the critical one.
+// A tile of 8 pixels at x = 8 column, y = 0, whose t is this multiple of the critical t.
 RegionResult tile(std::uint32_t column, double difference, double timesCritical) {
   RegionResult result;
   result.region = {8 * column, 0, 8, 8, 8, Region::Quantity::luminance};
@@ -26,7 +26,7 @@ glm::ivec3 pixelOf(const image::Pixels8& pixels, std::uint32_t x, std::uint32_t 
   return {first[0], first[1], first[2]};
 }
 
-TEST_CASE("tiles are orange where A is brighter, blue where it is darker, by their t, and framed where they differ") {
+TEST_CASE("tiles are orange if A is brighter and blue if it is darker, by their t, and framed if they differ") {
   const std::vector<RegionResult> results{tile(0, 1, 0), tile(1, 1, 0.5), tile(2, -1, 0.5), tile(3, -1, 2)};
   const image::Pixels8 map = tileMap(results, 8, 1e-6, 32, 8);
   CHECK(pixelOf(map, 4, 4) == glm::ivec3(0));
@@ -37,7 +37,7 @@ TEST_CASE("tiles are orange where A is brighter, blue where it is darker, by the
   CHECK(pixelOf(map, 24, 0) == glm::ivec3(255));
 }
 
-TEST_CASE("a certain difference of tiles without noise has full colour") {
+TEST_CASE("a difference of tiles without noise has full colour") {
   RegionResult result = tile(0, 1, 0);
   result.test.standardError = 0;
   CHECK(pixelOf(tileMap(std::vector{result}, 8, 1e-6, 8, 8), 4, 4) == glm::ivec3(0));
@@ -45,7 +45,7 @@ TEST_CASE("a certain difference of tiles without noise has full colour") {
   CHECK(pixelOf(tileMap(std::vector{result}, 8, 1e-6, 8, 8), 4, 4) == glm::ivec3(255, 140, 26));
 }
 
-TEST_CASE("the sizes of tiles are listed without the whole image") {
+TEST_CASE("the list of tile sizes omits the whole image") {
   RegionResult image = tile(0, 0, 0);
   image.region.tileSize = 0;
   RegionResult large = tile(0, 0, 0);

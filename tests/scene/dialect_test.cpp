@@ -11,7 +11,7 @@
 namespace candela::scene {
 namespace {
 
-// What the numbers of an `f` line mean; the scene's material must be made of the same.
+// Expected meaning of the numbers of an `f` line. The scene's material must equal the material made from it.
 NffMaterial materialOf(const std::string& line) {
   std::istringstream words(line.substr(1));
   std::vector<float> numbers;
@@ -46,7 +46,7 @@ TEST_CASE("the 2016 dialect of the view is read, its view distance with a warnin
   CHECK(warningWith(loaded, "view plane").line == 6);
 }
 
-TEST_CASE("the dialect with camera, eye, mat and named structures is read") {
+TEST_CASE("the dialect with camera, eye, mat and names of structures is read") {
   const Scene scene = sceneOf(
       "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\naperture 2\nfocal 1.25\n"
       "accel bvh\nmat .1 .2 .3 .4 .5 .6 .7 .8 9 .1 1.5\ns 0 0 0 1\n");
@@ -75,7 +75,7 @@ TEST_CASE("9 numbers are NFF with Ka") {
   CHECK(m.ka == .25f);
 }
 
-TEST_CASE("11, 12, 14 and 15 numbers are P3F, with roughness and emission where given") {
+TEST_CASE("11, 12, 14 and 15 numbers are P3F, with roughness and emission if given") {
   for (const std::string tail : {"", " .7", " 4 5 6", " .7 4 5 6"}) {
     CAPTURE(tail);
     const NffMaterial m = materialOf("f .1 .2 .3 .4 .5 .6 .7 .8 90 .9 1.5" + tail);
@@ -110,7 +110,7 @@ TEST_CASE("11 numbers that fit both readings are P3F") {
   CHECK(m.emission == glm::vec3(0));
 }
 
-TEST_CASE("an opaque material with index 0 is kept as it stands") {
+TEST_CASE("an opaque material with index of refraction 0 is read unchanged") {
   const NffMaterial m = materialOf("f 1 .85 .7 .3 .6 3.0827 0 0");
   CHECK(m.t == 0);
   CHECK(m.ior == 0);
@@ -124,7 +124,7 @@ TEST_CASE("a light has 3, 6 or 7 numbers") {
   CHECK(pointLightOf("light punctual 1 2 3 .1 .2 .3").colour == glm::vec3(.1f, .2f, .3f));
 }
 
-TEST_CASE("optional numbers never cross a line end, required ones do") {
+TEST_CASE("optional numbers never continue on the next line, but required ones may") {
   const Scene scene = sceneOf("l 1 2\n3\ns 1 2 3\n4\nc\n0 0 0 1\n0 0 1 1\np 3 0 0 0 1 0 0\n0 1 0\n");
   CHECK(scene.pointLights.at(0).colour == glm::vec3(1));
   CHECK(scene.spheres.at(0).radius == 4);
@@ -153,12 +153,12 @@ TEST_CASE("an area light in each of its forms is two emitting black triangles") 
   CHECK(sceneOf("la 0 0 0 1 0 0 0 1 0\n").materials.at(0).emission == glm::vec3(1));
 }
 
-TEST_CASE("an area light leaves the current material as it was") {
+TEST_CASE("an area light does not change the current material") {
   const Scene scene = sceneOf("f 1 0 0 1 0 1 0 1\nal 0 0 0 1 0 0 0 1 0 1 1 1\ns 0 0 0 1\n");
   CHECK(scene.materials.at(scene.primitives.back().material).diffuse->colour == glm::vec3(1, 0, 0));
 }
 
-TEST_CASE("a moving sphere stays at its first centre, with a warning") {
+TEST_CASE("a moving sphere is read at its first centre, with a warning") {
   for (const std::string line : {"ms 1 2 3 4 5 6 7", "ms 1 2 3 4 5 6 7 0 1"}) {
     const LoadedScene loaded = load(line);
     CHECK(loaded.scene.spheres.at(0).centre == glm::vec3(1, 2, 3));
@@ -167,14 +167,14 @@ TEST_CASE("a moving sphere stays at its first centre, with a warning") {
   }
 }
 
-TEST_CASE("spp 0 is kept, and the warning says how it is read") {
+TEST_CASE("spp 0 is preserved, and a warning explains its meaning") {
   const LoadedScene loaded = load("spp 0\n");
   CHECK(loaded.scene.requestedSamples == 0u);
   const auto says = [](const Diagnostic& d) { return toString(d).find("centre of each pixel") != std::string::npos; };
   CHECK(std::ranges::count_if(loaded.warnings, says) == 1);
 }
 
-TEST_CASE("background, structure and samples are kept, and spp is a total that says so") {
+TEST_CASE("background, structure and samples are preserved, and a warning says that spp is a total") {
   const LoadedScene loaded = load("b .1 .2 .3\naccel 1\nspp 64\n");
   CHECK(loaded.scene.background == glm::vec3(.1f, .2f, .3f));
   CHECK(loaded.scene.requestedAccel == 1u);
@@ -183,7 +183,7 @@ TEST_CASE("background, structure and samples are kept, and spp is a total that s
   CHECK(sceneOf("bclr 1 2 3\n").background == glm::vec3(1, 2, 3));
 }
 
-TEST_CASE("CRLF, lone CR, tabs, comments, a byte order mark and a missing final newline are all fine") {
+TEST_CASE("CRLF, single CR, tabs, comments, a byte order mark and a missing final newline are accepted") {
   const Scene scene = sceneOf("\xef\xbb\xbf# head\r\n\r\n\tf\t1 1 1 1 0 1 0 1# tail\r\ns 0 0 0 1 \t\r# cr\rs 1 0 0 1");
   CHECK(scene.spheres.size() == 2);
   CHECK(scene.materials.size() == 1);
@@ -230,7 +230,7 @@ TEST_CASE("lenient reading still refuses WorldToolKit's NFF and wrong values") {
   CHECK(errorsOf("s 0 0 0 nan\n", {.lenient = true}).size() == 1);
 }
 
-TEST_CASE("odd but harmless things are warned about") {
+TEST_CASE("unusual but harmless content causes warnings") {
   CHECK(warningWith(load("f 1 1 1 .5 .6 10 0 1\n"), "scales them to sum 1").line == 1);
   CHECK(warningWith(load("f 2 1 1 1 0 10 0 1\n"), "reflects more than it receives").line == 1);
   CHECK(warningWith(load("s 0 0 0 1\n"), "the image will be black").line == 0);
@@ -240,7 +240,7 @@ TEST_CASE("odd but harmless things are warned about") {
   CHECK(warningWith(load("env no_such_folder\n"), "there is no folder").column == 5);
 }
 
-TEST_CASE("a lit scene within the rules has no warnings") {
+TEST_CASE("a valid scene with light causes no warnings") {
   const std::string lit = "f 1 1 1 1 0 1 0 1\ns 0 0 0 1\n";
   CHECK(load(lit + "b 1 1 1\n").warnings.empty());
   CHECK(load(lit + "l 0 0 9\n").warnings.empty());
@@ -249,7 +249,7 @@ TEST_CASE("a lit scene within the rules has no warnings") {
   CHECK(load(lit + "l 0 0 9\nf 1 1 1 1 .5 1 0 1\n").warnings.empty());   // Kd = 1 is diffuse, whatever Ks is
 }
 
-TEST_CASE("a scene without a view loads, and the lack is an error only where a view is needed") {
+TEST_CASE("a scene without a view can be loaded, and is an error only if a view is needed") {
   const Scene scene = sceneOf("s 0 0 0 1\n");
   CHECK_FALSE(scene.camera);
   CHECK_THROWS_WITH(requireCamera(scene), Catch::Contains("test: the scene has no view"));

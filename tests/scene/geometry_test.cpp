@@ -1,4 +1,4 @@
-// What primitives become: order, orientation, splitting.
+// Conversion of statements to primitives: order, orientation, splitting.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ glm::dvec3 areaVectorOf(const Triangle& t) {
 
 }  // namespace
 
-TEST_CASE("primitives keep the order of the file") {
+TEST_CASE("primitives are in the order of the file") {
   const Scene scene = sceneOf(
       "s 0 0 0 1\nbox 0 0 0 1 1 1\np 4 0 0 0 1 0 0 1 1 0 0 1 0\nc 0 0 0 1 0 0 1 1\npl 0 0 0 1 0 0 0 1 0\ns 1 0 0 1\n");
   const std::vector<PrimitiveKind> expected{PrimitiveKind::sphere,   PrimitiveKind::box,  PrimitiveKind::triangle,
@@ -54,7 +54,7 @@ TEST_CASE("an emitting box becomes twelve triangles that face outwards and cover
   CHECK(area == Approx(2 * (2 * 4 + 2 * 6 + 4 * 6)));
 }
 
-TEST_CASE("a flat emitting box shines once, and one without area not at all") {
+TEST_CASE("a flat emitting box emits from one face, and one without area from none") {
   const Scene flat = sceneOf(std::string(kLamp) + "box 0 0 5  2 3 5\n");
   REQUIRE(trianglesOf(flat).size() == 2);
   CHECK(areaVectorOf(trianglesOf(flat).at(0)).z == Approx(3));
@@ -75,7 +75,7 @@ TEST_CASE("a box with swapped corners is sorted, with a warning") {
   CHECK(warningWith(loaded, "swapped").line == 1);
 }
 
-TEST_CASE("a patch keeps a unit normal at each vertex") {
+TEST_CASE("a patch has a unit normal at each vertex") {
   const Scene scene = sceneOf("pp 4\n0 0 0 0 0 2\n1 0 0 3 0 4\n1 1 0 0 0 1\n0 1 0 0 0 1\n");
   REQUIRE(trianglesOf(scene).size() == 2);
   REQUIRE(vertexNormalsOf(scene).size() == 2);
@@ -105,6 +105,6 @@ TEST_CASE("a plane in Hessian form contains the points with n . p + d = 0 and fa
   }
 }
 
-TEST_CASE("a sphere keeps its negative radius") { CHECK(sceneOf("s 0 0 0 -2\n").spheres[0].radius == -2); }
+TEST_CASE("the negative radius of a sphere is preserved") { CHECK(sceneOf("s 0 0 0 -2\n").spheres[0].radius == -2); }
 
 }  // namespace candela::scene

@@ -18,7 +18,7 @@ std::string chosen(std::string_view bytes, const std::string& name) {
   return std::string(chooseLoader(kLoaders, {bytes, name, "."}).name);
 }
 
-/// What loadScene says of a file with this text: the message of its only error.
+/// Returns the message of the only error that loadScene reports for a file with this text.
 Diagnostic errorOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);
@@ -40,13 +40,13 @@ Scene sceneOfFile(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the content of a file decides before its extension") {
+TEST_CASE("the content of a file takes precedence over its extension") {
   CHECK(chosen("SIG:\1", "scene.txt") == "Signed");
   CHECK(chosen("SIG:", "scene") == "Signed");
   CHECK(chosen("SIG", "scene.txt") == "Plain");
 }
 
-TEST_CASE("the extension decides where the content does not, in any case") {
+TEST_CASE("the extension, in any case, decides if the content does not") {
   CHECK(chosen("", "scene.sig") == "Signed");
   CHECK(chosen("", "a.txt/scene.bin") == "Signed");
   CHECK(chosen("", "scene.bin.TXT") == "Plain");
@@ -60,7 +60,7 @@ TEST_CASE("an unknown format is refused, with the formats that can be read") {
   }
 }
 
-TEST_CASE("NFF is recognised under any name, and read by its extension where it is not recognised") {
+TEST_CASE("NFF is recognised under any name, and read by its extension if it is not recognised") {
   CHECK(sceneOfFile("scene.obj", "# a ball\ns 0 0 0 1\n").spheres.size() == 1);
   CHECK(sceneOfFile("scene",
                     "\xef\xbb\xbf"

@@ -1,4 +1,4 @@
-// What is wrong with a scene is said with its exact place: every keyword and every count of an `f` line.
+// Errors of a scene are reported with their exact position: every keyword and every count of an `f` line.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -179,7 +179,7 @@ const std::vector<Malformed> kMalformed{
 
 }  // namespace
 
-TEST_CASE("each malformed scene is refused with line, column and what was expected") {
+TEST_CASE("each malformed scene is refused with line, column and the expected content") {
   REQUIRE(kMalformed.size() >= 70);
   for (const Malformed& malformed : kMalformed) {
     CAPTURE(malformed.text);
@@ -213,9 +213,7 @@ TEST_CASE("all errors of a file are reported, in the order of the file") {
   CHECK(toString(errors[3]) == "test:6:7: the angle must be greater than 0 and less than 180 degrees");
 }
 
-TEST_CASE("one statement's several wrong values are all reported") {
-  CHECK(errorsOf("f -1 1 1 1 0 -1 0 -1\n").size() == 3);
-}
+TEST_CASE("all invalid values of a statement are reported") { CHECK(errorsOf("f -1 1 1 1 0 -1 0 -1\n").size() == 3); }
 
 TEST_CASE("a hundred errors are listed and the rest counted") {
   std::string text;
@@ -226,7 +224,7 @@ TEST_CASE("a hundred errors are listed and the rest counted") {
   CHECK(toString(errors[100]) == "test: and 150 more errors");
 }
 
-TEST_CASE("a file of nothing but errors is given up after ten thousand") {
+TEST_CASE("reading stops after ten thousand errors") {
   std::string text;
   for (int i = 0; i < 20'000; ++i) text += "oops\n";
   CHECK(errorsOf(text).back().message == "and at least 9900 more errors; reading stopped there");

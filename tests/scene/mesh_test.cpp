@@ -45,7 +45,7 @@ TEST_CASE("a mesh becomes one primitive for each triangle, with its normals") {
   CHECK(vertexNormalsOf(scene, last).n[2] == glm::vec3(0, 1, 0));
 }
 
-TEST_CASE("statements share one mesh of each kind, and keep their order as primitives") {
+TEST_CASE("statements share one mesh of each kind, and their primitives are in the order of the file") {
   const std::string polygon = "p 3\n0 0 0\n1 0 0\n0 1 0\n", patch = "pp 3\n0 0 0 0 0 1\n2 0 0 0 0 1\n0 2 0 0 0 1\n",
                     mesh = "mesh 3 1\n0 0 0\n3 0 0\n0 3 0\n1 2 3\n";
   const Scene scene = sceneOf(polygon + mesh + patch + mesh + polygon + patch);

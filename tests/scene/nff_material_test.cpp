@@ -15,7 +15,7 @@ Material material(float kd, float ks, float t, float ior) { return fromNff({.kd 
 
 }  // namespace
 
-TEST_CASE("Kd = 1 is diffuse whatever else is given") {
+TEST_CASE("Kd = 1 is diffuse whatever the other numbers are") {
   const Material m = material(1, 1, 1, 1.5f);
   CHECK(kindOf(m) == MaterialKind::diffuse);
   CHECK(diffuseOf(m) == 1);
@@ -29,13 +29,13 @@ TEST_CASE("Ks = 1 is a mirror") {
   CHECK(m.opaque);
 }
 
-TEST_CASE("Kd = Ks = 0 is glass whatever T is, and black where there is no index of refraction") {
+TEST_CASE("Kd = Ks = 0 is glass for any T, and black without an index of refraction") {
   CHECK(kindOf(material(0, 0, 0, 1.5f)) == MaterialKind::dielectric);
   CHECK(dielectricOf(material(0, 0, 0.25f, 1.5f)) == 1);
   CHECK(kindOf(material(0, 0, 0, 0)) == MaterialKind::black);
 }
 
-TEST_CASE("everything between is a mixture, scaled to 1 where it exceeds it") {
+TEST_CASE("all other materials are mixtures, scaled to 1 if their weights exceed it") {
   const Material within = material(0.5f, 0.25f, 0.125f, 1.5f);
   CHECK(kindOf(within) == MaterialKind::mixture);
   CHECK(diffuseOf(within) == 0.5);
@@ -67,7 +67,7 @@ TEST_CASE("every lobe has its colour and its parameter") {
   CHECK(fromNff({.diffuse = diffuse, .kd = 0, .specular = specular, .ks = 1}).mirror->colour == diffuse);
 }
 
-TEST_CASE("Whitted's integrator takes weights as they are, T = 0 with Ks as a mirror, T with an index as glass") {
+TEST_CASE("the Whitted tracer uses Kd and Ks unchanged, T = 0 with Ks as a mirror, and T with an index as glass") {
   const WhittedMaterial opaque = material(1, 0.75f, 0, 0).whitted;
   CHECK(opaque.kd == 1);
   CHECK(opaque.ks == 0.75f);

@@ -24,7 +24,7 @@ TEST_CASE("decimals are rounded once to binary32") {
   CHECK(std::bit_cast<std::uint32_t>(parseFloat("1e-45").value) == 1u);
 }
 
-TEST_CASE("numbers are written in all the usual ways") {
+TEST_CASE("numbers in all usual notations are read") {
   for (const char* text : {".5", "0.5", "+.5", "5e-1", "5E-1", "0.50", "00.5"}) CHECK(parseFloat(text).value == 0.5f);
   CHECK(parseFloat("8.").value == 8);
   CHECK(parseFloat("1.1e-16").value == 1.1e-16f);

@@ -1,4 +1,4 @@
-// Which files a scene may read: links and dots are resolved before folders are compared.
+// The files that a scene may read: links and dots are resolved before folders are compared.
 #include "host/scene/path_guard.h"
 
 #include <catch2/catch.hpp>
@@ -51,7 +51,7 @@ TEST_CASE("a path that leads out of the scene's folder is refused") {
   CHECK_FALSE(guard.permits(""));
 }
 
-TEST_CASE("a link is judged by where it leads") {
+TEST_CASE("a link is judged by its target") {
   const Folders folders;
   fs::create_directory_symlink(folders.other, folders.scene / "out");
   fs::create_symlink(folders.other / "image.png", folders.scene / "out.png");

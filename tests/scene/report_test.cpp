@@ -17,7 +17,7 @@ const std::string kScene =
     "f 1 1 1 .5 .5 9 0 1\nbox 0 0 -2 1 1 0\n"                        // mixture
     "f 1 1 1 0 .5 9 0 1\nf 1 1 1 .5 0 9 0 1\n"                       // glossy, diffuse
     "f 1 1 1 0 0 9 1 0\n"                                            // black
-    "f 0 0 0 1 0 0 0 0 1 0 1 2 2 2\ns 0 7 0 -.5\nbox 0 0 0 1 1 1\n"  // lamps
+    "f 0 0 0 1 0 0 0 0 1 0 1 2 2 2\ns 0 7 0 -.5\nbox 0 0 0 1 1 1\n"  // lights
     "l 1 1 1\nspp 16\n";
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("bounds contain everything but infinite planes, and are exact for cone
   const SceneReport report = makeReport(load(kScene));
   REQUIRE(report.bounds);
   CHECK(report.bounds->min == glm::vec3(-4, -2, -2));  // ball, cone's base, box
-  CHECK(report.bounds->max == glm::vec3(4, 7.5f, 5));  // quad, lamp, cone's apex
+  CHECK(report.bounds->max == glm::vec3(4, 7.5f, 5));  // quad, light, cone's apex
   CHECK_FALSE(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")).bounds);
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(bare["memory"]["bytesPerTriangle"].is_null());
 }
 
-TEST_CASE("text names what a person looks for") {
+TEST_CASE("the text names the figures of the scene") {
   const std::string text = toText(makeReport(load(kScene)));
   for (const char* part : {"test\n", "19: spheres 2, triangles 14", "-4 -2 -2 to 4 7.5 5", "64 x 32", "16 requested",
                            "warning     test:", "bytes per triangle", "background  0.1 0.2 0.3"}) {

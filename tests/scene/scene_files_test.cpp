@@ -29,7 +29,7 @@ TEST_CASE("all scenes of the project load strictly, with a view and without warn
   }
 }
 
-TEST_CASE("the Cornell box has 38 triangles, two of which shine") {
+TEST_CASE("the Cornell box has 38 triangles, two of which emit") {
   const Scene scene = loadFile("scenes/cornell.p3f").scene;
   CHECK(trianglesOf(scene).size() == 38);
   CHECK(scene.primitives.size() == 38);
@@ -80,7 +80,7 @@ TEST_CASE("files of the Standard Procedural Databases have the counts of their d
   CHECK(vertexNormalsOf(teapot.scene).size() + 2 == trianglesOf(teapot.scene).size());
 }
 
-TEST_CASE("the views and colours of a database file are read to the digit") {
+TEST_CASE("the views and colours of a database file are read exactly") {
   const Scene scene = loadSpd("balls_2").scene;
   CHECK(scene.background == glm::vec3(.078f, .361f, .753f));
   CHECK(scene.camera->from == glm::vec3(2.1f, 1.3f, 1.7f));

@@ -14,7 +14,7 @@ inline LoadedScene load(const std::string& text) { return parseScene(text, "test
 inline LoadedScene loadLenient(const std::string& text) { return parseScene(text, "test", ".", {.lenient = true}); }
 inline Scene sceneOf(const std::string& text) { return load(text).scene; }
 
-/// What is wrong with `text`; empty if nothing is.
+/// Returns the errors of `text`; empty if there are none.
 inline std::vector<Diagnostic> errorsOf(const std::string& text, const LoadOptions& options = {}) {
   try {
     parseScene(text, "test", ".", options);

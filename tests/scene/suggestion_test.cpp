@@ -17,7 +17,7 @@ TEST_CASE("edit distance counts inserts, deletes, replacements and swaps, in any
   CHECK(editDistance("kitten", "sitting") == 3);
 }
 
-TEST_CASE("only near words are suggested, the nearest first") {
+TEST_CASE("only similar words are suggested, the most similar first") {
   const std::vector<Spelling> spellings{{"s", "s"}, {"sphere", "s"}, {"spp", "spp"}, {"mesh", "mesh"}};
   CHECK(suggest("spehre", spellings) == "s");
   CHECK(suggest("mseh", spellings) == "mesh");

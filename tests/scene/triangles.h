@@ -15,7 +15,7 @@ inline std::vector<Triangle> trianglesOf(const Scene& scene) {
   return triangles;
 }
 
-/// Of the smooth triangles, in the order of the primitives.
+/// Vertex normals of the smooth triangles, in the order of the primitives.
 inline std::vector<VertexNormals> vertexNormalsOf(const Scene& scene) {
   std::vector<VertexNormals> normals;
   for (const Primitive& primitive : scene.primitives) {

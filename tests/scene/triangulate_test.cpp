@@ -79,7 +79,7 @@ TEST_CASE("an arrowhead is split at its notch, wherever the polygon begins") {
   }
 }
 
-TEST_CASE("a concave 144-gon keeps its area and orientation when split") {
+TEST_CASE("the triangles of a concave 144-gon have its area and orientation") {
   const Polygon polygon = gear(36, 0.8, 1);
   REQUIRE(polygon.size() == 144);
   checkSplit(polygon, gearArea(36, 0.8, 1));
@@ -89,7 +89,7 @@ TEST_CASE("a concave 144-gon keeps its area and orientation when split") {
 
 TEST_CASE("a gear of four thousand vertices is split too") { checkSplit(gear(1000, 0.5, 1), gearArea(1000, 0.5, 1)); }
 
-TEST_CASE("a spiral keeps its area") {
+TEST_CASE("the triangles of a spiral have its area") {
   // A band of width 1 wound around the origin: out along radius 2 + t, back along 1 + t, t = angle / 2 pi * 1.5.
   constexpr int kSteps = 200;
   const auto radiusAt = [](int i) { return 1 + 1.5 * i / 50.0; };
@@ -117,7 +117,7 @@ TEST_CASE("vertices on a straight edge, doubled vertices and spikes change nothi
   checkSplit({{0, 0, 0}, {2, 0, 0}, {3, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, 4);
 }
 
-TEST_CASE("a hole bridged by an edge to and fro stays a hole") {
+TEST_CASE("a hole that is connected by a pair of coincident edges stays a hole") {
   checkSplit(
       {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}},
       12);

@@ -15,7 +15,7 @@ TEST_CASE("independent tests at Sidak's level give the promised false alarms tog
   CHECK(-std::expm1(5000 * std::log1p(-level)) == Approx(1e-4));
 }
 
-TEST_CASE("all looks together spend alpha, and none spends nothing") {
+TEST_CASE("all looks together spend alpha, and no look spends nothing") {
   for (const std::uint32_t looks : {1u, 2u, 8u}) {
     double sum = 0;
     for (std::uint32_t look = 1; look <= looks; ++look) {
@@ -26,7 +26,7 @@ TEST_CASE("all looks together spend alpha, and none spends nothing") {
   }
 }
 
-TEST_CASE("looking eight times at growing samples of one mean gives no more false alarms than alpha") {
+TEST_CASE("eight looks at growing samples of one mean give no more false alarms than alpha") {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   constexpr int kRuns = 20000;

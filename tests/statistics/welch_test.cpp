@@ -21,7 +21,7 @@ TEST_CASE("the variance of large numbers that hardly differ does not cancel") {
   CHECK(summary.variance == Approx(30));
 }
 
-// The expected values come from the formulas by hand, p from a numerical integral of Student's density.
+// The expected values are computed by hand from the formulas, p by numerical integration of Student's density.
 TEST_CASE("Welch's test gives the values of a worked example") {
   const std::vector<double> a{27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4};
   const std::vector<double> b{27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8, 20.2, 21.9, 22.1, 22.9, 30.5, 25.4};
@@ -31,7 +31,7 @@ TEST_CASE("Welch's test gives the values of a worked example") {
   CHECK(test.pValue == Approx(0.0071387).margin(1e-7));
 }
 
-TEST_CASE("samples that do not vary differ for certain, or not at all") {
+TEST_CASE("samples without variance differ with certainty, or not at all") {
   const Summary one = summarise(std::vector{1.0, 1.0, 1.0});
   const Summary two = summarise(std::vector{2.0, 2.0, 2.0});
   CHECK(welch(one, one).pValue == 1);
@@ -39,7 +39,7 @@ TEST_CASE("samples that do not vary differ for certain, or not at all") {
   CHECK(welch(one, two, 1.0).pValue == 1);
 }
 
-TEST_CASE("a difference counts only beyond its margin") {
+TEST_CASE("only a difference beyond the margin counts") {
   const Summary a = summarise(std::vector{1.0, 2.0, 3.0});
   const Summary b = summarise(std::vector{3.0, 4.0, 5.0});
   CHECK(welch(a, b, 2.0).pValue == 1);

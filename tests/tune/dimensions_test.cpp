@@ -9,7 +9,7 @@
 namespace candela::tune {
 namespace {
 
-TEST_CASE("the first value of every dimension is what is built in") {
+TEST_CASE("the first value of every dimension is the built-in one") {
   const render::AutomaticChoices choices = choicesOf(builtIn());
   CHECK(choices.bvhLayout == render::AutomaticChoices{}.bvhLayout);
   CHECK(choices.sceneLoads == render::AutomaticChoices{}.sceneLoads);
@@ -29,7 +29,7 @@ TEST_CASE("a candidate is named by its values, and chooses them") {
   CHECK(choices.kernel == render::KernelKind::wavefront);
 }
 
-TEST_CASE("every value of a dimension chooses something else, and is found by its name") {
+TEST_CASE("every value of a dimension gives different settings, and is found by its name") {
   for (std::size_t i = 0; i < dimensionTable().size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];
     std::set<std::string> names;
@@ -44,7 +44,7 @@ TEST_CASE("every value of a dimension chooses something else, and is found by it
   }
 }
 
-TEST_CASE("workgroups that a device does not have are not feasible there, and the built-in one always is") {
+TEST_CASE("workgroups that a device does not support are not feasible on it, and the built-in one always is") {
   vulkan::DeviceInfo least = roomyDevice();  // what Vulkan promises
   least.maxWorkgroupInvocations = 128;
   for (std::uint32_t& side : least.maxWorkgroupSize) side = 128;

@@ -1,4 +1,4 @@
-// Rows of measurements that nobody measured.
+// Rows of artificial measurements.
 #pragma once
 #include <vector>
 
@@ -6,7 +6,7 @@
 
 namespace candela::tune {
 
-/// What one scene took: the median of the runs, which lie evenly around it by `deviation`, a share of it.
+/// Times of one scene: the median of the runs, which lie evenly around it by the fraction `deviation`.
 struct MadeTime {
   double seconds = 1;
   double deviation = 0;
@@ -39,7 +39,7 @@ inline Candidate candidateWith(const std::vector<std::pair<std::string, std::str
   return candidate;
 }
 
-/// Which has all workgroups that are tried.
+/// A device that supports all workgroups that are tried.
 inline vulkan::DeviceInfo roomyDevice() {
   vulkan::DeviceInfo info;
   info.name = "made device";

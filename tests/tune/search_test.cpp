@@ -72,7 +72,7 @@ TEST_CASE("the candidate with the best geometric mean is chosen, not the best of
   CHECK(result.agree());
 }
 
-TEST_CASE("options of one stage are tried together, later ones with what earlier ones found") {
+TEST_CASE("options of one stage are tried in all combinations, later stages with the results of earlier ones") {
   // Each value alone is slower.
   const std::string pair = named({{"layout", "bvh2"}, {"loads", "storage"}});
   const std::string all = named({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "32x1"}});
@@ -130,7 +130,7 @@ TEST_CASE("a choice whose image differs in a later round is dropped") {
   CHECK(nameOf(device.search().chosen) == kBuiltIn);
 }
 
-TEST_CASE("where the built-in image differs nothing is chosen and nothing else is tried") {
+TEST_CASE("if the image of the built-in choice differs, nothing is chosen and nothing else is tried") {
   const SearchResult result = MadeDevice(Times{{kBuiltIn, {{1, 0, false}, {1}}},
                                                {named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}})
                                   .search();
@@ -153,7 +153,7 @@ TEST_CASE("workgroups that the device does not have are not tried") {
   CHECK(shapes == 4 + 5 + 2);
 }
 
-TEST_CASE("no round has more candidates than a renderer keeps pipelines for") {
+TEST_CASE("no round has more candidates than a renderer caches pipelines") {
   const std::string found = named({{"layout", "bvh2"}, {"loads", "storage"}});
   const SearchResult result = MadeDevice(Times{{found, {{0.5}, {0.5}}}}).search();
   REQUIRE(result.rounds.size() == 4);

@@ -1,4 +1,4 @@
-// What people and programs read of a search.
+// The text and the JSON that report a search.
 #include "host/tune/tune_report.h"
 
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ TuneReport reportOfChoice() {
   return report;
 }
 
-TEST_CASE("the text has a row for each candidate, the choice, its gain over what is built in, and the file") {
+TEST_CASE("the text has a row for each candidate, the choice, its gain over the built-in choice, and the file") {
   const std::string text = toText(reportOfChoice());
   CHECK_THAT(text, Contains("made, 4x4 x 16 spp, ms") && Contains("200.0") && Contains("100.0") && Contains("2.000"));
   CHECK_THAT(

@@ -1,4 +1,4 @@
-// The file that keeps a choice: what it is for, and what happens to it.
+// The file that stores a choice: its key, and its behaviour if it is changed or damaged.
 #include "host/tune/tuning_file.h"
 
 #include <sys/stat.h>
@@ -28,7 +28,7 @@ std::string soundText() {
   return readText(folder / "a.json");
 }
 
-// What becomes of a file with this content.
+// Returns the result of reading a file with this content.
 TuningLookup lookUp(const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / "a.json", text);
@@ -41,7 +41,7 @@ std::string changed(const std::function<void(ordered_json&)>& change) {
   return json.dump();
 }
 
-TEST_CASE("a choice is read as it was written, from a folder that writing made") {
+TEST_CASE("a choice is read as it was written, from a folder that was created for it") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "new" / "folder" / cache::fileNameOf("tune", kKey, "json");
   writeTuning(file, kKey, {builtIn(), kDate});
@@ -54,7 +54,7 @@ TEST_CASE("a choice is read as it was written, from a folder that writing made")
   CHECK(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}) == 1);
 }
 
-TEST_CASE("where nobody has tuned there is no choice and no problem") {
+TEST_CASE("without a tuning file there is no choice and no problem") {
   const TemporaryFolder folder;
   for (const auto& file : {folder / "none.json", folder.path() / "no folder" / "none.json"}) {
     const TuningLookup found = readTuning(file, kKey, roomyDevice());
@@ -189,7 +189,7 @@ TEST_CASE("a file that cannot be written is refused, both in advance and when it
   CHECK_FALSE(std::filesystem::exists(folder / "not"));
 }
 
-TEST_CASE("the present time is written as it is read") {
+TEST_CASE("the current time is written in the notation that is read") {
   const TemporaryFolder folder;
   writeTuning(folder / "a.json", kKey, {builtIn(), dateNow()});
   CHECK(readTuning(folder / "a.json", kKey, roomyDevice()).tuning);

@@ -58,7 +58,7 @@ TEST_CASE("a run takes a fifth of a second on devices of any speed that allows i
   }
 }
 
-TEST_CASE("the image grows to the scene's size before it gets more than one sample a pixel") {
+TEST_CASE("the image grows to the scene's size before it gets more than one sample per pixel") {
   MadeRenderer slow(5e5);
   Work work = workOf({640, 400});
   fitToDevice(slow, {}, {}, work);

@@ -1,5 +1,5 @@
-// The test of two films on real renders: independent samples have the false alarms that were asked for, samples that
-// are spread evenly have fewer.
+// The test of two films on actual renders: independent samples have the requested rate of false alarms, stratified
+// samples a lower one.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace candela::verify {
 namespace {
 
-// A mirror ball and a floor under a lamp of this strength; rare paths by the mirror find the lamp: fireflies.
+// A mirror ball and a floor under a light of this radiance. Rare paths hit the light via the mirror: fireflies.
 scene::Scene ballUnderLamp(double strength) {
   const std::string lamp = std::to_string(strength);
   return scene::parseScene(

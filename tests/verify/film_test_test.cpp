@@ -1,4 +1,5 @@
-// The test of two finished films: values by hand, false alarms and power on films whose truth is known, and refusals.
+// The test of two finished films: values computed by hand, false alarms and power on films of known light, and
+// refusals.
 #include "host/verify/film_test.h"
 
 #include <catch2/catch.hpp>
@@ -74,7 +75,7 @@ TEST_CASE("the error of a region's mean is the root of the sum of its pixels' va
   CHECK_FALSE(result.differs());
 }
 
-TEST_CASE("with unequal counts each pixel has the larger variance of the two") {
+TEST_CASE("a pixel with unequal counts has the larger of the two variances") {
   const FilmTestResult result = testFilms(twoPixels(1, 1, 4, 0, 4, "1"), twoPixels(1, 1, 0, 16, 16, "2"), 0.01);
   // (4 + 16) / 4 / 2^2 + (4 + 16) / 16 / 2^2
   CHECK(result.image().test.standardError == Approx(std::sqrt(1.25 + 0.3125)));
@@ -101,7 +102,7 @@ TEST_CASE("fireflies that one side has not seen yet raise no alarm") {
   CHECK(falseAlarmsOf(100, few, many, 0.05) <= 10);
 }
 
-TEST_CASE("a bias of the size that the verdict calls detectable is seen in 99 of 100 comparisons, on either side") {
+TEST_CASE("a bias of the size that the verdict calls detectable is detected in 99 of 100 comparisons, on either side") {
   // sigma = mean, 16 x 16 x 16 samples: standard error 2^0.5 / 64 of the mean; level 1e-4 / 5 at 5 tests.
   const double detectable = testFilms(noisyFilm(1, {}), noisyFilm(2, {}), 1e-4).image().detectableBias;
   CHECK(detectable == Approx((4.2649 + 2.3263) * std::sqrt(2.0) / 64).epsilon(0.05));
@@ -109,7 +110,7 @@ TEST_CASE("a bias of the size that the verdict calls detectable is seen in 99 of
   CHECK(falseAlarmsOf(100, {.factor = 1 / (1 + 1.1 * detectable)}, {}, 1e-4) >= 98);
 }
 
-TEST_CASE("a difference in one tile is found there") {
+TEST_CASE("a difference in one tile is reported at this tile") {
   image::Image a = noisyFilm(1, {.side = 32, .samples = 64});
   const image::Image b = noisyFilm(2, {.side = 32, .samples = 64});
   CHECK_FALSE(testFilms(a, b, 1e-4).differs());

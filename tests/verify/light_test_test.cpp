@@ -35,12 +35,12 @@ TEST_CASE("equal light raises no alarm at the default level, and the expected nu
   CHECK(alarms <= 21);
 }
 
-TEST_CASE("a bias of the size that was promised is seen in 99 of 100 runs, on either side") {
+TEST_CASE("a bias of the requested size is detected in 99 of 100 runs, on either side") {
   CHECK(alarmsOf(100, brighterBy(0.005), {}) >= 99);
   CHECK(alarmsOf(100, brighterBy(-0.005), {}) >= 99);
 }
 
-TEST_CASE("a run takes the samples that the promise needs, and not many more") {
+TEST_CASE("a run takes the samples that this detection needs, and not many more") {
   const LightTestResult result = run({}, 1);
   CHECK(result.information == 1);
   CHECK(result.image().detectableBias < 0.006);
@@ -48,7 +48,7 @@ TEST_CASE("a run takes the samples that the promise needs, and not many more") {
   CHECK(run({}, 1, {.bias = 0.05}).samplesPerPixel < result.samplesPerPixel / 20);
 }
 
-TEST_CASE("a bias of one tile is found there although the image mean hardly moves") {
+TEST_CASE("a bias of one tile is reported at this tile although the image mean hardly changes") {
   const NoiseOptions oneTile{.factor = [](std::uint32_t x, std::uint32_t y) { return x >= 8 && y < 8 ? 1.05 : 1.0; }};
   const LightTestResult result = run(oneTile, 3);
   REQUIRE(result.differs());
@@ -64,7 +64,7 @@ TEST_CASE("a bias of one tile is found there although the image mean hardly move
   CHECK(found);
 }
 
-TEST_CASE("images without noise are equal up to rounding, or differ at once") {
+TEST_CASE("images without noise are equal up to rounding, or differ at the first look") {
   NoiseOptions exact{.deviation = 0};
   const auto compare = [&](double factor) {
     NoiseRenderer a({.deviation = 0, .factor = [factor](std::uint32_t, std::uint32_t) { return factor; }});
@@ -78,7 +78,7 @@ TEST_CASE("images without noise are equal up to rounding, or differ at once") {
   CHECK(compare(1.001).differs());
 }
 
-TEST_CASE("black against black agrees, black against light differs") {
+TEST_CASE("a black image agrees with a black one and differs from a lit one") {
   const NoiseOptions black{.factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   NoiseRenderer a(black), b(black);
   render::RenderSettings settings;

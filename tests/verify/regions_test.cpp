@@ -1,3 +1,4 @@
+// The regions in which two images are compared, and the seeds of batches.
 #include "host/verify/regions.h"
 
 #include <catch2/catch.hpp>
@@ -23,7 +24,7 @@ TEST_CASE("an image is compared as a whole, by channel, and in tiles of three si
   CHECK(regions.front().width == 64);
 }
 
-TEST_CASE("tiles cover every pixel once, and sizes of a single tile are left out") {
+TEST_CASE("tiles cover every pixel once, and sizes that would give a single tile are omitted") {
   const std::vector<Region> regions = regionsOf({19, 9});
   CHECK(tilesOf(regions, 32) == 0);
   std::size_t pixels = 0;
@@ -35,7 +36,7 @@ TEST_CASE("tiles cover every pixel once, and sizes of a single tile are left out
   CHECK(pixels == 19 * 9);
 }
 
-TEST_CASE("a region's mean is that of its pixels, by its quantity") {
+TEST_CASE("the mean of a region is that of its quantity over its pixels") {
   image::Film film(2, 1);
   film.addSample(0, 0, {1, 2, 3}, 0);
   film.addSample(1, 0, {3, 2, 1}, 0);
@@ -46,7 +47,7 @@ TEST_CASE("a region's mean is that of its pixels, by its quantity") {
   CHECK(regionMean(film, {1, 0, 1, 1, 8, Region::Quantity::red}) == Approx(4));
 }
 
-TEST_CASE("no two batches of a run share their seed") {
+TEST_CASE("no two batches of a run have the same seed") {
   std::vector<std::uint32_t> seeds;
   for (const verify::Side side : {verify::Side::device, verify::Side::reference}) {
     for (std::uint32_t look = 0; look < 8; ++look) {

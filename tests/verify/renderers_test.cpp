@@ -11,8 +11,8 @@ constexpr int kRuns = 200;
 constexpr double
     kBias = 0.05;  // as large as keeps 600 runs short; the number of samples is in proportion to 1 / bias^2
 
-// A plane under a sphere lamp, partly in the shadow of a ball, by direct light alone: the image is in proportion to the
-// plane's and the ball's albedo, which are one material's.
+// A plane under a spherical light, partly in the shadow of a ball, with direct light only: the image is proportional to
+// the albedo of the plane and the ball, which have the same material.
 scene::Scene shadowedPlane(float albedo) {
   scene::Scene scene = device::sceneFromText(
       "v\nfrom 4 0 2.5\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 16 16\n"
@@ -22,7 +22,7 @@ scene::Scene shadowedPlane(float albedo) {
   return scene;
 }
 
-// Renders another scene than it is asked to: the side that has changed.
+// Renders another scene than the given one: the side that has changed.
 class ChangedRenderer : public render::Renderer {
  public:
   ChangedRenderer(render::Renderer& renderer, const scene::Scene& scene) : renderer_(renderer), scene_(scene) {}
@@ -58,7 +58,7 @@ TEST_CASE("device and reference raise no false alarm in 200 runs, and the expect
   CHECK(alarms <= 21);
 }
 
-TEST_CASE("an albedo that is higher on one side by the promised bias is seen in 198 of 200 runs", "[slow]") {
+TEST_CASE("an albedo that is higher on one side by the detectable bias is detected in 198 of 200 runs", "[slow]") {
   CHECK(alarmsOf(0.5f * static_cast<float>(1 + kBias), 1e-4) >= 198);
 }
 

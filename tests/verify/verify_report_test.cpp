@@ -1,4 +1,4 @@
-// What the verdict says, and where.
+// The text of the verdict in each format.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -43,21 +43,21 @@ TEST_CASE("a difference is reported with its position, size and sign") {
   CHECK(toJson(report)["sameLight"]["differs"] == true);
 }
 
-TEST_CASE("two sides that agree on a wrong answer fail") {
+TEST_CASE("two sides that agree on a wrong result fail") {
   const VerifyReport report = reportOf(1, scene::ExactMean{});
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(), Contains("NOT with the exact result that the scene states"));
   CHECK(toJson(report)["rightLight"]["met"] == false);
 }
 
-TEST_CASE("JUnit has a case for each question, failures among them, and is well-formed whatever a scene is called") {
+TEST_CASE("JUnit has a case for each question, including failures, and is well-formed for any scene name") {
   CHECK_THAT(toJunit(reportOf(1), false), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
   const std::string failed = toJunit(reportOf(0.98, scene::ExactMean{}), false);
   CHECK_THAT(failed,
              Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
 }
 
-TEST_CASE("JUnit counts bad samples as a failure where they are forbidden, and else not") {
+TEST_CASE("JUnit reports bad samples as a failure only if they are forbidden") {
   VerifyReport report = reportOf(1);
   CHECK_THAT(toJunit(report, true), Contains("tests=\"3\" failures=\"0\""));
   image::Film film(16, 16);

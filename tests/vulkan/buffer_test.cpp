@@ -1,4 +1,4 @@
-// Buffers hold what is written to them, whichever way it goes in and out, and keep to limits.
+// Buffers return what is written to them, in every way of writing and reading, and respect limits.
 #include "host/vulkan/buffer.h"
 
 #include <catch2/catch.hpp>
@@ -83,7 +83,7 @@ TEST_CASE("a recorded copy moves the given range, in order with fills") {
   CHECK(download(to) == expected);
 }
 
-TEST_CASE("a readback buffer shows through its mapping what the device wrote") {
+TEST_CASE("the mapping of a readback buffer contains what the device wrote") {
   Device device = openEitherWay(GENERATE(false, true));
   Buffer counters(device, 16, Usage::storage | Usage::readback);
   REQUIRE(counters.isMapped());
@@ -95,7 +95,7 @@ TEST_CASE("a readback buffer shows through its mapping what the device wrote") {
   }
 }
 
-TEST_CASE("ranges outside of a buffer or off its words are refused") {
+TEST_CASE("ranges outside of a buffer or not aligned to words are refused") {
   Device device = openTestDevice();
   Buffer buffer(device, 64, Usage::storage);
   CHECK_THROWS_AS(upload(buffer, Words(1), 64), InternalError);
@@ -108,7 +108,7 @@ TEST_CASE("ranges outside of a buffer or off its words are refused") {
   CHECK_THROWS_AS(Buffer(device, 20, Usage::uniformTexel), InternalError);
 }
 
-TEST_CASE("a size beyond the device's limits is out of memory and named") {
+TEST_CASE("a size beyond the device's limits is an out-of-memory error that names it") {
   Device device = openTestDevice();
   constexpr std::uint64_t kAbsurd = std::uint64_t{1} << 44;
   CHECK_THROWS_AS(Buffer(device, kAbsurd, Usage::storage), OutOfMemoryError);

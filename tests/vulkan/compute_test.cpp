@@ -64,7 +64,7 @@ TEST_CASE("a shader reads texels, uniforms, push and specialisation constants") 
   CHECK(download(result) == expected);
 }
 
-TEST_CASE("a dispatch sees what the one before it wrote") {
+TEST_CASE("a dispatch sees the writes of the previous one") {
   Device device = openTestDevice();
   constexpr std::uint32_t kCount = 4096, kTurns = 50;
   const ComputePipeline pipeline = makeShift(device);
@@ -85,7 +85,7 @@ TEST_CASE("a dispatch sees what the one before it wrote") {
   CHECK(download(a) == expected);
 }
 
-TEST_CASE("dispatches, fills and copies of one submission follow each other") {
+TEST_CASE("dispatches, fills and copies of one submission are executed in order") {
   Device device = openTestDevice();
   const ComputePipeline pipeline = makeShift(device);
   Buffer a(device, 256, Usage::storage);

@@ -1,4 +1,4 @@
-// Which device a selector means, on lists made by hand.
+// The device that a selector denotes, on lists made by hand.
 #include "host/vulkan/device_choice.h"
 
 #include <catch2/catch.hpp>
@@ -41,7 +41,7 @@ std::string messageOf(std::span<const DeviceInfo> devices, const std::string& se
 
 }  // namespace
 
-TEST_CASE("without a selector the kind decides: discrete, integrated, virtual, CPU, other") {
+TEST_CASE("the choice without a selector depends on the type: discrete, integrated, virtual, CPU, other") {
   const std::vector<DeviceInfo> others{makeInfo(0, "a", "other"), makeInfo(1, "b", "CPU"),
                                        makeInfo(2, "c", "virtual GPU")};
   CHECK(chooseDevice(kDevices, "").index == 3);
@@ -62,7 +62,9 @@ TEST_CASE("a selector is an index or a part of a name in any case") {
   CHECK(chooseDevice(kDevices, "iris").index == 2);
 }
 
-TEST_CASE("a number beyond the list is a part of a name") { CHECK(chooseDevice(kDevices, "3060").index == 3); }
+TEST_CASE("a selector with a number beyond the list is a part of a name") {
+  CHECK(chooseDevice(kDevices, "3060").index == 3);
+}
 
 TEST_CASE("a usable device is preferred among several with the name") {
   CHECK(chooseDevice(kDevices, "geforce").index == 3);
@@ -74,14 +76,14 @@ TEST_CASE("selecting an unusable device names the reason") {
   CHECK_THAT(messageOf(kDevices, "640"), Contains("not usable"));
 }
 
-TEST_CASE("an unknown device is answered with the list") {
+TEST_CASE("an unknown device is refused with the list of devices") {
   const std::string message = messageOf(kDevices, "radeon");
   CHECK_THAT(message, Contains("no Vulkan device \"radeon\""));
   CHECK_THAT(message, Contains("\n  0: llvmpipe (LLVM 15.0.6, 256 bits) (CPU)\n"));
   CHECK_THAT(message, Contains("\n  3: GeForce RTX 3060 (discrete GPU)"));
 }
 
-TEST_CASE("without a usable device the message says what to install") {
+TEST_CASE("the message without a usable device names the packages to install") {
   CHECK_THAT(messageOf({}, ""), Contains("apt-get install mesa-vulkan-drivers"));
   CHECK_THAT(messageOf({}, "llvmpipe"), Contains("apt-get install mesa-vulkan-drivers"));
   CHECK_THAT(messageOf(std::span(kDevices).subspan(1, 1), ""), Contains("apt-get install mesa-vulkan-drivers"));

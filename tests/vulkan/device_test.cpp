@@ -43,20 +43,20 @@ TEST_CASE("devices are numbered in order, and each is opened by its index or its
   }
 }
 
-TEST_CASE("a device that does not exist is answered with those that do") {
+TEST_CASE("a device that does not exist is refused with the existing ones") {
   CHECK_THROWS_AS(selectDevice("no such device"), NoDeviceError);
   CHECK_THROWS_AS(Device::open("no such device"), NoDeviceError);
   CHECK_THROWS_WITH(selectDevice("no such device"), Contains("0: " + listDevices()[0].name));
 }
 
-TEST_CASE("a device that is no longer what it was is not opened in another's name") {
+TEST_CASE("a device that has changed since it was listed is not opened") {
   DeviceInfo info = listDevices().at(0);
   info.name = "the one before";
   CHECK_THROWS_AS(Device::open(info), NoDeviceError);
   CHECK_THROWS_WITH(Device::open(info), Contains("devices have changed"));
 }
 
-TEST_CASE("without a driver the list is empty and the message says what to install") {
+TEST_CASE("the list without a driver is empty, and the message names the packages to install") {
   const EnvironmentGuard files("VK_DRIVER_FILES", "/nonexistent.json");
   const EnvironmentGuard names("VK_ICD_FILENAMES", "/nonexistent.json");
   CHECK(listDevices().empty());

@@ -1,4 +1,4 @@
-// The validation layer is on when asked for, sees wrong calls, and is missed when it is not there.
+// The validation layer is enabled on request, reports wrong calls, and is reported if it is missing.
 #include "host/vulkan/validation.h"
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,29 @@
+// Sections of the scene buffer that have a file of their own each. shaders/shared/scene_rows.h has their layouts.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/accel/primitive_bounds.h"
+#include "host/accel/wide_bvh.h"
+#include "host/flatten/flat_rows.h"
+#include "host/flatten/flat_scene.h"
+
+namespace candela::flatten {
+
+/// Builds the grid over the finite primitives, appends its cells and items to `flat`, and returns the indices of these
+/// primitives in the order in which cells first refer to them. Without finite primitives there is no grid.
+std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float density, std::uint32_t maxSide,
+                                      FlatScene& flat);
+
+/// Appends all nodes of a compressed 8-wide BVH, gaps included.
+void appendWideNodes(const accel::WideBvh& wide, Rows& rows);
+
+/// Returns the records of the Whitted tracer's lights: all point lights in the given order, as squares of side `size`
+/// (0: points) that face the camera's target: see docs/light-transport.md section 9.
+Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
+
+/// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
+Rows skyRows(const scene::Sky& sky);
+
+}  // namespace candela::flatten
