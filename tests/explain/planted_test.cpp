@@ -38,11 +38,6 @@ render::RenderSettings testSettings() {
   return settings;
 }
 
-render::Renderer& replayingDevice() {
-  static const std::unique_ptr<render::Renderer> tracer = device::makeGpuRenderer(device::testDevice());
-  return *tracer;
-}
-
 // A pixel whose first vertex is as wanted, by the reference.
 render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSettings& settings, const Wanted& wanted) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
@@ -69,7 +64,8 @@ Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDe
     return tracer.replay(changed ? changedScene : scene, changed ? changedSettings : settings, pixel);
   };
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
-  return explainReplays(scene, settings, pixel, replay(replayingDevice(), onDevice), replay(*reference, !onDevice));
+  return explainReplays(scene, settings, pixel, replay(device::testRenderer(), onDevice),
+                        replay(*reference, !onDevice));
 }
 
 void requireFirst(const Wanted& wanted, const Change& change, const std::string& stage, const std::string& quantity) {

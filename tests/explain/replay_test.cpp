@@ -11,12 +11,6 @@ using namespace candela;
 
 namespace {
 
-// Both tracers, as what can replay.
-render::Renderer& deviceTracer() {
-  static const std::unique_ptr<render::Renderer> tracer = device::makeGpuRenderer(device::testDevice());
-  return *tracer;
-}
-
 render::Renderer& referenceTracer() {
   static const std::unique_ptr<render::Renderer> tracer = reference::makeReferenceRenderer();
   return *tracer;
@@ -61,7 +55,7 @@ void requireFilmOfReplays(render::Renderer& tracer, const scene::Scene& scene, c
 
 TEST_CASE("the samples that are replayed add up to the rendered film, bit for bit", "[swiftshader-slow]") {
   const auto onBoth = [](const scene::Scene& scene, const render::RenderSettings& settings) {
-    SECTION("device") { requireFilmOfReplays(deviceTracer(), scene, settings); }
+    SECTION("device") { requireFilmOfReplays(device::testRenderer(), scene, settings); }
     SECTION("reference") { requireFilmOfReplays(referenceTracer(), scene, settings); }
   };
   SECTION("every kind of primitive and material") {
@@ -81,7 +75,7 @@ TEST_CASE("a path of thousands of vertices is replayed over many dispatches, and
   render::RenderSettings settings = device::squareSettings(4, 1);
   settings.image.maxDepth = 3000;
   const render::PixelSample place{0, 0, 0};  // between the mirrors
-  for (render::Renderer* tracer : {&deviceTracer(), &referenceTracer()}) {
+  for (render::Renderer* tracer : {&device::testRenderer(), &referenceTracer()}) {
     const render::Replay replay = tracer->replay(scene, settings, place);
     CHECK(replay.statistics.truncated == 0);
     CHECK(replay.path.vertexCount == 3000);
@@ -98,7 +92,7 @@ TEST_CASE(
   const scene::Scene scene = device::loadTestScene("cornell.p3f");
   render::RenderSettings settings = device::squareSettings(6, 1);
   settings.image.rouletteStart = 2;
-  for (render::Renderer* tracer : {&deviceTracer(), &referenceTracer()}) {
+  for (render::Renderer* tracer : {&device::testRenderer(), &referenceTracer()}) {
     std::uint32_t played = 0;
     forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
       const render::PathTrace path = tracer->replay(scene, settings, {x, y, 0}).path;
@@ -122,13 +116,13 @@ TEST_CASE("the replays of the two tracers agree if their pixels do, and otherwis
   const scene::Scene scene = device::loadTestScene("primitives.p3f");
   render::RenderSettings settings = device::squareSettings(12, 1);
   settings.execution.recordPaths = true;
-  const render::RenderResult a = deviceTracer().render(scene, settings, {});
+  const render::RenderResult a = device::testRenderer().render(scene, settings, {});
   const render::RenderResult b = referenceTracer().render(scene, settings, {});
   settings.execution.recordPaths = false;
   std::uint32_t agreeing = 0;
   forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {
     const std::size_t pixel = std::size_t{y} * settings.image.size.width + x;
-    const explain::Explanation explanation = explain::explainSample(scene, settings, {x, y, 0}, deviceTracer(),
+    const explain::Explanation explanation = explain::explainSample(scene, settings, {x, y, 0}, device::testRenderer(),
                                                                     referenceTracer());
     agreeing += explanation.firstDifference ? 0 : 1;
     CAPTURE(x, y, explanation.verdict());

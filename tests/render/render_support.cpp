@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "tests/vulkan_support/test_device.h"
+
 namespace candela::device {
 namespace {
 
@@ -50,7 +52,11 @@ std::string testDevice() {
 }
 
 render::Renderer& testRenderer() {
-  static const std::unique_ptr<render::Renderer> renderer = makeGpuRenderer(testDevice());
+  static std::unique_ptr<render::Renderer> renderer;
+  if (!renderer) {
+    renderer = makeGpuRenderer(testDevice());
+    atTestRunEnd([] { renderer.reset(); });
+  }
   return *renderer;
 }
 

@@ -2,12 +2,28 @@
 #include "tests/vulkan_support/test_device.h"
 
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 namespace candela {
+namespace {
+
+std::vector<std::function<void()>>& actions() {
+  static std::vector<std::function<void()>> list;
+  return list;
+}
+
+}  // namespace
 
 vulkan::Device openTestDevice(const vulkan::DeviceOptions& options) {
   const char* selector = std::getenv("CANDELA_TEST_DEVICE");
   return vulkan::Device::open(selector != nullptr ? selector : "", options);
+}
+
+void atTestRunEnd(std::function<void()> action) { actions().push_back(std::move(action)); }
+
+void endTestRun() {
+  for (; !actions().empty(); actions().pop_back()) actions().back()();
 }
 
 }  // namespace candela

@@ -1,8 +1,9 @@
-// Fails every test case during which the validation layer had something to say.
+// Fails every test case during which the validation layer reports something, and ends the use of Vulkan.
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include <catch2/catch.hpp>
 
 #include "host/vulkan/validation.h"
+#include "tests/vulkan_support/test_device.h"
 
 namespace {
 
@@ -17,6 +18,11 @@ class ValidationListener : public Catch::TestEventListenerBase {
     }
     candela::vulkan::clearValidationMessages();
     TestEventListenerBase::sectionEnded(stats);
+  }
+
+  void testRunEnded(const Catch::TestRunStats& stats) override {
+    candela::endTestRun();
+    TestEventListenerBase::testRunEnded(stats);
   }
 };
 
