@@ -211,7 +211,7 @@ TEST_CASE("settings print as the command line that states them") {
   CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");
   arguments.device = "Radeon (TM) 'X'";
   CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");
-  arguments.allowedPaths = {"/a", "/b"};
+  arguments.loadOptions.allowedPaths = {"/a", "/b"};
   CHECK(commandLineOf(arguments, OptionGroup::sceneFile, false) == "--allow-path /a --allow-path /b");
 }
 

@@ -1,6 +1,7 @@
 // The choice of a loader: by content, then by extension, else an error that names the formats.
 #include "host/scene/loader.h"
 
+#include "host/formats/load_scene.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 
@@ -23,7 +24,7 @@ Diagnostic errorOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);
   try {
-    loadScene(folder / name);
+    formats::loadScene(folder / name);
   } catch (const SceneError& error) {
     REQUIRE(error.diagnostics.size() == 1);
     return error.diagnostics.front();
@@ -35,7 +36,7 @@ Diagnostic errorOfFile(const std::string& name, const std::string& text) {
 Scene sceneOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);
-  return loadScene(folder / name).scene;
+  return formats::loadScene(folder / name).scene;
 }
 
 }  // namespace
