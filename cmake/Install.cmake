@@ -19,6 +19,13 @@ foreach(layer ${CANDELA_LIBRARY_LAYERS})
   install(DIRECTORY host/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host FILES_MATCHING PATTERN "*.h")
 endforeach()
 
+# The libraries that host/gltf was built with, if any.
+set(CANDELA_DECODER_DEPENDENCIES "")
+foreach(decoder draco meshoptimizer)
+  if(TARGET ${decoder}::${decoder})
+    string(APPEND CANDELA_DECODER_DEPENDENCIES "find_dependency(${decoder})\n")
+  endif()
+endforeach()
 configure_package_config_file(cmake/candelaConfig.cmake.in candelaConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake DESTINATION ${package})

@@ -56,9 +56,9 @@ std::optional<std::size_t> findTooDeep(std::string_view text) {
   return std::nullopt;
 }
 
-/// The part of nlohmann's message that says what is wrong, without its prefix and the position.
+/// The part of nlohmann's message that says what is wrong, without "[...] parse error at line 1, column 2: ".
 std::string reasonOf(const std::string& what) {
-  const std::size_t start = what.rfind("] ");
+  const std::size_t start = what.find(": ");
   const std::string reason = start == std::string::npos ? what : what.substr(start + 2);
   constexpr std::size_t kMaxReason = 200;
   std::string shown;

@@ -32,11 +32,11 @@ void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
 }
 
 /// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
-/// white surface that faces the light as 0.5 + 1.5 / pi, just below 1.
+/// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
 std::string lightUp(scene::Scene& scene) {
   if (hasLight(scene)) return "as in the file";
-  constexpr float kBackground = 0.5f;
-  constexpr float kIrradiance = 1.5f;
+  constexpr float kBackground = 0.25f;
+  constexpr float kIrradiance = 2.25f;
   const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
   const glm::dvec3 up = glm::cross(right, forward);

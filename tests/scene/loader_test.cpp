@@ -72,11 +72,11 @@ TEST_CASE("NFF is recognised under any name, and read by its extension if it is 
 }
 
 TEST_CASE("a file that is no scene is refused as a whole") {
-  for (const char* text : {"", "solid cube\n", "\x89PNG\r\n", "{\"asset\": {}}"}) {
+  for (const char* text : {"", "solid cube\n", "\x89PNG\r\n", "[\"asset\"]"}) {
     CAPTURE(text);
     const Diagnostic error = errorOfFile("scene.stl", text);
     CHECK(contains(error.message, "unknown scene format"));
-    CHECK(contains(error.message, "NFF or P3F (.nff, .p3f)"));
+    CHECK(contains(error.message, "glTF 2.0 (.gltf, .glb), NFF or P3F (.nff, .p3f)"));
     CHECK(contains(error.file, "scene.stl"));
     CHECK(error.line == 0);
   }
