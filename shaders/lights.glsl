@@ -10,10 +10,10 @@
 
 struct LightSample {
   vec3 wi;
-  vec3 emission;   // radiance towards the surface; not yet divided by the pdf
+  vec3 emission;   // radiance towards the surface, or the irradiance if delta; not yet divided by the pdf
   float distance;  // to the sampled point
-  float pdf;       // solid angle, with the choice of the light; a point light: the choice only
-  bool delta;      // a point light
+  float pdf;       // solid angle, with the choice of the light; the choice only if delta
+  bool delta;      // a point, spot or directional light, which rays never hit
 };
 
 const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false);
@@ -61,10 +61,32 @@ LightSample samplePointLight(Light light, Surface from) {
   return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true);
 }
 
+// The share of its intensity that a spot light sends along `wi`, which points towards it.
+float spotFactor(Light light, vec3 wi) {
+  vec4 cone = sceneRowFloat(constants.firstLightRow + uint(light.area));
+  float share = clamp((-dot(cone.xyz, wi) - cone.w) * light.radius, 0.0, 1.0);
+  return share * share;
+}
+
+// Point and spot lights with fall-off, and directional lights.
+LightSample samplePunctualLight(Light light, Surface from) {
+  if (light.kind == kLightDirectional) {
+    return LightSample(light.position, light.emission, kNoHit, light.probability, true);
+  }
+  vec3 toPoint = light.position - from.position;
+  float distanceSquared = dot(toPoint, toPoint);
+  float distance = sqrt(distanceSquared);
+  if (distanceSquared == 0.0) return kNoLight;
+  vec3 wi = toPoint / distance;
+  float share = light.kind == kLightSpot ? spotFactor(light, wi) : 1.0;
+  return LightSample(wi, light.emission * (share / distanceSquared), distance, light.probability, true);
+}
+
 LightSample sampleLight(Light light, Surface from, vec2 u) {
   if (kHasSphereLights && light.kind == kLightSphere) return sampleSphereLight(light, from, u);
   if (kHasTriangleLights && light.kind == kLightTriangle) return sampleTriangleLight(light, from, u);
   if (kHasPointLights && light.kind == kLightPoint) return samplePointLight(light, from);
+  if (kHasPunctualLights && light.kind >= kLightPunctual) return samplePunctualLight(light, from);
   return kNoLight;
 }
 

@@ -46,10 +46,10 @@ struct Light {
   float probability;
   uint kind;
   uint slot;
-  vec3 emission;  // radiance; of a point light: its colour
-  float area;     // of a triangle
-  vec3 position;  // centre of a sphere, or position of a point light
-  float radius;   // of a sphere
+  vec3 emission;  // radiance; of a point light: its colour; of a punctual light: its intensity
+  float area;     // of a triangle; of a spot light: records from the first light to that of its cone
+  vec3 position;  // centre of a sphere, position of a light, or direction towards a directional light
+  float radius;   // of a sphere; of a spot light: 1 / (difference of the cosines)
 };
 
 uint lightRow(uint light) { return constants.firstLightRow + light * kLightRows; }

@@ -9,6 +9,7 @@
 #include "host/core/log.h"
 #include "host/image/image.h"
 #include "host/render/settings.h"
+#include "host/scene/load.h"
 #include "host/verify/light_test.h"
 
 namespace candela::cli {
@@ -45,8 +46,7 @@ struct Arguments {
   std::optional<std::uint32_t> maxDepth;  ///< empty: the default of the integrator
   render::RenderSettings settings;
 
-  bool lenient = false;
-  std::vector<std::filesystem::path> allowedPaths;
+  scene::LoadOptions loadOptions;
 
   bool noCache = false;  ///< compiled pipelines are neither read nor written
   bool untuned = false;  ///< `auto` has its built-in meaning

@@ -8,8 +8,8 @@
 #include "host/cli/commands.h"
 #include "host/cli/scene_output.h"
 #include "host/flatten/flatten_hierarchy.h"
+#include "host/formats/load_scene.h"
 #include "host/generate/kinds.h"
-#include "host/scene/load.h"
 
 namespace candela::cli {
 namespace {
@@ -24,8 +24,7 @@ void requireReadableSize(std::size_t boxCount) {
 }  // namespace
 
 ExitCode runBoxes(const Arguments& arguments, const Log& log) {
-  const scene::LoadedScene loaded = scene::loadScene(arguments.files.front(),
-                                                     {arguments.lenient, arguments.allowedPaths});
+  const scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,

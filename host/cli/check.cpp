@@ -5,6 +5,7 @@
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/formats/load_scene.h"
 #include "host/scene/report.h"
 
 namespace candela::cli {
@@ -31,8 +32,7 @@ ordered_json errorsOf(const FileError& error) {
 ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
   ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
   try {
-    const scene::SceneReport report = scene::makeReport(
-        scene::loadScene(file, {arguments.lenient, arguments.allowedPaths}));
+    const scene::SceneReport report = scene::makeReport(formats::loadScene(file, arguments.loadOptions));
     if (arguments.wantsText()) std::cout << scene::toText(report) << std::flush;
     entry["report"] = scene::toJson(report);
   } catch (const FileError& error) {

@@ -9,7 +9,8 @@ namespace candela::cli {
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
   static const std::array<CommandInfo, 10> table{{
-      {Command::render, "render", "[render] SCENE -o FILE", "render a P3F or NFF scene", "scene", 1, 1, runRender},
+      {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
+       runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
       {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1, kAnyNumber,
        runCheck},

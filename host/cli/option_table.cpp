@@ -97,9 +97,13 @@ std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
     flag({"--lenient", kReadingScenes, kGroup, "skip unknown statements and complete short ones, with warnings"},
-         [](auto& a) -> auto& { return a.lenient; }),
+         [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
-          [](auto& a) -> auto& { return a.allowedPaths; }),
+          [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
+    valued({"--camera", kReadingScenes, kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
+           orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
+    valued({"--time", kReadingScenes, kGroup, "for glTF: time in the first animation, in seconds"},
+           orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),
   };
 }
 

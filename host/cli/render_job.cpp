@@ -11,9 +11,9 @@
 #include "host/core/interrupt.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
+#include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
-#include "host/scene/load.h"
 #include "host/vulkan/device.h"
 
 namespace candela::cli {
@@ -115,7 +115,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
-  scene::LoadedScene loaded = scene::loadScene(arguments.files.front(), {arguments.lenient, arguments.allowedPaths});
+  scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   RenderJob job{arguments, {}, std::move(loaded.scene), 0};

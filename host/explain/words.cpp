@@ -48,7 +48,7 @@ std::string materialWords(std::uint32_t material, const scene::Scene& scene) {
 }
 
 std::string lightWords(std::uint32_t primitive, const scene::Scene& scene) {
-  return primitive == render::LightTrace::kPointLight ? "a point light"
+  return primitive == render::LightTrace::kPointLight ? "a light without extent"
                                                       : "primitive " + primitiveWords(primitive, scene);
 }
 

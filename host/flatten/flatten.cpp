@@ -23,6 +23,9 @@ namespace {
 static_assert(static_cast<std::uint32_t>(LightKind::sphere) == gpu::kLightSphere);
 static_assert(static_cast<std::uint32_t>(LightKind::triangle) == gpu::kLightTriangle);
 static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
+static_assert(static_cast<std::uint32_t>(LightKind::punctual) == gpu::kLightPunctual);
+static_assert(static_cast<std::uint32_t>(LightKind::spot) == gpu::kLightSpot);
+static_assert(static_cast<std::uint32_t>(LightKind::directional) == gpu::kLightDirectional);
 
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
@@ -62,6 +65,16 @@ void appendPointLight(const scene::PointLight& light, const LightEntry& entry, R
   rows.push_back(row(glm::dvec3(light.position), 0.0));
 }
 
+// `coneRow`: the number of rows from the first light to the cone of a spot light.
+void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& entry, std::size_t coneRow, Rows& rows) {
+  const bool isSpot = entry.kind == LightKind::spot;
+  const glm::dvec3 place = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
+                                                                : glm::dvec3(light.position);
+  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(coneRow) : 0.0));
+  rows.push_back(row(place, isSpot ? 1 / std::max(double{light.cosInner} - double{light.cosOuter}, 0.001) : 0.0));
+}
+
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
@@ -76,16 +89,23 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
                   FlatScene& flat) {
   flat.constants.firstLightRow = rowCount(flat.rows);
   flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
+  Rows cones;
   for (const LightEntry& entry : table) {
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
       flat.features.pointLights = true;
+    } else if (!entry.isEmitter()) {
+      const scene::PunctualLight& light = scene.punctualLights[entry.index];
+      appendPunctualLight(light, entry, table.size() * gpu::kLightRows + cones.size(), flat.rows);
+      if (entry.kind == LightKind::spot) cones.push_back(row(glm::dvec3(light.direction), double{light.cosOuter}));
+      flat.features.punctualLights = true;
     } else {
       appendEmitter(scene, entry, slots[entry.index], flat.rows);
       flat.features.sphereLights |= entry.kind == LightKind::sphere;
       flat.features.triangleLights |= entry.kind == LightKind::triangle;
     }
   }
+  flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());
 }
 
 void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
@@ -105,7 +125,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
                       std::span<const LightEntry> table, FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (!table[i].isPoint()) lightOf[table[i].index] = i + 1;
+    if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
   Rows normals;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);

@@ -25,6 +25,16 @@ std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Pri
   return std::nullopt;
 }
 
+LightKind kindOf(const scene::PunctualLight& light) {
+  if (light.kind == scene::PunctualLight::Kind::spot) return LightKind::spot;
+  return light.kind == scene::PunctualLight::Kind::directional ? LightKind::directional : LightKind::punctual;
+}
+
+double punctualPower(const scene::PunctualLight& light) {
+  const double reach = light.kind == scene::PunctualLight::Kind::directional ? double{light.reach} : 1.0;
+  return reach * reach * image::luminance(glm::dvec3(light.intensity));
+}
+
 // Returns the probabilities of the two groups: half each if both can be chosen.
 std::pair<double, double> groupShares(double emitters, double points) {
   if (emitters > 0 && points > 0) return {0.5, 0.5};
@@ -56,6 +66,7 @@ double triangleArea(const scene::Triangle& triangle) {
 
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index) {
   if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
+  if (kind > LightKind::point) return punctualPower(scene.punctualLights[index]);
   const scene::Primitive& primitive = scene.primitives[index];
   const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
   if (kind == LightKind::triangle) return triangleArea(triangleOf(scene, primitive)) * emitted;
@@ -77,11 +88,12 @@ std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmit
     if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i, emitterSum);
   }
   for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i, pointSum);
+  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i, pointSum);
   const auto [emitterShare, pointShare] = groupShares(emitterSum, pointSum);
   if (emitterShare + pointShare == 0) return {};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double sum = table[i].isPoint() ? pointSum : emitterSum;
-    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isPoint() ? pointShare : emitterShare) : 0;
+    const double sum = table[i].isEmitter() ? emitterSum : pointSum;
+    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isEmitter() ? emitterShare : pointShare) : 0;
   }
   setThresholds(table, weights);
   return table;

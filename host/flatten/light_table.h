@@ -8,18 +8,19 @@
 namespace candela::flatten {
 
 /// The kinds of lights that have entries, with the values of shaders/shared/scene_rows.h. The background has no entry.
-enum class LightKind : std::uint32_t { sphere, triangle, point };
+enum class LightKind : std::uint32_t { sphere, triangle, point, punctual, spot, directional };
 
 struct LightEntry {
   LightKind kind = LightKind::sphere;
-  std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights
+  std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights or punctualLights
   std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
   float probability = 0;        ///< P_i, exact
 
+  bool isEmitter() const { return kind < LightKind::point; }
   bool isPoint() const { return kind == LightKind::point; }
 };
 
-/// Returns the table. Without `withEmitters` (--nee off), it contains only point lights.
+/// Returns the table. Without `withEmitters` (--nee off), it contains only point and punctual lights.
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters);
 
 /// Weight of a light in the choice.

@@ -1,7 +1,9 @@
 // Samples spheres by solid angle and triangles by area.
 #include "host/reference/light.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/image/film.h"
 #include "host/reference/sampling.h"
@@ -68,5 +70,38 @@ std::optional<LightSample> PointLight::sample(const Surface& from, const dvec2&)
 }
 
 double PointLight::power() const { return image::luminance(colour_); }
+
+PunctualLight::PunctualLight(const scene::PunctualLight& light)
+    : kind_(light.kind),
+      position_(light.position),
+      direction_(light.direction),
+      intensity_(light.intensity),
+      cosOuter_(light.cosOuter),
+      coneWidth_(std::max(double{light.cosInner} - double{light.cosOuter}, 0.001)),
+      reach_(light.reach) {}
+
+std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec2&) const {
+  using Kind = scene::PunctualLight::Kind;
+  if (kind_ == Kind::directional) {
+    constexpr double kFar = std::numeric_limits<float>::max();
+    return LightSample{-direction_, kFar, intensity_, std::nullopt, kNoPrimitive};
+  }
+  const dvec3 fromLight = from.position - position_;
+  const double distance = length(fromLight);
+  if (distance == 0) return std::nullopt;
+  const dvec3 away = fromLight / distance;
+  dvec3 irradiance = intensity_ / (distance * distance);
+  if (kind_ == Kind::spot) {
+    const double inside = std::clamp((dot(away, direction_) - cosOuter_) / coneWidth_, 0.0, 1.0);
+    irradiance *= inside * inside;
+  }
+  if (irradiance == dvec3(0)) return std::nullopt;
+  return LightSample{-away, distance, irradiance, std::nullopt, kNoPrimitive};
+}
+
+double PunctualLight::power() const {
+  const double luminance = image::luminance(intensity_);
+  return kind_ == scene::PunctualLight::Kind::directional ? luminance * reach_ * reach_ : luminance;
+}
 
 }  // namespace candela::reference

@@ -20,9 +20,9 @@ namespace candela::reference {
 struct LightSample {
   dvec3 wi;
   double distance;
-  dvec3 radiance;             ///< pi times the colour if it is a point light
-  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a point light, which rays never hit
-  std::uint32_t primitive;    ///< kNoPrimitive for a point light
+  dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
+  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a light that rays never hit
+  std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
 };
 
 /// Emits outwards and inwards; only inwards with a negative radius.
@@ -72,6 +72,25 @@ class PointLight {
   dvec3 colour_;
 };
 
+/// glTF's point, spot and directional lights.
+class PunctualLight {
+ public:
+  explicit PunctualLight(const scene::PunctualLight& light);
+
+  std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
+  double pdf(const Ray&, double, double) const { return 0; }
+  double power() const;
+
+ private:
+  scene::PunctualLight::Kind kind_;
+  dvec3 position_;
+  dvec3 direction_;
+  dvec3 intensity_;
+  double cosOuter_;
+  double coneWidth_;  ///< difference of the cosines
+  double reach_;
+};
+
 /// The radiance of rays that hit nothing. It is not sampled, and its power of 0 excludes it from the table.
 class BackgroundLight {
  public:
@@ -81,6 +100,6 @@ class BackgroundLight {
 };
 
 /// Any kind of light.
-using Light = std::variant<SphereLight, TriangleLight, PointLight, BackgroundLight>;
+using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, BackgroundLight>;
 
 }  // namespace candela::reference

@@ -9,7 +9,10 @@ namespace {
 
 constexpr std::uint32_t kChoiceCount = 1u << 24;
 
-bool isPoint(const Light& light) { return std::holds_alternative<PointLight>(light); }
+// Point and punctual lights, which no ray finds.
+bool isPoint(const Light& light) {
+  return std::holds_alternative<PointLight>(light) || std::holds_alternative<PunctualLight>(light);
+}
 
 }  // namespace
 
@@ -20,6 +23,7 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     collectBackground();
   }
   for (const scene::PointLight& light : scene.pointLights) add(PointLight(light));
+  for (const scene::PunctualLight& light : scene.punctualLights) add(PunctualLight(light));
   computeThresholds();
 }
 

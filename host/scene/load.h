@@ -1,9 +1,11 @@
-// Reads scene files, each by the loader of its format (host/scene/loader.h).
+// The options and the result of reading a scene. formats::loadScene() reads files of any format.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/scene/diagnostic.h"
@@ -14,21 +16,25 @@ namespace candela::scene {
 struct LoadOptions {
   bool lenient = false;  ///< skip unknown lines and complete short materials, each with a warning
   std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which a scene may read
+  std::optional<std::string> camera{};  ///< name or index of one of the file's cameras; "none": a view of everything
+  std::optional<double> time{};         ///< seconds at which the first animation is evaluated; empty: at rest
 };
 
 /// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...
 using StatementCounts = std::map<std::string, std::uint64_t>;
 
+/// What a loader says about a file besides the counts, in the order of a report: {"extensions", "KHR_..."}.
+using FileFacts = std::vector<std::pair<std::string, std::string>>;
+
 struct LoadedScene {
   Scene scene;
   StatementCounts counts;
   std::vector<Diagnostic> warnings;
+  FileFacts facts{};
 };
 
-/// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that
-/// was found, and FileError if the file cannot be read or is larger than 1 GiB. A file without a view loads:
-/// Scene::camera is then empty, and the caller decides (requireCamera).
-LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+/// The folder of a file, or "." where its path has none.
+std::filesystem::path folderOrCurrent(const std::filesystem::path& folder);
 /// Reads NFF or P3F from memory. `name` is used in messages; `env` paths are relative to `folder`.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});

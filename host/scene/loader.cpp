@@ -1,12 +1,10 @@
-// The scene formats that can be read, and the choice among them.
+// The choice among loaders.
 #include "host/scene/loader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-
-#include "host/scene/nff_loader.h"
 
 namespace candela::scene {
 namespace {
@@ -28,11 +26,6 @@ std::string formatsOf(std::span<const Loader> loaders) {
 }
 
 }  // namespace
-
-std::span<const Loader> allLoaders() {
-  static const std::vector<Loader> loaders{nffLoader()};
-  return loaders;
-}
 
 const Loader& chooseLoader(std::span<const Loader> loaders, const SceneFile& file) {
   const auto byContent = std::ranges::find_if(loaders, [&](const Loader& l) { return l.recognises(file.bytes); });

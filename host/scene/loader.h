@@ -1,4 +1,4 @@
-// The scene formats that can be read, and the choice among them.
+// What a loader of a scene format is, and the choice among several. host/formats has the list of all.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -28,9 +28,6 @@ struct Loader {
   /// the bytes of the file and of all others that were read.
   LoadedScene (*load)(const SceneFile& file, const LoadOptions& options);
 };
-
-/// All loaders of the program. Formats that begin with a signature come before those of plain text.
-std::span<const Loader> allLoaders();
 
 /// Returns the first loader that recognises the bytes, else the first that has the extension of `file` (in any case).
 /// Throws SceneError, which names the formats that can be read, if there is none.

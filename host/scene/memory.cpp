@@ -33,7 +33,7 @@ SceneMemory memoryOf(const Scene& scene) {
   memory.triangleCount = countTriangles(scene);
   for (const Mesh& mesh : scene.meshes) memory.triangles += bytesOf(mesh);
   memory.total = memory.triangles + bytesOf(scene.materials, scene.primitives, scene.spheres, scene.boxes, scene.cones,
-                                            scene.planes, scene.pointLights);
+                                            scene.planes, scene.pointLights, scene.punctualLights);
   memory.triangles += memory.triangleCount * sizeof(Primitive);
   if (scene.sky) {
     for (const SkyFace& face : scene.sky->faces) memory.total += face.rgb.size();

@@ -55,6 +55,9 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   }
   Parser parser(file.bytes, file.name, file.folder, options);
   parseStatements(parser);
+  if (options.camera || options.time) {
+    parser.log.warn("options", {}, "--camera and --time have no effect: the format has one view and no animation");
+  }
   parser.scene.exactMean = findExactMean(file.bytes, parser.log);
   parser.log.throwIfErrors();
   checkScene(parser.scene, parser.log);

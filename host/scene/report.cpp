@@ -54,6 +54,11 @@ std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
 SceneReport::Lights lightsOf(const Scene& scene) {
   SceneReport::Lights lights;
   lights.points = scene.pointLights.size();
+  for (const PunctualLight& light : scene.punctualLights) {
+    if (light.kind == PunctualLight::Kind::point) ++lights.points;
+    if (light.kind == PunctualLight::Kind::spot) ++lights.spots;
+    if (light.kind == PunctualLight::Kind::directional) ++lights.directionals;
+  }
   for (const Primitive& primitive : scene.primitives) {
     if (!isEmissive(scene.materials[primitive.material])) continue;
     switch (primitive.kind) {
@@ -118,6 +123,7 @@ SceneReport makeReport(const LoadedScene& loaded) {
   SceneReport report;
   report.name = scene.name;
   report.statements = loaded.counts;
+  report.facts = loaded.facts;
   report.memory = memoryOf(scene);
   report.primitives = {scene.spheres.size(), report.memory.triangleCount, scene.boxes.size(), scene.cones.size(),
                        scene.planes.size()};

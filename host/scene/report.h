@@ -21,10 +21,10 @@ struct SceneReport {
     std::uint64_t spheres = 0, triangles = 0, boxes = 0, cones = 0, planes = 0;
     std::uint64_t total() const { return spheres + triangles + boxes + cones + planes; }
   };
-  /// Emitting primitives by kind, and point lights.
+  /// Emitting primitives by kind, and lights without extent: point (with and without fall-off), spot and directional.
   struct Lights {
-    std::uint64_t spheres = 0, triangles = 0, cones = 0, planes = 0, points = 0;
-    std::uint64_t total() const { return spheres + triangles + cones + planes + points; }
+    std::uint64_t spheres = 0, triangles = 0, cones = 0, planes = 0, points = 0, spots = 0, directionals = 0;
+    std::uint64_t total() const { return spheres + triangles + cones + planes + points + spots + directionals; }
   };
   /// By kindOf(); `emitting` counts across the kinds.
   struct Materials {
@@ -34,6 +34,7 @@ struct SceneReport {
 
   std::string name;
   StatementCounts statements;  ///< numbers of statements in the file
+  FileFacts facts;             ///< what else the loader says about the file
   Primitives primitives;
   std::optional<Bounds> bounds;  ///< bounds of all primitives except infinite planes; empty if there are no others
   Lights lights;

@@ -1,6 +1,7 @@
 // Formats a scene report as text and as JSON.
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "host/core/hash_text.h"
@@ -43,6 +44,15 @@ std::string memoryText(const SceneMemory& memory) {
   return perTriangle ? fmt::format("{}; {:.1f} bytes per triangle", total, *perTriangle) : total;
 }
 
+/// Spot and directional lights, which only some formats have, appear if there are any.
+std::string lightsText(const SceneReport::Lights& lights) {
+  std::string text = fmt::format("{}: spheres {}, triangles {}, cones {}, planes {}, points {}", lights.total(),
+                                 lights.spheres, lights.triangles, lights.cones, lights.planes, lights.points);
+  if (lights.spots > 0) text += fmt::format(", spots {}", lights.spots);
+  if (lights.directionals > 0) text += fmt::format(", directional {}", lights.directionals);
+  return text;
+}
+
 }  // namespace
 
 std::string toText(const SceneReport& r) {
@@ -54,11 +64,11 @@ std::string toText(const SceneReport& r) {
     text += fmt::format("  {:<12}{}\n", label, value);
   };
   line("statements", statementsText(r.statements));
+  for (const auto& [label, value] : r.facts) line(label, value);
   line("primitives", fmt::format("{}: spheres {}, triangles {}, boxes {}, cones {}, planes {}", r.primitives.total(),
                                  spheres, triangles, boxes, cones, planes));
   line("bounds", r.bounds ? fmt::format("{} to {}", toText(r.bounds->min), toText(r.bounds->max)) : "none");
-  line("lights", fmt::format("{}: spheres {}, triangles {}, cones {}, planes {}, points {}", lights.total(),
-                             lights.spheres, lights.triangles, lights.cones, lights.planes, lights.points));
+  line("lights", lightsText(lights));
   line("materials", fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, black {}; {} emit",
                                 materials.total(), materials.diffuse, materials.glossy, materials.mirror,
                                 materials.dielectric, materials.mixture, materials.black, materials.emitting));
@@ -80,6 +90,7 @@ json toJson(const SceneReport& r) {
       {"name", r.name},
       {"hash", hashText(r.hash)},
       {"statements", r.statements},
+      {"facts", std::map<std::string, std::string>(r.facts.begin(), r.facts.end())},
       {"primitives",
        {{"total", r.primitives.total()},
         {"spheres", r.primitives.spheres},
@@ -94,7 +105,9 @@ json toJson(const SceneReport& r) {
         {"triangles", r.lights.triangles},
         {"cones", r.lights.cones},
         {"planes", r.lights.planes},
-        {"points", r.lights.points}}},
+        {"points", r.lights.points},
+        {"spots", r.lights.spots},
+        {"directional", r.lights.directionals}}},
       {"materials",
        {{"total", r.materials.total()},
         {"diffuse", r.materials.diffuse},

@@ -82,6 +82,21 @@ struct PointLight {
   glm::vec3 colour{1, 1, 1};
 };
 
+/// glTF's lights: docs/light-transport.md. Point and spot lights fall off with the square of the distance, directional
+/// lights are infinitely far away.
+struct PunctualLight {
+  enum class Kind : std::uint8_t { point, spot, directional };
+
+  Kind kind = Kind::point;
+  glm::vec3 position{0, 0, 0};    ///< not of a directional light
+  glm::vec3 direction{0, 0, -1};  ///< unit vector along which a spot or directional light shines
+  /// Radiant intensity, W/sr; of a directional light the irradiance of a surface that faces it, W/m^2. >= 0.
+  glm::vec3 intensity{1, 1, 1};
+  float cosInner = 1;  ///< of a spot light: intensity is full within this angle from its direction,
+  float cosOuter = 0;  ///< and zero beyond this one; cosOuter < cosInner
+  float reach = 1;     ///< of a directional light: distance of a point light that would be as bright, for its choice
+};
+
 /// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes per texel.
 struct SkyFace {
   std::uint32_t width = 0;
@@ -114,6 +129,7 @@ struct Scene {
   std::vector<Cone> cones;
   std::vector<Plane> planes;
   std::vector<PointLight> pointLights;
+  std::vector<PunctualLight> punctualLights;
 
   std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
   std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total; 0: no antialiasing

@@ -4,17 +4,16 @@
 #include <algorithm>
 
 namespace candela::scene {
-namespace {
 
 bool hasLight(const Scene& scene) {
   if (scene.sky || scene.background != glm::vec3(0)) return true;
   const auto shines = [](const PointLight& light) { return light.colour != glm::vec3(0); };
   if (std::ranges::any_of(scene.pointLights, shines)) return true;
+  const auto isBright = [](const PunctualLight& light) { return light.intensity != glm::vec3(0); };
+  if (std::ranges::any_of(scene.punctualLights, isBright)) return true;
   const auto emits = [&](const Primitive& primitive) { return isEmissive(scene.materials[primitive.material]); };
   return std::ranges::any_of(scene.primitives, emits);
 }
-
-}  // namespace
 
 void checkScene(const Scene& scene, DiagnosticLog& log) {
   if (scene.primitives.empty()) log.warn("no objects", {}, "the scene has no objects");

@@ -5,6 +5,9 @@
 
 namespace candela::scene {
 
+/// True if something emits, a light shines, or the background is not black.
+bool hasLight(const Scene& scene);
+
 /// Warns about a scene without objects or without light.
 void checkScene(const Scene& scene, DiagnosticLog& log);
 

@@ -50,12 +50,17 @@ CANDELA_CONST uint kNormalRows = 3u;
 // term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
 
-// Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission or colour, area) (centre or
-// position, radius).
+// Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
+// (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
+// instead of the area, the number of records from the first light to one more record, which follows all lights:
+// (direction, cosine of the outer angle); and instead of the radius 1 / (difference of the cosines).
 CANDELA_CONST uint kLightRows = 3u;
 CANDELA_CONST uint kLightSphere = 0u;
 CANDELA_CONST uint kLightTriangle = 1u;
 CANDELA_CONST uint kLightPoint = 2u;
+CANDELA_CONST uint kLightPunctual = 3u;  // with fall-off
+CANDELA_CONST uint kLightSpot = 4u;
+CANDELA_CONST uint kLightDirectional = 5u;
 CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "host/scene/load.h"
+#include "host/formats/load_scene.h"
 #include "host/scene/scene_builder.h"
 #include "tests/accel/inputs.h"
 
@@ -149,7 +149,7 @@ std::vector<NamedScene> sceneFiles() {
   }
   std::sort(files.begin(), files.end());
   std::vector<NamedScene> scenes;
-  for (const auto& file : files) scenes.push_back({file.filename(), scene::loadScene(file).scene});
+  for (const auto& file : files) scenes.push_back({file.filename(), formats::loadScene(file).scene});
   return scenes;
 }
 

@@ -8,8 +8,8 @@
 
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_renderer.h"
+#include "host/formats/load_scene.h"
 #include "host/render/request.h"
-#include "host/scene/loader.h"
 
 using namespace candela;
 
@@ -23,7 +23,7 @@ double median(std::vector<double> values) {
 }
 
 void measure(render::Renderer& renderer, const std::string& file) {
-  const scene::Scene scene = scene::loadScene(file, {}).scene;
+  const scene::Scene scene = formats::loadScene(file).scene;
   render::RenderRequest request;
   request.size = {256, 256};
   request.sampleCount = 1;

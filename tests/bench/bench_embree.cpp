@@ -6,7 +6,7 @@
 #include "host/bench/device_tracer.h"
 #include "host/bench/ray_report.h"
 #include "host/core/errors.h"
-#include "host/scene/load.h"
+#include "host/formats/load_scene.h"
 #include "tests/bench/embree_tracer.h"
 
 using namespace candela;
@@ -75,7 +75,7 @@ int main(int argumentCount, char** arguments) {
     render::RenderSettings settings;
     const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
     settings.image.size = {side, side};
-    const scene::Scene scene = loadScene(arguments[1]).scene;
+    const scene::Scene scene = formats::loadScene(arguments[1]).scene;
     const RayReport report = measure(scene, settings, static_cast<std::uint32_t>(std::stoul(argument(3, "5"))),
                                      argument(4, ""));
     fmt::print("{}\n", toText(report));

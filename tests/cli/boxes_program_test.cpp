@@ -4,8 +4,8 @@
 
 #include "host/accel/primitive_bounds.h"
 #include "host/flatten/flatten_hierarchy.h"
+#include "host/formats/load_scene.h"
 #include "host/image/image.h"
-#include "host/scene/load.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -20,7 +20,7 @@ scene::Scene boxesOf(const std::string& scene, const std::vector<std::string>& o
   const ProgramResult result = runCandela(words);
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  return scene::loadScene(folder.path("boxes.nff")).scene;
+  return formats::loadScene(folder.path("boxes.nff")).scene;
 }
 
 // Twenty balls along a line at increasing distances.

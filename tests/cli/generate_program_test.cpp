@@ -1,7 +1,7 @@
 // `candela generate` as a person runs it: files, pipes, mistakes and Ctrl-C.
 #include <catch2/catch.hpp>
 
-#include "host/scene/load.h"
+#include "host/formats/load_scene.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -12,7 +12,7 @@ TEST_CASE("a scene is written to the file of -o, or to stdout") {
   CHECK(toFile.out.empty());
   CHECK(contains(toFile.err, "balls of size 2: 93 primitives"));
   const std::string text = readFile(folder.path("balls.nff"));
-  CHECK(scene::loadScene(folder.path("balls.nff")).scene.primitives.size() == 93);
+  CHECK(formats::loadScene(folder.path("balls.nff")).scene.primitives.size() == 93);
 
   for (const auto& words :
        {std::vector<std::string>{"generate", "balls", "--size", "2"}, {"generate", "balls", "--size=2", "-o", "-"}}) {

@@ -68,6 +68,8 @@ TEST_CASE("every option has the documented name, value and default") {
                                       {"--one-sided", "", ""},
                                       {"--lenient", "", ""},
                                       {"--allow-path", "DIR", ""},
+                                      {"--camera", "NAME|N", "the first, else none"},
+                                      {"--time", "SECONDS", "the pose at rest"},
                                       {"--device", "cpu|N|SUBSTRING", "the best GPU"},
                                       {"--kernel", "auto|megakernel|wavefront", "auto"},
                                       {"--workgroup", "XxY", "auto"},
@@ -211,8 +213,10 @@ TEST_CASE("settings print as the command line that states them") {
   CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");
   arguments.device = "Radeon (TM) 'X'";
   CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");
-  arguments.allowedPaths = {"/a", "/b"};
-  CHECK(commandLineOf(arguments, OptionGroup::sceneFile, false) == "--allow-path /a --allow-path /b");
+  arguments.loadOptions.allowedPaths = {"/a", "/b"};
+  CHECK(commandLineOf(arguments, OptionGroup::sceneFile, true) == "--allow-path /a --allow-path /b");
+  arguments.loadOptions = {.camera = "near eye", .time = 0.5};
+  CHECK(commandLineOf(arguments, OptionGroup::sceneFile, true) == "--camera 'near eye' --time 0.5");
 }
 
 TEST_CASE("every tuned option belongs to tracing, and has auto and all values that are tried") {

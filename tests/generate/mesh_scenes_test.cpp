@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "host/formats/load_scene.h"
 #include "tests/generate/generated_text.h"
 #include "tests/scene/triangles.h"
 
@@ -160,7 +161,7 @@ TEST_CASE("one ball of the Cornell box is a mirror, and the other is glass") {
 
 TEST_CASE("the box and the light around the balls are those of scenes/cornell.p3f, open only at the front") {
   const scene::Scene box = generatedScene("cornell", 1).scene;
-  const scene::Scene original = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
+  const scene::Scene original = formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f")
                                     .scene;
   CHECK(cornersOf(box, 0, 18) == cornersOf(original, 0, 18));
   const std::vector<scene::Triangle> triangles = trianglesOf(box);

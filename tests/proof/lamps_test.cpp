@@ -31,6 +31,24 @@ scene::Scene lampsOverFloor(const vec3& seen) {
   return b.scene;
 }
 
+// A red point light with fall-off, a green spot light that shines past the place that is seen, and a blue sun.
+scene::Scene punctualLightsOverFloor() {
+  using Kind = scene::PunctualLight::Kind;
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(kAlbedo))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.scene.punctualLights = {
+      {.kind = Kind::point, .position = {1, 0, 2}, .intensity = {20, 0, 0}},
+      {.kind = Kind::spot,
+       .position = {0, 0, 4},
+       .direction = {0.6f, 0, -0.8f},
+       .intensity = {0, 300, 0},
+       .cosInner = 0.9f,
+       .cosOuter = 0.7f},
+      {.kind = Kind::directional, .direction = {0, 0.6f, -0.8f}, .intensity = {0, 0, 5}, .reach = 4}};
+  b.view({0, -1.5f, 2}, {0, 0, 0}, {0, 1, 0}, 1e-3f);
+  return b.scene;
+}
+
 // Lambert's formula for the irradiance of a polygon of radiance 1 above the horizon.
 double irradianceOfTriangle(const vec3 (&corners)[3], const dvec3& at) {
   double sum = 0;
@@ -71,6 +89,22 @@ TEST_CASE("a sphere, two triangles and a point light illuminate the floor by the
     CAPTURE(seen.x);
     for (int channel = 0; channel < 3; ++channel) {
       CAPTURE(channel);
+      CHECK(shown[channel] == Approx(expected[channel]).epsilon(2e-3));
+    }
+  }
+}
+
+TEST_CASE("lights with fall-off, spots and directions light the floor by their closed forms", "[swiftshader-slow]") {
+  const double spot = (0.8 - 0.7) / (0.9 - 0.7);  // the place is at cosine 0.8 from the spot's direction
+  const dvec3 irradiance(20 / 5.0 * (2 / std::sqrt(5.0)), 300 / 16.0 * spot * spot, 5 * 0.8);
+  const dvec3 expected = double{kAlbedo} / std::numbers::pi * irradiance;
+  render::RenderSettings settings = withoutRoulette(16, 4096);
+  settings.image.maxDepth = 2;
+  for (const bool nextEventEstimation : {true, false}) {  // no ray finds these lights, so that they are always sampled
+    settings.image.nextEventEstimation = nextEventEstimation;
+    const dvec3 shown = test::meanOf(renderScene(punctualLightsOverFloor(), settings).film);
+    for (int channel = 0; channel < 3; ++channel) {
+      CAPTURE(channel, nextEventEstimation);
       CHECK(shown[channel] == Approx(expected[channel]).epsilon(2e-3));
     }
   }

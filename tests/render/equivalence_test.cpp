@@ -1,6 +1,7 @@
 // Device and reference draw the same numbers, so they give the same picture, sample by sample.
 #include <catch2/catch.hpp>
 
+#include "host/formats/load_scene.h"
 #include "host/verify/agreement.h"
 #include "tests/render/render_support.h"
 
@@ -29,14 +30,14 @@ void requireSamePixels(const scene::Scene& scene, render::RenderSettings setting
 
 void requireSameScenes(std::uint32_t side, bool nextEventEstimation) {
   for (const auto& file : sceneFiles()) {
-    const scene::Scene scene = scene::loadScene(file).scene;
+    const scene::Scene scene = formats::loadScene(file).scene;
     requireSamePixels(scene, settingsFor(scene, side, nextEventEstimation));
   }
 }
 
 void requireSameMeans(std::uint32_t side, std::uint32_t samples) {
   for (const auto& file : sceneFiles()) {
-    const scene::Scene scene = scene::loadScene(file).scene;
+    const scene::Scene scene = formats::loadScene(file).scene;
     for (const bool nextEventEstimation : {true, false}) {
       render::RenderSettings settings = settingsFor(scene, side, nextEventEstimation);
       settings.image.sampleCount = samples;

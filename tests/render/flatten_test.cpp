@@ -6,7 +6,7 @@
 #include "host/accel/grid.h"
 #include "host/accel/primitive_bounds.h"
 #include "host/flatten/flat_scene.h"
-#include "host/scene/load.h"
+#include "host/formats/load_scene.h"
 #include "shaders/shared/scene_rows.h"
 
 using namespace candela;
@@ -14,7 +14,7 @@ using namespace candela;
 namespace {
 
 scene::Scene loadFixture(const char* name) {
-  return scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / name).scene;
+  return formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / name).scene;
 }
 
 render::RenderSettings smallSettings() {

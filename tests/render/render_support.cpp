@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "host/formats/load_scene.h"
 #include "tests/vulkan_support/test_device.h"
 
 namespace candela::device {
@@ -24,7 +25,7 @@ std::vector<std::filesystem::path> sceneFiles() {
   return files;
 }
 
-scene::Scene loadTestScene(const std::string& fileName) { return scene::loadScene(kScenes / fileName).scene; }
+scene::Scene loadTestScene(const std::string& fileName) { return formats::loadScene(kScenes / fileName).scene; }
 
 scene::Scene primitivesUnderLights() {
   scene::Scene scene = loadTestScene("primitives.p3f");
@@ -35,7 +36,7 @@ scene::Scene primitivesUnderLights() {
   return scene;
 }
 
-scene::Scene loadSpdScene(const std::string& fileName) { return scene::loadScene(kSpd / fileName).scene; }
+scene::Scene loadSpdScene(const std::string& fileName) { return formats::loadScene(kSpd / fileName).scene; }
 
 scene::Scene sceneFromText(const std::string& text) { return scene::parseScene(text, "test.p3f", kScenes).scene; }
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/flatten/flat_scene.h"
-#include "host/scene/load.h"
+#include "host/formats/load_scene.h"
 #include "shaders/shared/scene_rows.h"
 
 namespace candela::device {
@@ -55,7 +55,7 @@ TEST_CASE("lavapipe traces larger scenes as a linear list than other devices, an
 }
 
 TEST_CASE("a small scene has its records in the uniform buffer too, unless a structure is requested") {
-  const scene::Scene scene = scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f")
+  const scene::Scene scene = formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes" / "cornell.p3f")
                                  .scene;
   const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,
                                       .smallScene = {.maxCost = 128, .rowsAhead = false}};

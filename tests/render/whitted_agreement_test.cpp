@@ -1,6 +1,7 @@
 // Whitted's tracer on the device against the reference's: pixels, primitives and numbers of rays.
 #include <catch2/catch.hpp>
 
+#include "host/formats/load_scene.h"
 #include "host/verify/agreement.h"
 #include "tests/render/render_support.h"
 
@@ -48,7 +49,7 @@ void requireAgreement(const scene::Scene& scene, const render::RenderSettings& s
 constexpr double kFlat = 0.999, kCurvedMirrors = 0.9;
 
 scene::Scene loadDatabase(const char* file) {
-  return scene::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd" / file).scene;
+  return formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "tests/scene/spd" / file).scene;
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ TEST_CASE("images of the other scenes and databases agree with the reference", "
   }
   for (const auto& file : sceneFiles()) {
     render::RenderSettings settings = whittedSettings(256);
-    const scene::Scene scene = scene::loadScene(file).scene;
+    const scene::Scene scene = formats::loadScene(file).scene;
     settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
     requireAgreement(scene, settings, kFlat);
   }

@@ -1,6 +1,7 @@
 // The choice of a loader: by content, then by extension, else an error that names the formats.
 #include "host/scene/loader.h"
 
+#include "host/formats/load_scene.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 
@@ -23,7 +24,7 @@ Diagnostic errorOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);
   try {
-    loadScene(folder / name);
+    formats::loadScene(folder / name);
   } catch (const SceneError& error) {
     REQUIRE(error.diagnostics.size() == 1);
     return error.diagnostics.front();
@@ -35,7 +36,7 @@ Diagnostic errorOfFile(const std::string& name, const std::string& text) {
 Scene sceneOfFile(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   writeText(folder / name, text);
-  return loadScene(folder / name).scene;
+  return formats::loadScene(folder / name).scene;
 }
 
 }  // namespace
@@ -71,11 +72,11 @@ TEST_CASE("NFF is recognised under any name, and read by its extension if it is 
 }
 
 TEST_CASE("a file that is no scene is refused as a whole") {
-  for (const char* text : {"", "solid cube\n", "\x89PNG\r\n", "{\"asset\": {}}"}) {
+  for (const char* text : {"", "solid cube\n", "\x89PNG\r\n", "[\"asset\"]"}) {
     CAPTURE(text);
     const Diagnostic error = errorOfFile("scene.stl", text);
     CHECK(contains(error.message, "unknown scene format"));
-    CHECK(contains(error.message, "NFF or P3F (.nff, .p3f)"));
+    CHECK(contains(error.message, "glTF 2.0 (.gltf, .glb), NFF or P3F (.nff, .p3f)"));
     CHECK(contains(error.file, "scene.stl"));
     CHECK(error.line == 0);
   }

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "host/formats/load_scene.h"
 #include "tests/scene/scene_text.h"
 
 namespace candela::scene {
@@ -237,8 +238,9 @@ TEST_CASE("what() of a scene error contains every line") {
 }
 
 TEST_CASE("a missing file is an error that names it") {
-  CHECK_THROWS_WITH(loadScene("/nonexistent/scene.p3f"), Catch::Contains("/nonexistent/scene.p3f: cannot open"));
-  CHECK_THROWS_AS(loadScene("/"), FileError);
+  CHECK_THROWS_WITH(formats::loadScene("/nonexistent/scene.p3f"),
+                    Catch::Contains("/nonexistent/scene.p3f: cannot open"));
+  CHECK_THROWS_AS(formats::loadScene("/"), FileError);
 }
 
 }  // namespace candela::scene

@@ -3,13 +3,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/formats/load_scene.h"
 #include "tests/scene/scene_text.h"
 #include "tests/scene/triangles.h"
 
 namespace candela::scene {
 namespace {
 
-LoadedScene loadFile(const std::string& path) { return loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / path); }
+LoadedScene loadFile(const std::string& path) {
+  return formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / path);
+}
 
 LoadedScene loadSpd(const std::string& name) { return loadFile("tests/scene/spd/" + name + ".nff"); }
 
@@ -20,7 +23,7 @@ TEST_CASE("all scenes of the project load strictly, with a view and without warn
   REQUIRE(files.size() >= 11);
   for (const auto& file : files) {
     CAPTURE(file);
-    const LoadedScene loaded = loadScene(file);
+    const LoadedScene loaded = formats::loadScene(file);
     for (const Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
     CHECK(loaded.warnings.empty());
     CHECK(loaded.scene.camera);

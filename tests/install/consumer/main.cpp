@@ -5,14 +5,14 @@
 #include <string>
 
 #include "host/device/gpu_renderer.h"
+#include "host/formats/load_scene.h"
 #include "host/image/image.h"
 #include "host/reference/reference_renderer.h"
-#include "host/scene/load.h"
 
 int main(int argc, char** argv) try {
   if (argc != 4) return 1;
   const std::string device = argv[2];
-  const candela::scene::Scene scene = candela::scene::loadScene(argv[1]).scene;
+  const candela::scene::Scene scene = candela::formats::loadScene(argv[1]).scene;
   const std::unique_ptr<candela::render::Renderer> renderer = device == "cpu"
                                                                   ? candela::reference::makeReferenceRenderer()
                                                                   : candela::device::makeGpuRenderer(device);

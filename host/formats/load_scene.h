@@ -1,0 +1,19 @@
+// Reads scene files of every format that there is, each by its loader (host/scene/loader.h).
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "host/scene/load.h"
+#include "host/scene/loader.h"
+
+namespace candela::formats {
+
+/// All loaders of the program. Formats that begin with a signature stand before those of plain text.
+std::span<const scene::Loader> allLoaders();
+
+/// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that
+/// was found, and FileError if the file cannot be read or is larger than 1 GiB. A file without a view loads:
+/// Scene::camera is then empty, and the caller decides (scene::requireCamera).
+scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options = {});
+
+}  // namespace candela::formats

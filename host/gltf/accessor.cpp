@@ -1,0 +1,105 @@
+// Reads accessors.
+#include "host/gltf/accessor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::gltf {
+namespace {
+
+void requireFinite(const Value& accessor, const ElementType& type, std::span<const float> values) {
+  const auto bad = std::ranges::find_if_not(values, [](float value) { return std::isfinite(value); });
+  if (bad == values.end()) return;
+  const auto position = static_cast<std::size_t>(bad - values.begin());
+  accessor.fail(fmt::format("element {} is not finite", position / type.components));
+}
+
+void requireWhole(const Value& reference, const ElementType& type) {
+  if (!type.isUnsigned() || type.normalised) reference.fail("the accessor's elements are not unsigned integers");
+}
+
+}  // namespace
+
+Value Accessors::accessorOf(const Value& reference) const {
+  const std::size_t index = reference.indexInto("accessors", root_.sizeOf("accessors"));
+  return root_.require("accessors")[index];
+}
+
+ElementType Accessors::type(const Value& reference) const { return elementTypeOf(accessorOf(reference)); }
+
+Accessors::Elements Accessors::elementsOf(const Value& reference, std::size_t components) {
+  const Value accessor = accessorOf(reference);
+  const ElementType type = elementTypeOf(accessor);
+  if (type.components != components) {
+    reference.fail(
+        fmt::format("the accessor's elements have {} components instead of {}", type.components, components));
+  }
+  if (!accessor.find("bufferView")) return {accessor, type, {}, 0};
+  return inView(accessor, type);
+}
+
+/// `place` has bufferView and byteOffset. Counts are below 2^32, strides at most 256 and offsets at most 2^53, so that
+/// nothing overflows.
+Accessors::Elements Accessors::inView(const Value& place, const ElementType& type) {
+  const BufferView view = buffers_.view(place.require("bufferView"));
+  const std::size_t size = type.components * sizeOf(type.component);
+  const std::size_t stride = view.stride.value_or(size);
+  if (stride < size)
+    place.fail(fmt::format("elements of {} bytes overlap, since they are {} bytes apart", size, stride));
+  const std::uint64_t offset = place.wholeOr("byteOffset", 0);
+  const std::uint64_t end = offset + std::uint64_t{type.count - 1} * stride + size;
+  if (end > view.bytes.size()) {
+    place.fail(
+        fmt::format("{} elements end at byte {} of a buffer view of {} bytes", type.count, end, view.bytes.size()));
+  }
+  return {place, type, view.bytes.subspan(static_cast<std::size_t>(offset)), stride};
+}
+
+template <class Out>
+void Accessors::applySparse(const Value& accessor, const ElementType& type, std::span<Out> result) {
+  const std::optional<Value> sparse = accessor.find("sparse");
+  if (!sparse) return;
+  const std::uint64_t count = sparse->require("count").whole();
+  if (count == 0 || count > type.count) {
+    sparse->require("count").fail(fmt::format("{} of {} elements are replaced", count, type.count));
+  }
+  const Value indexPlace = sparse->require("indices");
+  const ElementType indexType{static_cast<std::size_t>(count), componentOf(indexPlace.require("componentType")), 1,
+                              false};
+  requireWhole(indexPlace, indexType);
+  ElementType valueType = type;
+  valueType.count = indexType.count;
+  const Elements indices = inView(indexPlace, indexType);
+  const Elements values = inView(sparse->require("values"), valueType);
+  std::vector<std::uint32_t> targets(indexType.count);
+  copyElements<std::uint32_t>(indexType, indices.bytes, indices.stride, targets);
+  std::vector<Out> replacements(indexType.count * type.components);
+  copyElements<Out>(valueType, values.bytes, values.stride, replacements);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (targets[i] >= type.count || (i > 0 && targets[i] <= targets[i - 1])) {
+      indexPlace.fail(fmt::format("index {} of element {} is not below {}, or not above the one before", targets[i], i,
+                                  type.count));
+    }
+    std::copy_n(replacements.begin() + static_cast<std::ptrdiff_t>(i * type.components), type.components,
+                result.begin() + static_cast<std::ptrdiff_t>(targets[i] * type.components));
+  }
+}
+
+void Accessors::readReals(const Elements& elements, std::span<float> result) {
+  if (!elements.bytes.empty()) copyElements(elements.type, elements.bytes, elements.stride, result);
+  applySparse(elements.place, elements.type, result);
+  requireFinite(elements.place, elements.type, result);
+}
+
+std::vector<std::uint32_t> Accessors::readWhole(const Value& reference, std::size_t components) {
+  requireWhole(reference, type(reference));
+  const Elements elements = elementsOf(reference, components);
+  std::vector<std::uint32_t> result(elements.type.count * components);
+  if (!elements.bytes.empty()) copyElements<std::uint32_t>(elements.type, elements.bytes, elements.stride, result);
+  applySparse<std::uint32_t>(elements.place, elements.type, result);
+  return result;
+}
+
+}  // namespace candela::gltf

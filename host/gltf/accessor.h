@@ -1,0 +1,57 @@
+// Accessors: typed elements in buffer views (glTF 2.0 specification, section 3.6.2).
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "host/gltf/element.h"
+
+namespace candela::gltf {
+
+/// Every offset, stride and count is checked before a byte is read. All functions take the reference to an accessor,
+/// such as `indices`, and throw PlaceError at the accessor's own place if it is wrong, or at the reference if the
+/// accessor is not of the type that is needed there.
+class Accessors {
+ public:
+  /// Both must outlive this object.
+  Accessors(const Value& root, Buffers& buffers) : root_(root), buffers_(buffers) {}
+
+  /// Without reading elements.
+  ElementType type(const Value& reference) const;
+
+  /// Elements with as many components as Vector has, or floats for SCALAR. Integers are converted to the values that
+  /// they stand for if they are normalised (-1 to 1 or 0 to 1), otherwise as they are. All results are finite.
+  template <class Vector>
+  std::vector<Vector> read(const Value& reference);
+  /// SCALAR or vectors of unsigned integers that are not normalised, all components one after the other.
+  std::vector<std::uint32_t> readWhole(const Value& reference, std::size_t components);
+
+ private:
+  struct Elements {
+    Value place;
+    ElementType type;
+    Bytes bytes;  ///< from the first element on; empty: all elements are 0
+    std::size_t stride;
+  };
+  Value accessorOf(const Value& reference) const;
+  Elements elementsOf(const Value& reference, std::size_t components);
+  Elements inView(const Value& place, const ElementType& type);
+  void readReals(const Elements& elements, std::span<float> result);
+  template <class Out>
+  void applySparse(const Value& accessor, const ElementType& type, std::span<Out> result);
+
+  Value root_;
+  Buffers& buffers_;
+};
+
+template <class Vector>
+std::vector<Vector> Accessors::read(const Value& reference) {
+  constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
+  const Elements elements = elementsOf(reference, kComponents);
+  std::vector<Vector> result(elements.type.count);
+  readReals(elements, {reinterpret_cast<float*>(result.data()), result.size() * kComponents});
+  return result;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,28 @@
+// The first animation at a point in time.
+#pragma once
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "host/gltf/accessor.h"
+
+namespace candela::gltf {
+
+/// What an animation sets of a node; the rest stays as the node has it.
+struct NodePose {
+  std::optional<glm::dvec3> translation;
+  std::optional<glm::dquat> rotation;
+  std::optional<glm::dvec3> scale;
+  std::vector<double> weights;  ///< of morph targets; empty: not set
+};
+
+/// By node index.
+using Pose = std::map<std::size_t, NodePose>;
+
+/// Evaluates every channel of animation 0 at `seconds`; before the first and after the last key frame, that frame
+/// holds. Empty if there is no animation. Throws PlaceError.
+Pose poseAt(const Value& root, double seconds, Accessors& accessors);
+
+}  // namespace candela::gltf

@@ -1,0 +1,33 @@
+// The view of a glTF file: one of its cameras, or a view that frames everything.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "host/gltf/nodes.h"
+#include "host/scene/scene.h"
+
+namespace candela::gltf {
+
+struct Box {
+  glm::dvec3 min;
+  glm::dvec3 max;
+};
+
+struct View {
+  scene::Camera camera;
+  std::string description;  ///< for reports
+};
+
+/// The camera that `wish` names (LoadOptions::camera); without a wish the first one that a visible node has. A view
+/// that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
+/// `bounds`. Throws PlaceError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
+View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
+                const std::optional<Box>& bounds);
+
+/// The camera's own view, from a perspective camera at a node.
+scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
+
+/// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with 5 % to spare.
+scene::Camera framingCamera(const std::optional<Box>& bounds);
+
+}  // namespace candela::gltf

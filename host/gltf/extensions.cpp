@@ -1,0 +1,80 @@
+// Checks version and extensions.
+#include "host/gltf/extensions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/gltf/draco.h"
+#include "host/gltf/meshopt.h"
+#include "host/scene/quote.h"
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::array kComplete{"EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_materials_emissive_strength",
+                               "KHR_mesh_quantization"};
+constexpr std::array kPartly{"EXT_texture_webp",         "KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                             "KHR_materials_dispersion", "KHR_materials_ior",        "KHR_materials_iridescence",
+                             "KHR_materials_sheen",      "KHR_materials_specular",   "KHR_materials_transmission",
+                             "KHR_materials_unlit",      "KHR_materials_variants",   "KHR_materials_volume",
+                             "KHR_texture_transform"};
+
+void checkVersion(const Value& root) {
+  const Value version = root.require("asset").require("version");
+  if (!version.text().starts_with("2.")) {
+    version.fail(fmt::format("glTF {}; only version 2 is read", scene::quote(version.text())));
+  }
+  const std::optional<Value> least = root.require("asset").find("minVersion");
+  if (least && least->text() != "2.0") {
+    least->fail(fmt::format("the file needs glTF {}; only 2.0 is read", scene::quote(least->text())));
+  }
+}
+
+std::string reasonFor(std::string_view extension) {
+  if (extension == "KHR_draco_mesh_compression") return "this program was built without Draco";
+  if (extension == "EXT_meshopt_compression") return "this program was built without meshoptimizer";
+  return "it is not supported";
+}
+
+void checkRequired(const Value& root) {
+  const std::optional<Value> required = root.find("extensionsRequired");
+  for (std::size_t i = 0; required && i < required->size(); ++i) {
+    const Value name = (*required)[i];
+    if (supportOf(name.text()) != Support::none) continue;
+    name.fail(fmt::format("the file requires the extension {}; {}", scene::quote(name.text()), reasonFor(name.text())));
+  }
+}
+
+}  // namespace
+
+Support supportOf(std::string_view extension) {
+  if (extension == "KHR_draco_mesh_compression") return canDecodeDraco() ? Support::complete : Support::none;
+  if (extension == "EXT_meshopt_compression") return canDecodeMeshopt() ? Support::complete : Support::none;
+  if (std::ranges::count(kComplete, extension) > 0) return Support::complete;
+  return std::ranges::count(kPartly, extension) > 0 ? Support::partly : Support::none;
+}
+
+UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log) {
+  checkVersion(root);
+  checkRequired(root);
+  UsedExtensions used;
+  const std::optional<Value> list = root.find("extensionsUsed");
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const std::string name = (*list)[i].text();
+    const std::string quoted = scene::quote(name);
+    const std::string shown = quoted.substr(1, quoted.size() - 2);
+    used.all.push_back(shown);
+    if (supportOf(name) == Support::partly) used.partly.push_back(shown);
+    if (supportOf(name) == Support::none) used.unsupported.push_back(shown);
+  }
+  if (!used.unsupported.empty()) {
+    log.warn("extension", {},
+             fmt::format("extensions that are not supported are ignored: {}", fmt::join(used.unsupported, ", ")));
+  }
+  return used;
+}
+
+}  // namespace candela::gltf

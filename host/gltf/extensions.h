@@ -1,0 +1,29 @@
+// The extensions that are known, and how far.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/gltf/value.h"
+#include "host/scene/diagnostic_log.h"
+
+namespace candela::gltf {
+
+/// Complete, or `partly`: files load, and what is not rendered yet is a warning.
+enum class Support : std::uint8_t { none, partly, complete };
+
+/// As docs/gltf.md lists them; decoders that this program was built without are `none`.
+Support supportOf(std::string_view extension);
+
+/// The extensions in `extensionsUsed`, with what is not supported also by itself.
+struct UsedExtensions {
+  std::vector<std::string> all;
+  std::vector<std::string> partly;
+  std::vector<std::string> unsupported;
+};
+
+/// Throws PlaceError unless asset.version is 2.x and every required extension is known. Warns of optional ones that are
+/// not.
+UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log);
+
+}  // namespace candela::gltf

@@ -1,0 +1,106 @@
+// Reads primitives and their morph targets.
+#include "host/gltf/geometry.h"
+
+#include <fmt/format.h>
+
+namespace candela::gltf {
+namespace {
+
+std::vector<glm::vec4> readColours(const VertexSource& source, std::size_t count) {
+  const std::optional<Value> reference = source.attribute("COLOR_0");
+  if (!reference) return {};
+  if (source.components(*reference, "COLOR_0") == 4) return source.read<glm::vec4>("COLOR_0", count);
+  const std::vector<glm::vec3> opaque = source.read<glm::vec3>("COLOR_0", count);
+  std::vector<glm::vec4> colours;
+  for (const glm::vec3& colour : opaque) colours.emplace_back(colour, 1.0f);
+  return colours;
+}
+
+Influences readInfluences(const VertexSource& source, std::size_t count) {
+  Influences influences;
+  for (int set = 0;; ++set) {
+    const std::string joints = fmt::format("JOINTS_{}", set);
+    const std::string weights = fmt::format("WEIGHTS_{}", set);
+    if (!source.attribute(joints) || !source.attribute(weights)) return influences;
+    influences.joints.push_back(source.readWhole(joints, count));
+    influences.weights.push_back(source.read<glm::vec4>(weights, count));
+  }
+}
+
+/// Without normals, tangents are ignored: section 3.7.2.1 of the specification.
+void readAttributes(const VertexSource& source, scene::Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  if (source.attribute("NORMAL")) mesh.normals = source.read<glm::vec3>("NORMAL", count);
+  if (!mesh.normals.empty() && source.attribute("TANGENT")) mesh.tangents = source.read<glm::vec4>("TANGENT", count);
+  for (std::size_t set = 0; set < mesh.texCoords.size(); ++set) {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    if (source.attribute(name)) mesh.texCoords[set] = source.read<glm::vec2>(name, count);
+  }
+  mesh.colours = readColours(source, count);
+}
+
+/// Adds `weight` times a target's displacements to an attribute, of which it may move the first three components.
+template <class Vector>
+void addTarget(const Value& target, const char* name, float weight, Accessors& accessors, std::vector<Vector>& values) {
+  const std::optional<Value> reference = target.find(name);
+  if (!reference || values.empty()) return;
+  const std::vector<glm::vec3> moves = accessors.read<glm::vec3>(*reference);
+  requireCount(*reference, moves.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (glm::length_t c = 0; c < 3; ++c) values[i][c] += weight * moves[i][c];
+  }
+}
+
+void addTargets(const Value& primitive, std::span<const double> weights, Accessors& accessors, scene::Mesh& mesh) {
+  const std::optional<Value> targets = primitive.find("targets");
+  if (!targets) return;
+  for (std::size_t i = 0; i < targets->size() && i < weights.size(); ++i) {
+    const auto weight = static_cast<float>(weights[i]);
+    if (weight == 0) continue;
+    addTarget((*targets)[i], "POSITION", weight, accessors, mesh.positions);
+    addTarget((*targets)[i], "NORMAL", weight, accessors, mesh.normals);
+    addTarget((*targets)[i], "TANGENT", weight, accessors, mesh.tangents);
+  }
+}
+
+}  // namespace
+
+Topology topologyOf(const Value& primitive) {
+  const std::uint64_t mode = primitive.wholeOr("mode", 4);
+  if (mode > 6) primitive.require("mode").fail(fmt::format("{} is no mode (0 to 6)", mode));
+  if (mode < 4) return Topology::pointsOrLines;
+  if (mode == 4) return Topology::triangles;
+  return mode == 5 ? Topology::strip : Topology::fan;
+}
+
+std::vector<std::uint32_t> toTriangles(Topology topology, std::vector<std::uint32_t> indices) {
+  if (topology == Topology::triangles) {
+    indices.resize(indices.size() / 3 * 3);
+    return indices;
+  }
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+    if (topology == Topology::strip) {
+      triangles.insert(triangles.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+    } else {
+      triangles.insert(triangles.end(), {indices[i + 1], indices[i + 2], indices[0]});
+    }
+  }
+  return triangles;
+}
+
+std::optional<Geometry> readGeometry(const Value& primitive, std::span<const double> morphWeights, Accessors& accessors,
+                                     Buffers& buffers) {
+  const VertexSource source(primitive, accessors, buffers);
+  if (!source.attribute("POSITION")) return std::nullopt;
+  Geometry geometry;
+  scene::Mesh& mesh = geometry.mesh;
+  mesh.positions = source.read<glm::vec3>("POSITION", 0);
+  readAttributes(source, mesh);
+  geometry.influences = readInfluences(source, mesh.positions.size());
+  addTargets(primitive, morphWeights, accessors, mesh);
+  mesh.indices = toTriangles(topologyOf(primitive), source.readIndices(mesh.positions.size()));
+  return geometry;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,36 @@
+// The triangles of a primitive, in the coordinates of its mesh.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/gltf/vertex_source.h"
+#include "host/scene/mesh.h"
+
+namespace candela::gltf {
+
+/// The joints that move a vertex, and their weights: four for each set JOINTS_n and WEIGHTS_n.
+struct Influences {
+  std::vector<std::vector<glm::uvec4>> joints;  ///< by set, then by vertex
+  std::vector<std::vector<glm::vec4>> weights;  ///< sums are as the file has them
+};
+
+struct Geometry {
+  scene::Mesh mesh;  ///< its normals may have any length, 0 included
+  Influences influences;
+};
+
+/// glTF's `mode`: triangles 4, strips 5, fans 6; 0 to 3 are points and lines.
+enum class Topology : std::uint8_t { pointsOrLines, triangles, strip, fan };
+Topology topologyOf(const Value& primitive);
+
+/// Reads a primitive of triangles, with its morph targets added by their weights (missing weights are 0). Nothing if it
+/// has no positions. Throws PlaceError.
+std::optional<Geometry> readGeometry(const Value& primitive, std::span<const double> morphWeights, Accessors& accessors,
+                                     Buffers& buffers);
+
+/// Three vertices for each triangle of a strip or fan, in the order of the specification (section 3.7.2.1). A rest of
+/// fewer than three vertices is left out.
+std::vector<std::uint32_t> toTriangles(Topology topology, std::vector<std::uint32_t> indices);
+
+}  // namespace candela::gltf

@@ -1,0 +1,103 @@
+// The loader of glTF: container, checks, nodes, view, default light.
+#include "host/gltf/gltf_loader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/gltf/extensions.h"
+#include "host/gltf/scene_assembly.h"
+#include "host/scene/hash.h"
+#include "host/scene/scene_checks.h"
+
+namespace candela::gltf {
+namespace {
+
+std::uint64_t hashText(std::string_view text, std::uint64_t hash) {
+  return scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, hash);
+}
+
+/// Of everything that decides the scene: the file, its buffers, and the options.
+std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers) {
+  std::uint64_t hash = buffers.hashFiles(hashText(file.bytes, scene::fnv1a({})));
+  if (options.camera) hash = hashText("camera " + *options.camera, hash);
+  if (options.time) hash = hashText(fmt::format("time {}", *options.time), hash);
+  return hash;
+}
+
+/// Half the diagonal of the scene, in its own units.
+void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
+  if (!bounds) return;
+  const auto reach = static_cast<float>(glm::length(bounds->max - bounds->min) / 2);
+  for (scene::PunctualLight& light : scene.punctualLights) light.reach = reach;
+}
+
+/// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
+/// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
+std::string lightUp(scene::Scene& scene) {
+  if (hasLight(scene)) return "as in the file";
+  constexpr float kBackground = 0.25f;
+  constexpr float kIrradiance = 2.25f;
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  scene.background = glm::vec3(kBackground);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.direction = glm::vec3(glm::normalize(2.0 * forward + right - up));
+  light.intensity = glm::vec3(kIrradiance);
+  scene.punctualLights.push_back(light);
+  return fmt::format("none in the file: a background of {} and a directional light of {} from the camera's upper left",
+                     kBackground, kIrradiance);
+}
+
+scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, const std::string& light) {
+  const auto listOf = [](const std::vector<std::string>& names) {
+    return names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", "));
+  };
+  scene::FileFacts facts{{"view", view}, {"light", light}, {"extensions", listOf(used.all)}};
+  if (!used.partly.empty()) facts.emplace_back("partly", listOf(used.partly));
+  if (!used.unsupported.empty()) facts.emplace_back("unsupported", listOf(used.unsupported));
+  return facts;
+}
+
+scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptions& options,
+                            scene::DiagnosticLog& log) {
+  const Container container = readContainer(file);
+  const Value root(container.json, "");
+  const UsedExtensions used = checkAsset(root, log);
+  Buffers buffers(root, container.binary, file, options);
+  Accessors accessors(root, buffers);
+  const Pose pose = options.time ? poseAt(root, *options.time, accessors) : Pose{};
+  const NodeTree nodes(root, pose);
+  SceneAssembly assembly(root, nodes, pose, accessors, buffers, log);
+  assembly.addMaterials();
+  assembly.addNodes();
+  log.throwIfErrors();
+  assembly.reportOmissions();
+  scene::Scene& scene = assembly.scene();
+  const View view = chooseView(root, nodes, options.camera, assembly.bounds());
+  scene.camera = view.camera;
+  const std::string light = lightUp(scene);
+  setReach(assembly.bounds(), scene);
+  checkScene(scene, log);
+  scene.name = std::filesystem::path(file.name).filename().string();
+  scene.hash = hashOf(file, options, buffers);
+  return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light)};
+}
+
+}  // namespace
+
+scene::Loader gltfLoader() { return {"glTF 2.0", {".gltf", ".glb"}, looksLikeGltf, loadGltf}; }
+
+scene::LoadedScene loadGltf(const scene::SceneFile& file, const scene::LoadOptions& options) {
+  scene::DiagnosticLog log(file.name);
+  try {
+    return assemble(file, options, log);
+  } catch (const scene::SceneError&) {
+    throw;
+  } catch (const FileError& error) {
+    throw scene::SceneError({{file.name, 0, 0, error.what()}});
+  }
+}
+
+}  // namespace candela::gltf

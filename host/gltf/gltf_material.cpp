@@ -1,0 +1,113 @@
+// Reads materials.
+#include "host/gltf/gltf_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/scene/quote.h"
+
+namespace candela::gltf {
+namespace {
+
+/// Extensions whose values GltfMaterial has, all of them or some.
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior"};
+
+double fraction(const Value& object, const char* key, double absent) {
+  const double value = object.numberOr(key, absent);
+  if (value < 0 || value > 1) object.require(key).fail(fmt::format("{} is outside 0 to 1", value));
+  return value;
+}
+
+template <class Vector>
+Vector fractions(const Value& object, const char* key, const Vector& absent) {
+  const Vector value = object.vectorOr(key, absent);
+  for (glm::length_t c = 0; c < Vector::length(); ++c) {
+    if (value[c] < 0 || value[c] > 1) object.require(key).fail(fmt::format("{} is outside 0 to 1", value[c]));
+  }
+  return value;
+}
+
+double atLeastZero(const Value& object, const char* key, double absent) {
+  const double value = object.numberOr(key, absent);
+  if (value < 0) object.require(key).fail(fmt::format("{} is negative", value));
+  return value;
+}
+
+AlphaMode alphaModeOf(const Value& material) {
+  const std::string mode = material.textOr("alphaMode", "OPAQUE");
+  if (mode == "OPAQUE") return AlphaMode::opaque;
+  if (mode == "MASK") return AlphaMode::mask;
+  if (mode != "BLEND") material.require("alphaMode").fail(scene::quote(mode) + " is not OPAQUE, MASK or BLEND");
+  return AlphaMode::blend;
+}
+
+void noteTexture(const Value& object, const char* key, const char* name, GltfMaterial& result) {
+  if (object.find(key)) result.unread.insert(name);
+}
+
+void readMetallicRoughness(const Value& pbr, GltfMaterial& result) {
+  result.baseColour = fractions(pbr, "baseColorFactor", glm::vec4(1));
+  result.metallic = fraction(pbr, "metallicFactor", 1);
+  result.roughness = fraction(pbr, "roughnessFactor", 1);
+  noteTexture(pbr, "baseColorTexture", "base colour texture", result);
+  noteTexture(pbr, "metallicRoughnessTexture", "metallic-roughness texture", result);
+}
+
+void readEmission(const Value& material, GltfMaterial& result) {
+  result.emission = fractions(material, "emissiveFactor", glm::vec3(0));
+  if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
+    result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
+  }
+  result.hasEmissiveTexture = material.find("emissiveTexture").has_value();
+  if (result.hasEmissiveTexture && result.emission != glm::vec3(0)) result.unread.insert("emissive texture");
+}
+
+void readTransmission(const Value& material, GltfMaterial& result) {
+  if (const std::optional<Value> ior = material.extension("KHR_materials_ior")) {
+    result.ior = ior->numberOr("ior", 1.5);
+    if (result.ior != 0 && result.ior < 1)
+      ior->require("ior").fail("the index of refraction is neither 0 nor at least 1");
+  }
+  const std::optional<Value> transmission = material.extension("KHR_materials_transmission");
+  if (!transmission) return;
+  result.transmission = fraction(*transmission, "transmissionFactor", 0);
+  noteTexture(*transmission, "transmissionTexture", "transmission texture", result);
+  if (result.roughness > 0) result.unread.insert("rough transmission");
+  const std::optional<Value> volume = material.extension("KHR_materials_volume");
+  if (!volume) return;
+  result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
+  if (volume->find("attenuationDistance")) result.unread.insert("attenuation in volumes");
+}
+
+std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
+
+void noteExtensions(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> extensions = material.find("extensions");
+  if (!extensions || !extensions->json().is_object()) return;
+  for (const auto& [name, value] : extensions->json().items()) {
+    const bool isTransmission = name == "KHR_materials_transmission" || name == "KHR_materials_volume";
+    if (!isTransmission && std::ranges::count(kRead, name) == 0)
+      result.unread.insert(withoutQuotes(scene::quote(name)));
+  }
+}
+
+}  // namespace
+
+GltfMaterial readMaterial(const Value& material) {
+  GltfMaterial result;
+  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness")) readMetallicRoughness(*pbr, result);
+  readEmission(material, result);
+  readTransmission(material, result);
+  result.alphaMode = alphaModeOf(material);
+  if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));
+  result.isDoubleSided = material.booleanOr("doubleSided", false);
+  result.isUnlit = material.extension("KHR_materials_unlit").has_value();
+  noteTexture(material, "normalTexture", "normal texture", result);
+  noteTexture(material, "occlusionTexture", "occlusion texture", result);
+  noteExtensions(material, result);
+  return result;
+}
+
+}  // namespace candela::gltf

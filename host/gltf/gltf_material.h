@@ -1,0 +1,32 @@
+// The materials of glTF, as the file states them.
+#pragma once
+#include <set>
+#include <string>
+
+#include "host/gltf/value.h"
+
+namespace candela::gltf {
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// The factors of a material, with the defaults of the specification (section 3.9 and its extensions).
+struct GltfMaterial {
+  glm::vec4 baseColour{1, 1, 1, 1};
+  double metallic = 1;
+  double roughness = 1;
+  glm::vec3 emission{0, 0, 0};  ///< emissiveFactor times KHR_materials_emissive_strength
+  bool hasEmissiveTexture = false;
+  AlphaMode alphaMode = AlphaMode::opaque;
+  bool isDoubleSided = false;
+  bool isUnlit = false;     ///< KHR_materials_unlit
+  double ior = 1.5;         ///< KHR_materials_ior; 0 or at least 1
+  double transmission = 0;  ///< KHR_materials_transmission
+  double thickness = 0;     ///< KHR_materials_volume; 0: a thin wall
+  /// What the material has and this structure lacks: "base colour texture", "KHR_materials_sheen".
+  std::set<std::string> unread;
+};
+
+/// Throws PlaceError where a factor is missing or out of range.
+GltfMaterial readMaterial(const Value& material);
+
+}  // namespace candela::gltf

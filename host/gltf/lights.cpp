@@ -1,0 +1,50 @@
+// Reads lights.
+#include "host/gltf/lights.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "host/scene/quote.h"
+
+namespace candela::gltf {
+namespace {
+
+using scene::PunctualLight;
+
+PunctualLight::Kind kindOf(const Value& type) {
+  if (type.text() == "point") return PunctualLight::Kind::point;
+  if (type.text() == "spot") return PunctualLight::Kind::spot;
+  if (type.text() != "directional") type.fail(scene::quote(type.text()) + " is not point, spot or directional");
+  return PunctualLight::Kind::directional;
+}
+
+void readCone(const Value& light, PunctualLight& result) {
+  const Value spot = light.require("spot");
+  const double inner = spot.numberOr("innerConeAngle", 0);
+  const double outer = spot.numberOr("outerConeAngle", std::numbers::pi / 4);
+  if (!(inner >= 0 && inner < outer && outer <= std::numbers::pi / 2)) {
+    spot.fail("the angles of the cones are not 0 <= inner < outer <= pi/2");
+  }
+  result.cosInner = static_cast<float>(std::cos(inner));
+  result.cosOuter = static_cast<float>(std::cos(outer));
+  if (result.cosInner <= result.cosOuter) result.cosOuter = std::nextafter(result.cosInner, -1.0f);
+}
+
+}  // namespace
+
+PunctualLight punctualLight(const Value& light, const glm::dmat4& world) {
+  PunctualLight result;
+  result.kind = kindOf(light.require("type"));
+  const auto colour = light.vectorOr("color", glm::dvec3(1));
+  const double intensity = light.numberOr("intensity", 1);
+  if (glm::any(glm::lessThan(colour, glm::dvec3(0))) || intensity < 0) light.fail("a colour or intensity is negative");
+  result.intensity = glm::vec3(intensity * colour);
+  result.position = glm::vec3(glm::dvec3(world[3]));
+  const glm::dvec3 axis(world[2]);
+  const double length = glm::length(axis);
+  if (length > 0 && std::isfinite(length)) result.direction = glm::vec3(-axis / length);
+  if (result.kind == PunctualLight::Kind::spot) readCone(light, result);
+  return result;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,12 @@
+// KHR_lights_punctual.
+#pragma once
+#include "host/gltf/value.h"
+#include "host/scene/scene.h"
+
+namespace candela::gltf {
+
+/// A light of the extension at a node. Candela and lux are taken as W/sr and W/m^2, without the factor 683; `range` is
+/// ignored. Throws PlaceError.
+scene::PunctualLight punctualLight(const Value& light, const glm::dmat4& world);
+
+}  // namespace candela::gltf

@@ -1,0 +1,83 @@
+// Maps materials to lobes.
+#include "host/gltf/material_mapping.h"
+
+#include <algorithm>
+
+namespace candela::gltf {
+namespace {
+
+constexpr double kMaxExponent = 32768;
+
+/// The reflectance at normal incidence; glTF's ior of 0 stands for a reflectance of 1.
+double normalReflectance(double ior) {
+  const double root = (ior - 1) / (ior + 1);
+  return root * root;
+}
+
+void addLobes(const GltfMaterial& source, scene::Material& material) {
+  const glm::vec3 base(source.baseColour);
+  const double metal = source.metallic;
+  const double opaque = (1 - metal) * (1 - source.transmission);
+  const double transmitted = (1 - metal) * source.transmission;
+  const double coat = opaque * normalReflectance(source.ior);
+  const double glossy = metal + coat;
+  if (metal == 1 && source.roughness == 0) {
+    material.mirror = scene::MirrorLobe{base};
+    return;
+  }
+  if (opaque > coat) material.diffuse = scene::DiffuseLobe{opaque - coat, base};
+  if (glossy > 0) {
+    const glm::dvec3 colour = (metal * glm::dvec3(base) + glm::dvec3(coat)) / glossy;
+    material.glossy = scene::GlossyLobe{glossy, glm::vec3(colour), static_cast<float>(exponentOf(source.roughness))};
+  }
+  if (transmitted > 0) {
+    const bool isThin = source.thickness == 0;
+    material.dielectric = scene::DielectricLobe{transmitted, base,
+                                                isThin || source.ior == 0 ? 1 : static_cast<float>(source.ior)};
+  }
+}
+
+scene::WhittedMaterial whittedOf(const scene::Material& material) {
+  scene::WhittedMaterial whitted;
+  if (material.diffuse) {
+    whitted.diffuse = material.diffuse->colour;
+    whitted.kd = static_cast<float>(material.diffuse->weight);
+  }
+  if (material.glossy) {
+    whitted.specular = material.glossy->colour;
+    whitted.ks = static_cast<float>(material.glossy->weight);
+    whitted.shine = material.glossy->exponent;
+  }
+  if (material.mirror) {
+    whitted.kind = scene::WhittedKind::mirror;
+    whitted.ks = 1;
+  }
+  if (material.dielectric) {
+    whitted.kind = scene::WhittedKind::glass;
+    whitted.ior = material.dielectric->ior;
+  }
+  return whitted;
+}
+
+}  // namespace
+
+double exponentOf(double roughness) {
+  const double alpha = roughness * roughness;
+  if (alpha == 0) return kMaxExponent;
+  return std::min(2 / (alpha * alpha) - 2, kMaxExponent);
+}
+
+scene::Material fromGltf(const GltfMaterial& source) {
+  scene::Material material;
+  if (source.isUnlit) {
+    material.emission = glm::vec3(source.baseColour);
+  } else {
+    addLobes(source, material);
+    if (!source.hasEmissiveTexture) material.emission = source.emission;
+  }
+  material.opaque = !source.isDoubleSided && !material.dielectric;
+  material.whitted = whittedOf(material);
+  return material;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,87 @@
+// Decodes buffer views by meshoptimizer. Whatever its functions only assert is checked here first.
+#include "host/gltf/meshopt.h"
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <string>
+
+#include "host/scene/quote.h"
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::uint64_t kMaxStride = 256;
+/// A compressed vertex block takes at least a byte for each byte of a vertex and 256 vertices; an index buffer takes at
+/// least a byte for each triangle. Larger counts are hostile.
+constexpr std::uint64_t kMaxRatio = 4096;
+
+struct Layout {
+  std::uint64_t count;
+  std::uint64_t stride;
+  std::string mode;
+  std::string filter;
+};
+
+void requireStride(const Value& extension, const Layout& layout) {
+  const bool isAttributes = layout.mode == "ATTRIBUTES";
+  const bool fits = isAttributes ? layout.stride % 4 == 0 && layout.stride > 0 && layout.stride <= kMaxStride
+                                 : layout.stride == 2 || layout.stride == 4;
+  const bool fitsFilter = layout.filter == "NONE" || layout.filter == "EXPONENTIAL" ||
+                          (layout.filter == "OCTAHEDRAL" && (layout.stride == 4 || layout.stride == 8)) ||
+                          (layout.filter == "QUATERNION" && layout.stride == 8);
+  if (!fits || !fitsFilter) {
+    extension.require("byteStride")
+        .fail(fmt::format("{} does not fit mode {} and filter {}", layout.stride, scene::quote(layout.mode),
+                          scene::quote(layout.filter)));
+  }
+  if (!isAttributes && layout.filter != "NONE") extension.require("filter").fail("only attributes have a filter");
+}
+
+Layout layoutOf(const Value& extension, std::size_t sourceSize) {
+  const Layout layout{extension.require("count").whole(), extension.require("byteStride").whole(),
+                      extension.require("mode").text(), extension.textOr("filter", "NONE")};
+  if (layout.mode != "ATTRIBUTES" && layout.mode != "TRIANGLES" && layout.mode != "INDICES") {
+    extension.require("mode").fail(scene::quote(layout.mode) + " is not ATTRIBUTES, TRIANGLES or INDICES");
+  }
+  requireStride(extension, layout);
+  if (layout.mode == "TRIANGLES" && layout.count % 3 != 0) {
+    extension.require("count").fail("triangles need a multiple of 3 indices");
+  }
+  if (layout.count > sourceSize * kMaxRatio) {
+    extension.require("count").fail(fmt::format("{} elements cannot be in {} bytes", layout.count, sourceSize));
+  }
+  return layout;
+}
+
+int decode(const Layout& layout, std::span<const std::byte> source, std::vector<std::byte>& result) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(source.data());
+  if (layout.mode == "ATTRIBUTES") {
+    return meshopt_decodeVertexBuffer(result.data(), layout.count, layout.stride, bytes, source.size());
+  }
+  if (layout.mode == "TRIANGLES") {
+    return meshopt_decodeIndexBuffer(result.data(), layout.count, layout.stride, bytes, source.size());
+  }
+  return meshopt_decodeIndexSequence(result.data(), layout.count, layout.stride, bytes, source.size());
+}
+
+void applyFilter(const Layout& layout, std::vector<std::byte>& result) {
+  if (layout.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(result.data(), layout.count, layout.stride);
+  if (layout.filter == "QUATERNION") meshopt_decodeFilterQuat(result.data(), layout.count, layout.stride);
+  if (layout.filter == "EXPONENTIAL") meshopt_decodeFilterExp(result.data(), layout.count, layout.stride);
+}
+
+}  // namespace
+
+bool canDecodeMeshopt() { return true; }
+
+std::vector<std::byte> decodeMeshopt(const Value& extension, std::span<const std::byte> source) {
+  const Layout layout = layoutOf(extension, source.size());
+  std::vector<std::byte> result(static_cast<std::size_t>(layout.count * layout.stride));
+  if (layout.count == 0) return result;
+  if (decode(layout, source, result) != 0) extension.fail("the compressed data is damaged");
+  applyFilter(layout, result);
+  return result;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,117 @@
+// Composes the transforms of nodes.
+#include "host/gltf/nodes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
+
+namespace candela::gltf {
+namespace {
+
+glm::dmat4 matrixOf(const Value& matrix) {
+  if (matrix.size() != 16) matrix.fail("expected an array of 16 numbers");
+  glm::dmat4 result;
+  for (std::size_t i = 0; i < 16; ++i) {
+    result[static_cast<glm::length_t>(i / 4)][static_cast<glm::length_t>(i % 4)] = matrix[i].number();
+  }
+  if (glm::row(result, 3) != glm::dvec4(0, 0, 0, 1)) matrix.fail("the last row is not 0 0 0 1");
+  return result;
+}
+
+glm::dquat rotationOf(const Value& node) {
+  const glm::dvec4 xyzw = node.vectorOr("rotation", glm::dvec4(0, 0, 0, 1));
+  return {xyzw.w, xyzw.x, xyzw.y, xyzw.z};
+}
+
+}  // namespace
+
+glm::dmat4 compose(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
+  const double length = glm::length(rotation);
+  const glm::dmat3 rotated = length > 0 ? glm::mat3_cast(rotation / length) : glm::dmat3(1);
+  return {glm::dvec4(scale.x * rotated[0], 0), glm::dvec4(scale.y * rotated[1], 0), glm::dvec4(scale.z * rotated[2], 0),
+          glm::dvec4(translation, 1)};
+}
+
+glm::dmat4 localTransform(const Value& node, const NodePose& pose) {
+  const std::optional<Value> matrix = node.find("matrix");
+  const bool isPosed = pose.translation || pose.rotation || pose.scale;
+  if (matrix && isPosed) matrix->fail("an animated node has a matrix instead of translation, rotation and scale");
+  if (matrix) return matrixOf(*matrix);
+  return compose(pose.translation.value_or(node.vectorOr("translation", glm::dvec3(0))),
+                 pose.rotation.value_or(rotationOf(node)), pose.scale.value_or(node.vectorOr("scale", glm::dvec3(1))));
+}
+
+NodeTree::NodeTree(const Value& root, const Pose& pose) {
+  const std::size_t count = root.sizeOf("nodes");
+  children_.resize(count);
+  hasParent_.resize(count);
+  if (count == 0) return;
+  collectChildren(root);
+  std::vector<std::size_t> tops;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!hasParent_[i]) tops.push_back(i);
+  }
+  const std::vector<std::size_t> order = descend(tops);
+  const Value nodes = root.require("nodes");
+  worlds_.resize(count, glm::dmat4(1));
+  std::vector<bool> isReached(count);
+  for (const std::size_t i : order) {
+    const auto posed = pose.find(i);
+    worlds_[i] = worlds_[i] * localTransform(nodes[i], posed == pose.end() ? NodePose{} : posed->second);
+    for (const std::size_t child : children_[i]) worlds_[child] = worlds_[i];
+    isReached[i] = true;
+  }
+  const auto unreached = static_cast<std::size_t>(std::ranges::find(isReached, false) - isReached.begin());
+  if (unreached < count) nodes[unreached].fail("the node is its own ancestor, or a descendant of such a node");
+  visible_ = descend(rootsOf(root));
+}
+
+void NodeTree::collectChildren(const Value& root) {
+  const Value nodes = root.require("nodes");
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    const std::optional<Value> list = nodes[i].find("children");
+    for (std::size_t c = 0; list && c < list->size(); ++c) {
+      const std::size_t child = (*list)[c].indexInto("nodes", children_.size());
+      if (hasParent_[child]) (*list)[c].fail(fmt::format("node {} has another parent already", child));
+      hasParent_[child] = true;
+      children_[i].push_back(child);
+    }
+  }
+}
+
+std::vector<std::size_t> NodeTree::rootsOf(const Value& root) const {
+  std::vector<std::size_t> roots;
+  std::vector<bool> isRoot(children_.size());
+  if (root.sizeOf("scenes") == 0) {
+    for (std::size_t i = 0; i < children_.size(); ++i) {
+      if (!hasParent_[i]) roots.push_back(i);
+    }
+    return roots;
+  }
+  const std::optional<Value> chosen = root.find("scene");
+  const Value scene = root.require("scenes")[chosen ? chosen->indexInto("scenes", root.sizeOf("scenes")) : 0];
+  const std::optional<Value> list = scene.find("nodes");
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const std::size_t node = (*list)[i].indexInto("nodes", children_.size());
+    if (hasParent_[node]) (*list)[i].fail(fmt::format("node {} is not a root, since it has a parent", node));
+    if (isRoot[node]) (*list)[i].fail(fmt::format("node {} is in the scene twice", node));
+    isRoot[node] = true;
+    roots.push_back(node);
+  }
+  return roots;
+}
+
+std::vector<std::size_t> NodeTree::descend(const std::vector<std::size_t>& from) const {
+  std::vector<std::size_t> order;
+  std::vector<std::size_t> pending(from.rbegin(), from.rend());
+  while (!pending.empty()) {
+    const std::size_t node = pending.back();
+    pending.pop_back();
+    order.push_back(node);
+    pending.insert(pending.end(), children_[node].rbegin(), children_[node].rend());
+  }
+  return order;
+}
+
+}  // namespace candela::gltf

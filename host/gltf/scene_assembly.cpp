@@ -1,0 +1,200 @@
+// Makes a scene of nodes.
+#include "host/gltf/scene_assembly.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "host/gltf/lights.h"
+#include "host/gltf/material_mapping.h"
+#include "host/gltf/skin.h"
+#include "host/gltf/transform.h"
+#include "host/scene/scene_builder.h"
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // what the acceleration structures can index
+
+std::uint64_t bytesOf(const scene::Mesh& mesh) {
+  constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);
+  return mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +
+         (mesh.texCoords[0].size() + mesh.texCoords[1].size()) * sizeof(glm::vec2) +
+         (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) +
+         mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
+}
+
+std::uint64_t physicalMemory() {
+  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+template <class Vector>
+Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector& absent) {
+  return values.empty() ? absent : values[i];
+}
+
+}  // namespace
+
+SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
+                             Buffers& buffers, scene::DiagnosticLog& log)
+    : root_(root), nodes_(nodes), pose_(pose), accessors_(accessors), buffers_(buffers), log_(log) {}
+
+template <class Action>
+void SceneAssembly::attempt(const Action& action) {
+  if (log_.isFull()) return;
+  try {
+    action();
+  } catch (const PlaceError& error) {
+    log_.error({}, error.what());
+  }
+}
+
+void SceneAssembly::addMaterials() {
+  const std::optional<Value> list = root_.find("materials");
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    scene_.materials.emplace_back();
+    attempt([&] {
+      const GltfMaterial material = readMaterial((*list)[i]);
+      scene_.materials.back() = fromGltf(material);
+      unread_.insert(material.unread.begin(), material.unread.end());
+    });
+  }
+  counts_["material"] = scene_.materials.size();
+}
+
+void SceneAssembly::addNodes() {
+  for (const std::size_t index : nodes_.visible()) {
+    attempt([&] { addNode(index); });
+  }
+}
+
+void SceneAssembly::addNode(std::size_t index) {
+  const Value node = root_.require("nodes")[index];
+  ++counts_["node"];
+  if (node.find("camera")) ++counts_["camera"];
+  if (node.find("mesh")) addMesh(node, index);
+  if (node.extension("KHR_lights_punctual")) addLight(node, index);
+}
+
+void SceneAssembly::addMesh(const Value& node, std::size_t index) {
+  const Value mesh = root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
+  const Value primitives = mesh.require("primitives");
+  ++counts_["mesh"];
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    attempt([&] { addPrimitive(node, index, mesh, primitives[i]); });
+  }
+}
+
+std::vector<double> SceneAssembly::morphWeights(const Value& node, std::size_t index, const Value& mesh) const {
+  const auto posed = pose_.find(index);
+  if (posed != pose_.end() && !posed->second.weights.empty()) return posed->second.weights;
+  const std::optional<Value> own = node.find("weights");
+  const std::optional<Value> list = own ? own : mesh.find("weights");
+  std::vector<double> weights;
+  for (std::size_t i = 0; list && i < list->size(); ++i) weights.push_back((*list)[i].number());
+  return weights;
+}
+
+std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
+  if (const std::optional<Value> material = primitive.find("material")) {
+    return static_cast<std::uint32_t>(material->indexInto("materials", root_.sizeOf("materials")));
+  }
+  if (defaultMaterial_ == 0) {
+    defaultMaterial_ = scene_.materials.size() + 1;
+    scene_.materials.push_back(fromGltf({}));
+  }
+  return static_cast<std::uint32_t>(defaultMaterial_ - 1);
+}
+
+void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
+  if (topologyOf(primitive) == Topology::pointsOrLines) {
+    log_.warn("points", {}, primitive.pointer() + ": points and lines are left out");
+    return;
+  }
+  std::optional<Geometry> geometry = readGeometry(primitive, morphWeights(node, index, mesh), accessors_, buffers_);
+  if (!geometry) {
+    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is left out");
+    return;
+  }
+  ++counts_["primitive"];
+  if (!geometry->mesh.colours.empty()) unread_.insert("vertex colours");
+  const std::uint32_t material = materialOf(primitive);
+  dropUnusedVertices(*geometry);
+  const std::optional<Value> skin = node.find("skin");
+  if (skin && !geometry->influences.joints.empty()) {
+    const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];
+    placeSkinned(*geometry, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
+    addPlaced(primitive, std::move(geometry->mesh), material);
+    return;
+  }
+  for (const glm::dmat4& instance : instancesOf(node)) {
+    scene::Mesh placed = geometry->mesh;
+    place(placed, nodes_.world(index) * instance, node);
+    addPlaced(node, std::move(placed), material);
+  }
+}
+
+void SceneAssembly::addPlaced(const Value& place, scene::Mesh mesh, std::uint32_t material) {
+  triangleCount_ += scene::triangleCount(mesh);
+  byteCount_ += bytesOf(mesh);
+  if (triangleCount_ > kMaxTriangles) {
+    place.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
+  }
+  if (byteCount_ > physicalMemory()) {
+    throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that this machine has",
+                                       place.pointer(), physicalMemory() >> 20));
+  }
+  scene::addMesh(scene_, std::move(mesh), material);
+}
+
+std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
+  const std::optional<Value> extension = node.extension("EXT_mesh_gpu_instancing");
+  if (!extension) return {glm::dmat4(1)};
+  const Value attributes = extension->require("attributes");
+  std::vector<glm::vec3> translations;
+  std::vector<glm::vec4> rotations;
+  std::vector<glm::vec3> scales;
+  if (const auto reference = attributes.find("TRANSLATION")) translations = accessors_.read<glm::vec3>(*reference);
+  if (const auto reference = attributes.find("ROTATION")) rotations = accessors_.read<glm::vec4>(*reference);
+  if (const auto reference = attributes.find("SCALE")) scales = accessors_.read<glm::vec3>(*reference);
+  const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
+  for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
+    if (size > 0 && size != count) attributes.fail(fmt::format("attributes of {} and {} instances", size, count));
+  }
+  std::vector<glm::dmat4> instances;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec4 q(elementOr(rotations, i, glm::vec4(0, 0, 0, 1)));
+    instances.push_back(compose(glm::dvec3(elementOr(translations, i, glm::vec3(0))), glm::dquat(q.w, q.x, q.y, q.z),
+                                glm::dvec3(elementOr(scales, i, glm::vec3(1)))));
+  }
+  counts_["instance"] += count;
+  return instances;
+}
+
+void SceneAssembly::addLight(const Value& node, std::size_t index) {
+  const std::optional<Value> extension = root_.extension("KHR_lights_punctual");
+  if (!extension) root_.fail("nodes have lights of KHR_lights_punctual, but the file does not");
+  const Value reference = node.extension("KHR_lights_punctual")->require("light");
+  const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
+  if (light.find("range")) log_.warn("range", {}, light.pointer() + "/range is ignored: light has no end");
+  scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index)));
+  ++counts_["light"];
+}
+
+void SceneAssembly::reportOmissions() {
+  if (unread_.empty()) return;
+  log_.warn("unread", {}, fmt::format("not rendered yet: {}", fmt::join(unread_, ", ")));
+}
+
+std::optional<Box> SceneAssembly::bounds() const {
+  std::optional<Box> box;
+  for (const scene::Mesh& mesh : scene_.meshes) {
+    for (const std::uint32_t index : mesh.indices) {
+      const glm::dvec3 p(mesh.positions[index]);
+      box = box ? Box{glm::min(box->min, p), glm::max(box->max, p)} : Box{p, p};
+    }
+  }
+  return box;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,63 @@
+// Makes a scene of the nodes of a glTF file.
+#pragma once
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/gltf/cameras.h"
+#include "host/gltf/geometry.h"
+#include "host/gltf/nodes.h"
+#include "host/scene/diagnostic_log.h"
+#include "host/scene/load.h"
+
+namespace candela::gltf {
+
+/// Adds materials, meshes and lights to a scene. Mistakes are collected in the log, each with its place.
+class SceneAssembly {
+ public:
+  /// All must outlive this object.
+  SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors, Buffers& buffers,
+                scene::DiagnosticLog& log);
+
+  void addMaterials();
+  /// What the visible nodes show, in the order of NodeTree::visible(). After addMaterials().
+  void addNodes();
+  /// Warnings about everything that was left out.
+  void reportOmissions();
+
+  scene::Scene& scene() { return scene_; }
+  const scene::StatementCounts& counts() const { return counts_; }
+  /// Of all vertices of triangles; empty if there are none.
+  std::optional<Box> bounds() const;
+
+ private:
+  void addNode(std::size_t index);
+  void addMesh(const Value& node, std::size_t index);
+  void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
+  void addLight(const Value& node, std::size_t index);
+  void addPlaced(const Value& place, scene::Mesh mesh, std::uint32_t material);
+  /// One transform relative to the node for each instance; the identity alone without EXT_mesh_gpu_instancing.
+  std::vector<glm::dmat4> instancesOf(const Value& node);
+  std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
+  std::uint32_t materialOf(const Value& primitive);
+  /// Runs an action; an error becomes an entry of the log.
+  template <class Action>
+  void attempt(const Action& action);
+
+  Value root_;
+  const NodeTree& nodes_;
+  const Pose& pose_;
+  Accessors& accessors_;
+  Buffers& buffers_;
+  scene::DiagnosticLog& log_;
+  scene::Scene scene_{};
+  scene::StatementCounts counts_{};
+  std::set<std::string> unread_{};   ///< names of what materials and meshes have that is not rendered
+  std::size_t defaultMaterial_ = 0;  ///< its index, once it exists
+  std::size_t triangleCount_ = 0;
+  std::uint64_t byteCount_ = 0;
+};
+
+}  // namespace candela::gltf

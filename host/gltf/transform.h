@@ -1,0 +1,23 @@
+// Places meshes in the scene.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "host/gltf/geometry.h"
+
+namespace candela::gltf {
+
+/// Applies an affine transform to positions, normals and tangents, in double precision. A transform that mirrors
+/// reverses the order of vertices, so that fronts stay fronts, and the handedness of tangents. Normals and tangents get
+/// unit length. A normal of length 0 is replaced by that of a triangle at its vertex. Throws PlaceError at `place` if
+/// a position is then beyond the range of binary32.
+void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place);
+
+/// The same with a transform for each vertex: the mean of its joints' matrices by weight, as section 3.7.3 of the
+/// specification has it. Weights that do not sum to 1 are scaled.
+void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& place);
+
+/// Removes the vertices that no triangle has, if there are more than twice as many vertices as corners. Primitives may
+/// share one large set of vertices.
+void dropUnusedVertices(Geometry& geometry);
+
+}  // namespace candela::gltf

@@ -1,0 +1,82 @@
+// Decodes URIs.
+#include "host/gltf/uri.h"
+
+#include <array>
+#include <cstdint>
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::string_view kBase64Marker = ";base64,";
+
+std::optional<std::uint32_t> base64Digit(char c) {
+  if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');
+  if (c >= 'a' && c <= 'z') return static_cast<std::uint32_t>(c - 'a' + 26);
+  if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0' + 52);
+  if (c == '+' || c == '-') return 62u;
+  if (c == '/' || c == '_') return 63u;
+  return std::nullopt;
+}
+
+std::optional<int> hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return std::nullopt;
+}
+
+/// Letters, digits, + - . up to a colon, as RFC 3986 has it. One letter is a drive of Windows, and refused too.
+bool hasScheme(std::string_view uri) {
+  const std::size_t end = uri.find_first_of(":/?#");
+  return end != std::string_view::npos && uri[end] == ':';
+}
+
+}  // namespace
+
+bool isDataUri(std::string_view uri) { return uri.starts_with("data:"); }
+
+std::string decodeDataUri(const Value& uri) {
+  const std::string& text = uri.text();
+  const std::size_t marker = text.find(kBase64Marker);
+  if (marker == std::string::npos) uri.fail("the data URI is not in base64");
+  std::string_view digits = std::string_view(text).substr(marker + kBase64Marker.size());
+  while (digits.ends_with('=')) digits.remove_suffix(1);
+  if (digits.size() % 4 == 1) uri.fail("the data URI ends within a byte");
+  std::string bytes;
+  bytes.reserve(digits.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int pending = 0;
+  for (const char c : digits) {
+    const std::optional<std::uint32_t> digit = base64Digit(c);
+    if (!digit) uri.fail("the data URI contains a character that is not base64");
+    bits = bits << 6 | *digit;
+    pending += 6;
+    if (pending < 8) continue;
+    pending -= 8;
+    bytes += static_cast<char>(bits >> pending & 0xffu);
+  }
+  return bytes;
+}
+
+std::filesystem::path decodePath(const Value& uri) {
+  const std::string& text = uri.text();
+  if (text.empty()) uri.fail("the URI is empty");
+  if (hasScheme(text))
+    uri.fail("only relative paths and data URIs are read; download the file and refer to it by path");
+  std::string path;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      path += text[i];
+      continue;
+    }
+    const std::optional<int> high = i + 2 < text.size() ? hexDigit(text[i + 1]) : std::nullopt;
+    const std::optional<int> low = i + 2 < text.size() ? hexDigit(text[i + 2]) : std::nullopt;
+    if (!high || !low) uri.fail("\"%\" without two hexadecimal digits");
+    path += static_cast<char>(*high * 16 + *low);
+    i += 2;
+  }
+  if (path.find('\0') != std::string::npos) uri.fail("the path contains a zero byte");
+  return path;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,59 @@
+// Where the vertices of a primitive come from: accessors, or data compressed by Draco.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/gltf/accessor.h"
+#include "host/gltf/draco.h"
+
+namespace candela::gltf {
+
+/// The attributes and indices of one element of `primitives`. Functions throw PlaceError.
+class VertexSource {
+ public:
+  /// `accessors` must outlive this object.
+  VertexSource(const Value& primitive, Accessors& accessors, Buffers& buffers);
+
+  /// The reference to the accessor of an attribute, if the primitive has it.
+  std::optional<Value> attribute(const std::string& name) const { return attributes_.find(name); }
+  /// The number of components of the attribute that `reference` stands for.
+  std::size_t components(const Value& reference, const std::string& name) const;
+
+  /// The values of an attribute that exists. There must be `count` of them, unless count is 0.
+  template <class Vector>
+  std::vector<Vector> read(const std::string& name, std::size_t count) const;
+  /// The four unsigned integers of each vertex in an attribute that exists.
+  std::vector<glm::uvec4> readWhole(const std::string& name, std::size_t count) const;
+  /// Indices of vertices, each below `vertexCount`; 0, 1, 2 ... if the primitive has none.
+  std::vector<std::uint32_t> readIndices(std::size_t vertexCount) const;
+  bool hasIndices() const { return draco_ || primitive_.find("indices"); }
+
+ private:
+  const DracoMesh::Attribute* compressed(const std::string& name, std::size_t components) const;
+
+  Value primitive_;
+  Value attributes_;
+  Accessors& accessors_;
+  std::optional<DracoMesh> draco_;
+};
+
+/// Throws PlaceError at the reference unless the numbers are equal.
+void requireCount(const Value& reference, std::size_t count, std::size_t expected);
+
+template <class Vector>
+std::vector<Vector> VertexSource::read(const std::string& name, std::size_t count) const {
+  const Value reference = attributes_.require(name);
+  constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
+  std::vector<Vector> values;
+  if (const DracoMesh::Attribute* source = compressed(name, kComponents)) {
+    values.resize(draco_->vertexCount);
+    std::copy(source->values.begin(), source->values.end(), reinterpret_cast<float*>(values.data()));
+  } else {
+    values = accessors_.read<Vector>(reference);
+  }
+  if (count > 0) requireCount(reference, values.size(), count);
+  return values;
+}
+
+}  // namespace candela::gltf

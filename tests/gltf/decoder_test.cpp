@@ -1,0 +1,106 @@
+// Data compressed by Draco and meshoptimizer: encoded here, decoded by the loader.
+#include "host/gltf/draco.h"
+#include "host/gltf/meshopt.h"
+#include "tests/gltf/gltf_file.h"
+
+#if __has_include(<draco/compression/encode.h>) && __has_include(<meshoptimizer.h>)
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <meshoptimizer.h>
+
+namespace candela::gltf {
+namespace {
+
+const std::vector<float> kCorners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+std::vector<char> dracoTriangle() {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), &kCorners[0], &kCorners[3], &kCorners[6]);
+  const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
+  draco::EncoderBuffer buffer;
+  REQUIRE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+  return {buffer.data(), buffer.data() + buffer.size()};
+}
+
+GltfFile dracoFile(const std::vector<char>& compressed) {
+  GltfFile file;
+  const std::size_t view = file.view(compressed);
+  file.root["accessors"] = {{{"componentType", kFloat}, {"count", 3}, {"type", "VEC3"}}};
+  json primitive{{"attributes", {{"POSITION", 0}}}};
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+  file.addMesh(primitive);
+  file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  return file;
+}
+
+/// A file whose buffer view 0 is compressed.
+GltfFile meshoptFile() {
+  std::vector<unsigned char> compressed(meshopt_encodeVertexBufferBound(3, 12));
+  compressed.resize(meshopt_encodeVertexBuffer(compressed.data(), compressed.size(), kCorners.data(), 3, 12));
+  GltfFile file;
+  file.view(compressed);
+  json& view = file.root["bufferViews"][0];
+  view["extensions"]["EXT_meshopt_compression"] = {
+      {"buffer", 0}, {"byteLength", compressed.size()}, {"byteStride", 12}, {"count", 3}, {"mode", "ATTRIBUTES"}};
+  view["byteLength"] = 36;
+  view["buffer"] = 1;  // without data: only for those that cannot decode
+  file.root["accessors"] = {{{"bufferView", 0}, {"componentType", kFloat}, {"count", 3}, {"type", "VEC3"}}};
+  file.addMesh({{"attributes", {{"POSITION", 0}}}});
+  file.root["extensionsRequired"] = {"EXT_meshopt_compression"};
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("a primitive compressed by Draco has its triangles") {
+  if (!canDecodeDraco()) return;
+  const scene::Scene scene = sceneOf(dracoFile(dracoTriangle()));
+  REQUIRE(scene.primitives.size() == 1);
+  const scene::Triangle triangle = triangleOf(scene, scene.primitives[0]);
+  CHECK(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]) == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("damaged Draco data is an error with its place") {
+  if (!canDecodeDraco()) return;
+  std::vector<char> cut = dracoTriangle();
+  cut.resize(cut.size() / 2);
+  const std::string place = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
+  CHECK(errorsOf(dracoFile(cut).text()).find(place + ": the compressed data is damaged") != std::string::npos);
+  GltfFile other = dracoFile(dracoTriangle());
+  other.primitive()["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] = 7;
+  CHECK(errorsOf(other.text()).find(place + "/attributes/POSITION: the compressed data has no such") !=
+        std::string::npos);
+}
+
+TEST_CASE("a view compressed by meshoptimizer is decoded") {
+  if (!canDecodeMeshopt()) return;
+  CHECK(sceneOf(meshoptFile()).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+}
+
+TEST_CASE("what meshoptimizer would not survive is refused first") {
+  if (!canDecodeMeshopt()) return;
+  const std::string place = "/bufferViews/0/extensions/EXT_meshopt_compression";
+  const std::vector<std::tuple<const char*, json, std::string>> changes{
+      {"byteStride", 6, "/byteStride: 6 does not fit mode"},
+      {"byteStride", 260, "/byteStride: 260 does not fit"},
+      {"count", 1u << 31, "/count: 2147483648 elements cannot be in"},
+      {"mode", "POINTS", "/mode: \"POINTS\" is not"},
+      {"mode", "TRIANGLES", "/byteStride: 12 does not fit mode"},
+      {"filter", "OCTAHEDRAL", "/byteStride: 12 does not fit"},
+      {"filter", "SHARPEN", "/byteStride: 12 does not fit"},
+      {"byteLength", 9, ": the compressed data is damaged"},
+      {"byteLength", 1u << 31, ": bytes 0 to 2147483648 of a buffer of"}};
+  for (const auto& [key, value, message] : changes) {
+    CAPTURE(message);
+    GltfFile file = meshoptFile();
+    file.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"][key] = value;
+    CHECK(errorsOf(file.text()).find(place + message) != std::string::npos);
+  }
+}
+
+}  // namespace candela::gltf
+#endif

@@ -1,0 +1,39 @@
+// Extensions that are required, used, known and unknown.
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+std::string fact(const scene::LoadedScene& loaded, const std::string& label) {
+  for (const auto& [name, value] : loaded.facts) {
+    if (name == label) return value;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("an unknown required extension is an error with its name, an unknown optional one a warning") {
+  GltfFile file = triangleFile();
+  file.root["extensionsUsed"] = {"ACME_cloth", "KHR_mesh_quantization", "KHR_materials_sheen"};
+  const scene::LoadedScene loaded = load(file);
+  CHECK(warns(loaded, "ACME_cloth"));
+  CHECK(fact(loaded, "extensions") == "ACME_cloth, KHR_mesh_quantization, KHR_materials_sheen");
+  CHECK(fact(loaded, "partly") == "KHR_materials_sheen");
+  CHECK(fact(loaded, "unsupported") == "ACME_cloth");
+  file.root["extensionsRequired"] = {"KHR_mesh_quantization", "ACME_cloth"};
+  CHECK(errorsOf(file.text()) ==
+        "test.gltf: /extensionsRequired/1: the file requires the extension \"ACME_cloth\"; it is not supported");
+}
+
+TEST_CASE("only glTF 2 is read") {
+  GltfFile file = triangleFile();
+  file.root["asset"]["version"] = "1.0";
+  CHECK(errorsOf(file.text()) == "test.gltf: /asset/version: glTF \"1.0\"; only version 2 is read");
+  file.root["asset"]["version"] = "2.1";
+  CHECK(errorsOf(file.text()).empty());
+  file.root["asset"]["minVersion"] = "2.1";
+  CHECK(errorsOf(file.text()).find("/asset/minVersion: the file needs glTF \"2.1\"") != std::string::npos);
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,157 @@
+// Primitives: topologies, attributes, and how they are placed.
+#include "host/gltf/geometry.h"
+
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+void checkVector(const glm::vec3& actual, const glm::vec3& expected) {
+  for (glm::length_t c = 0; c < 3; ++c) CHECK(actual[c] == Approx(expected[c]).margin(1e-6));
+}
+
+/// The geometric normal of triangle 0, of any length.
+glm::vec3 normalOf(const scene::Scene& scene) {
+  const scene::Triangle t = triangleOf(scene, scene.primitives.at(0));
+  return glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]);
+}
+
+}  // namespace
+
+TEST_CASE("strips and fans become triangles that all face the same side") {
+  CHECK(toTriangles(Topology::strip, {0, 1, 2, 3, 4}) == Indices{0, 1, 2, 1, 3, 2, 2, 3, 4});
+  CHECK(toTriangles(Topology::fan, {0, 1, 2, 3}) == Indices{1, 2, 0, 2, 3, 0});
+  CHECK(toTriangles(Topology::triangles, {0, 1, 2, 3, 4}) == Indices{0, 1, 2});
+  CHECK(toTriangles(Topology::strip, {0, 1}).empty());
+}
+
+TEST_CASE("indices of all widths are read") {
+  for (const int type : {kUnsignedByte, kUnsignedShort, kUnsignedInt}) {
+    GltfFile file = triangleFile();
+    std::size_t indices = 0;
+    if (type == kUnsignedByte) indices = file.accessor<std::uint8_t>({2, 0, 1}, type, "SCALAR", 3);
+    if (type == kUnsignedShort) indices = file.accessor<std::uint16_t>({2, 0, 1}, type, "SCALAR", 3);
+    if (type == kUnsignedInt) indices = file.accessor<std::uint32_t>({2, 0, 1}, type, "SCALAR", 3);
+    file.primitive()["indices"] = indices;
+    CHECK(sceneOf(file).meshes.at(0).indices == Indices{2, 0, 1});
+  }
+}
+
+TEST_CASE("points and lines, and primitives without positions, are left out with a warning") {
+  for (int mode = 0; mode < 4; ++mode) {
+    GltfFile file = triangleFile();
+    file.primitive()["mode"] = mode;
+    const scene::LoadedScene loaded = load(file);
+    CHECK(loaded.scene.primitives.empty());
+    CHECK(warns(loaded, "/meshes/0/primitives/0: points and lines are left out"));
+  }
+  GltfFile file = triangleFile();
+  file.primitive()["attributes"] = json::object();
+  CHECK(warns(load(file), "without positions"));
+}
+
+TEST_CASE("all attributes of a vertex reach the mesh") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["NORMAL"] = file.vectors({0, 0, 2, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  attributes["TANGENT"] = file.vectors({3, 0, 0, -1, 1, 0, 0, -1, 1, 0, 0, -1}, "VEC4", 4);
+  attributes["TEXCOORD_0"] = file.vectors({0, 0, 1, 0, 0, 1}, "VEC2", 2);
+  const std::size_t second = file.accessor<std::uint8_t>({0, 0, 255, 0, 0, 51}, kUnsignedByte, "VEC2", 3);
+  file.root["accessors"][second]["normalized"] = true;
+  attributes["TEXCOORD_1"] = second;
+  attributes["COLOR_0"] = file.vectors({1, 0, 0, 0, 1, 0, 0, 0, 0.5f}, "VEC3", 3);
+  const scene::LoadedScene loaded = load(file);
+  const scene::Mesh& mesh = loaded.scene.meshes.at(0);
+  CHECK(mesh.normals == std::vector<glm::vec3>(3, {0, 0, 1}));
+  CHECK(mesh.tangents == std::vector<glm::vec4>(3, {1, 0, 0, -1}));
+  CHECK(mesh.texCoords[0] == std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}});
+  CHECK(mesh.texCoords[1] == std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 0.2f}});
+  CHECK(mesh.colours == std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0.5f, 1}});
+  CHECK(warns(loaded, "vertex colours"));
+}
+
+TEST_CASE("without normals there are no tangents, and the triangle is flat") {
+  GltfFile file = triangleFile();
+  file.primitive()["attributes"]["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4);
+  const scene::Scene scene = sceneOf(file);
+  CHECK(scene.meshes.at(0).tangents.empty());
+  CHECK_FALSE(isSmooth(scene, scene.primitives.at(0)));
+}
+
+TEST_CASE("normals follow a scale by its inverse, and tangents by the scale itself") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  const float a = std::sqrt(0.5f);
+  attributes["NORMAL"] = file.vectors({a, a, 0, a, a, 0, a, a, 0}, "VEC3", 3);
+  attributes["TANGENT"] = file.vectors({a, -a, 0, 1, a, -a, 0, 1, a, -a, 0, 1}, "VEC4", 4);
+  file.root["nodes"][0]["scale"] = {2, 1, 1};
+  const scene::Scene scene = sceneOf(file);
+  const scene::Mesh& mesh = scene.meshes.at(0);
+  checkVector(mesh.normals[0], glm::normalize(glm::vec3(0.5f, 1, 0)));
+  checkVector(glm::vec3(mesh.tangents[0]), glm::normalize(glm::vec3(2, -1, 0)));
+  CHECK(glm::dot(mesh.normals[0], glm::vec3(mesh.tangents[0])) == Approx(0).margin(1e-6));
+  CHECK(mesh.tangents[0].w == 1);
+}
+
+TEST_CASE("a mirrored mesh keeps its front: vertices change their order, tangents their handedness") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["NORMAL"] = file.vectors({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  attributes["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4);
+  file.root["nodes"][0]["scale"] = {-1, 1, 1};
+  const scene::Scene scene = sceneOf(file);
+  checkVector(normalOf(scene), {0, 0, 1});
+  checkVector(scene.meshes.at(0).normals[0], {0, 0, 1});
+  CHECK(scene.meshes[0].tangents[0] == glm::vec4(-1, 0, 0, -1));
+  file.root["nodes"][0]["scale"] = {1, 1, -1};  // the front now faces -z
+  checkVector(normalOf(sceneOf(file)), {0, 0, -1});
+  checkVector(sceneOf(file).meshes.at(0).normals[0], {0, 0, -1});
+}
+
+TEST_CASE("a normal without length is replaced by that of a triangle") {
+  GltfFile file = triangleFile();
+  file.primitive()["attributes"]["NORMAL"] = file.vectors({0, 0, 0, 0, 1, 0, 0, 1, 0}, "VEC3", 3);
+  const scene::Scene scene = sceneOf(file);
+  checkVector(scene.meshes.at(0).normals[0], {0, 0, 1});
+  checkVector(scene.meshes[0].normals[1], {0, 1, 0});
+}
+
+TEST_CASE("vertices that no triangle has are dropped where they are many") {
+  GltfFile file;
+  std::vector<float> xyz(300);
+  for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] = static_cast<float>(i * i % 97);
+  const std::size_t positions = file.positions(xyz);
+  const std::size_t indices = file.accessor<std::uint16_t>({90, 7, 45}, kUnsignedShort, "SCALAR", 3);
+  file.addMesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
+  const scene::Scene scene = sceneOf(file);
+  CHECK(scene.meshes.at(0).positions.size() == 3);
+  const scene::Triangle triangle = triangleOf(scene, scene.primitives.at(0));
+  CHECK(triangle.p[0] == glm::vec3(xyz[270], xyz[271], xyz[272]));
+  CHECK(triangle.p[1] == glm::vec3(xyz[21], xyz[22], xyz[23]));
+}
+
+TEST_CASE("morph targets add to positions by the weights of the mesh, or those of the node") {
+  GltfFile file = triangleFile();
+  file.primitive()["targets"] = {{{"POSITION", file.positions({0, 0, 1, 0, 0, 2, 0, 0, 3})}},
+                                 {{"POSITION", file.positions({5, 0, 0, 0, 0, 0, 0, 0, 0})}}};
+  CHECK(sceneOf(file).meshes.at(0).positions[2] == glm::vec3(0, 1, 0));
+  file.root["meshes"][0]["weights"] = {0.5, 0};
+  CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0.5f}, {1, 0, 1}, {0, 1, 1.5f}});
+  file.root["nodes"][0]["weights"] = {0, 1};
+  CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(5, 0, 0));
+}
+
+TEST_CASE("quantised positions are scaled by their node") {
+  GltfFile file;
+  const std::size_t positions = file.accessor<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0}, kShort,
+                                                            "VEC3", 3);
+  file.root["accessors"][positions]["normalized"] = true;
+  file.root["bufferViews"][0]["byteStride"] = 8;
+  file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  file.addMesh({{"attributes", {{"POSITION", positions}}}})["scale"] = {10, 10, 10};
+  CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0}, {10, 0, 0}, {0, -10, 0}});
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,56 @@
+// KHR_lights_punctual, and the light that a file without any gets.
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+GltfFile withLight(const json& light, const json& node) {
+  GltfFile file = triangleFile();
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+  json placed = node;
+  placed["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  file.addNode(placed);
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("a point light has the place of its node, and colour times intensity") {
+  const scene::LoadedScene loaded = load(withLight(
+      {{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 40}, {"range", 3}}, {{"translation", {1, 2, 3}}}));
+  REQUIRE(loaded.scene.punctualLights.size() == 1);
+  const scene::PunctualLight& light = loaded.scene.punctualLights[0];
+  CHECK(light.kind == scene::PunctualLight::Kind::point);
+  CHECK(light.position == glm::vec3(1, 2, 3));
+  CHECK(light.intensity == glm::vec3(40, 20, 0));
+  CHECK(loaded.scene.background == glm::vec3(0));
+  CHECK(warns(loaded, "/extensions/KHR_lights_punctual/lights/0/range is ignored"));
+}
+
+TEST_CASE("spot and directional lights shine along -z of their node") {
+  const double a = std::sqrt(0.5);
+  const json turned{{"rotation", {0, a, 0, a}}, {"scale", {2, 2, 2}}};
+  const scene::Scene spot = sceneOf(
+      withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 1.0}}}}, turned));
+  const scene::PunctualLight& light = spot.punctualLights.at(0);
+  CHECK(glm::distance(light.direction, glm::vec3(-1, 0, 0)) < 1e-6f);
+  CHECK(light.cosInner == Approx(std::cos(0.5)));
+  CHECK(light.cosOuter == Approx(std::cos(1.0)));
+  const scene::Scene sun = sceneOf(withLight({{"type", "directional"}, {"intensity", 3}}, turned));
+  CHECK(sun.punctualLights.at(0).kind == scene::PunctualLight::Kind::directional);
+  CHECK(sun.punctualLights[0].reach == Approx(std::sqrt(0.5)));  // half the diagonal of the triangle's box
+}
+
+TEST_CASE("a file without light gets one, and says so; an emitter is a light") {
+  const scene::LoadedScene dark = load(triangleFile());
+  CHECK(dark.scene.background == glm::vec3(0.25f));
+  CHECK(dark.scene.punctualLights.size() == 1);
+  CHECK(dark.facts.at(1).second.starts_with("none in the file"));
+  GltfFile bright = triangleFile();
+  bright.root["materials"] = {{{"emissiveFactor", {0, 1, 0}}}};
+  bright.primitive()["material"] = 0;
+  CHECK(load(bright).facts.at(1).second == "as in the file");
+  CHECK(sceneOf(bright).punctualLights.empty());
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,69 @@
+// Nodes: transforms, scenes, instances.
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+/// Where the first vertex of the first mesh, which is the origin of its node, ends up.
+glm::vec3 origin(const GltfFile& file) { return sceneOf(file).meshes.at(0).positions.at(0); }
+
+}  // namespace
+
+TEST_CASE("a matrix is given by columns, and T R S are applied from the right") {
+  GltfFile file = triangleFile();
+  file.root["nodes"][0]["matrix"] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1};
+  CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{7, 8, 9}, {7, 9, 9}, {6, 8, 9}});
+  GltfFile same = triangleFile();
+  const double a = std::sqrt(0.5);
+  same.root["nodes"][0].update({{"translation", {7, 8, 9}}, {"rotation", {0, 0, a, a}}, {"scale", {2, 3, 1}}});
+  const std::vector<glm::vec3> placed = sceneOf(same).meshes.at(0).positions;
+  CHECK(glm::distance(placed[1], glm::vec3(7, 10, 9)) < 1e-6f);
+  CHECK(glm::distance(placed[2], glm::vec3(4, 8, 9)) < 1e-6f);
+}
+
+TEST_CASE("transforms of ancestors are composed") {
+  GltfFile file = triangleFile();
+  file.root["nodes"][0]["translation"] = {1, 0, 0};
+  file.root["nodes"].push_back({{"children", {0}}, {"scale", {2, 2, 2}}});
+  file.root["nodes"].push_back({{"children", {1}}, {"translation", {0, 0, 5}}});
+  file.root["scenes"][0]["nodes"] = {2};
+  CHECK(origin(file) == glm::vec3(2, 0, 5));
+}
+
+TEST_CASE("only the default scene is visible; without scenes, all nodes are") {
+  GltfFile file = triangleFile();
+  file.root["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 1}}});
+  CHECK(sceneOf(file).primitives.size() == 1);
+  file.root["scenes"].push_back({{"nodes", {1}}});
+  file.root["scene"] = 1;
+  CHECK(origin(file) == glm::vec3(0, 0, 1));
+  file.root.erase("scene");
+  file.root.erase("scenes");
+  CHECK(sceneOf(file).primitives.size() == 2);
+}
+
+TEST_CASE("a long chain of nodes is followed to its end") {
+  GltfFile file = triangleFile();
+  constexpr std::size_t kLength = 20000;
+  for (std::size_t i = 0; i < kLength; ++i) {
+    file.root["nodes"].push_back({{"children", {i}}, {"translation", {1, 0, 0}}});
+  }
+  file.root["scenes"][0]["nodes"] = {kLength};
+  CHECK(origin(file) == glm::vec3(kLength, 0, 0));
+}
+
+TEST_CASE("each instance has its own translation, rotation and scale") {
+  GltfFile file = triangleFile();
+  const float a = std::sqrt(0.5f);
+  const json attributes{{"TRANSLATION", file.positions({0, 0, 1, 0, 0, 2})},
+                        {"ROTATION", file.vectors({0, 0, 0, 1, 0, 0, a, a}, "VEC4", 4)},
+                        {"SCALE", file.positions({3, 3, 3, 1, 1, 1})}};
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+  file.root["nodes"][0]["translation"] = {10, 0, 0};
+  const scene::Scene scene = sceneOf(file);
+  REQUIRE(scene.meshes.size() == 2);
+  CHECK(scene.meshes[0].positions[1] == glm::vec3(13, 0, 1));
+  CHECK(glm::distance(scene.meshes[1].positions[1], glm::vec3(10, 1, 2)) < 1e-6f);
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,55 @@
+// Skins: joints move vertices by weight, and the node of the mesh does not.
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+/// A triangle with two joints: one at (0 0 5), one that is scaled by 3 about the origin.
+GltfFile skinned() {
+  GltfFile file = triangleFile();
+  file.root["nodes"][0]["skin"] = 0;
+  file.root["nodes"][0]["translation"] = {100, 0, 0};  // without effect
+  file.addNode({{"translation", {0, 0, 5}}});
+  file.addNode({{"scale", {3, 3, 3}}});
+  file.root["skins"] = {{{"joints", {1, 2}}}};
+  json& attributes = file.primitive()["attributes"];
+  attributes["JOINTS_0"] = file.accessor<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, kUnsignedByte, "VEC4", 3);
+  attributes["WEIGHTS_0"] = file.vectors({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, "VEC4", 4);
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("vertices follow the weighted mean of their joints") {
+  CHECK(sceneOf(skinned()).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 5}, {3, 0, 0}, {0, 2, 2.5f}});
+}
+
+TEST_CASE("inverse bind matrices come before the joints") {
+  GltfFile file = skinned();
+  std::vector<float> matrices(32, 0);
+  for (const std::size_t i : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) matrices[i] = 1;
+  matrices[12] = -1;  // joint 0: x - 1
+  file.root["skins"][0]["inverseBindMatrices"] = file.accessor(matrices, kFloat, "MAT4", 2);
+  CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(-1, 0, 5));
+}
+
+TEST_CASE("weights that do not sum to 1 are scaled, and a second set counts too") {
+  GltfFile file = skinned();
+  json& attributes = file.primitive()["attributes"];
+  attributes["WEIGHTS_0"] = file.vectors({2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
+  attributes["JOINTS_1"] = file.accessor<std::uint16_t>({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, kUnsignedShort, "VEC4",
+                                                        3);
+  attributes["WEIGHTS_1"] = file.vectors({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
+  CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 5}, {3, 0, 0}, {0, 2, 2.5f}});
+}
+
+TEST_CASE("a joint that mirrors keeps fronts in front") {
+  GltfFile file = skinned();
+  file.root["nodes"][1]["scale"] = {-1, 1, 1};
+  file.root["nodes"][2]["scale"] = {-1, 1, 1};
+  const scene::Scene scene = sceneOf(file);
+  const scene::Triangle t = triangleOf(scene, scene.primitives.at(0));
+  CHECK(glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]).z > 0);
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,46 @@
+// Buffers in other files and in data URIs, and the folders that a file may read.
+#include "host/gltf/uri.h"
+
+#include "tests/core/temporary_folder.h"
+#include "tests/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+std::string decoded(const std::string& uri) {
+  const json value = uri;
+  return decodeDataUri(Value(value, "/uri"));
+}
+
+}  // namespace
+
+TEST_CASE("base64 is decoded with and without padding") {
+  CHECK(decoded("data:;base64,Zm9vYmE=") == "fooba");
+  CHECK(decoded("data:application/gltf-buffer;base64,Zm9vYg") == "foob");
+  CHECK(decoded("data:x;base64,/+8A") == std::string("\xff\xef\0", 3));
+  CHECK_THROWS_WITH(decoded("data:;base64,Zm9!"), Catch::Contains("not base64"));
+  CHECK_THROWS_WITH(decoded("data:;base64,Zm9vY"), Catch::Contains("within a byte"));
+  CHECK_THROWS_WITH(decoded("data:text/plain,abc"), Catch::Contains("not in base64"));
+}
+
+TEST_CASE("buffers are read from files in the scene's folder, whose names may be escaped") {
+  const TemporaryFolder folder;
+  GltfFile file = triangleFile();
+  std::ofstream(folder / "my data.bin", std::ios::binary) << file.binary;
+  file.root["buffers"] = {{{"byteLength", file.binary.size()}, {"uri", "my%20data.bin"}}};
+  CHECK(loadText(file.text(), {}, folder.path()).scene.primitives.size() == 1);
+}
+
+TEST_CASE("files outside the scene's folder need a permission") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "scene");
+  GltfFile file = triangleFile();
+  std::ofstream(folder / "data.bin", std::ios::binary) << file.binary;
+  file.root["buffers"] = {{{"byteLength", file.binary.size()}, {"uri", "../data.bin"}}};
+  CHECK_THROWS_WITH(loadText(file.text(), {}, folder / "scene"),
+                    Catch::Contains("/buffers/0/uri: ") && Catch::Contains("--allow-path"));
+  const scene::LoadOptions permitting{.allowedPaths = {folder.path()}};
+  CHECK(loadText(file.text(), permitting, folder / "scene").scene.primitives.size() == 1);
+}
+
+}  // namespace candela::gltf
