@@ -30,7 +30,7 @@ void checkPoint(const glm::vec3& actual, const glm::vec3& expected) {
 
 }  // namespace
 
-TEST_CASE("a camera looks along -z of its node; yfov is the vertical field of view") {
+TEST_CASE("a camera looks along -z of its node, and yfov is the vertical field of view") {
   const scene::Camera camera = chosen("near");
   checkPoint(camera.from, {0, 0, 4});
   checkPoint(camera.at, {0, 0, 0});  // as far as the centre of the model

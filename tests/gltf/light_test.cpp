@@ -41,7 +41,7 @@ TEST_CASE("spot and directional lights shine along -z of their node") {
   CHECK(sun.punctualLights[0].reach == Approx(std::sqrt(0.5)));  // half the diagonal of the triangle's box
 }
 
-TEST_CASE("a file without light gets one, and says so; an emitter is a light") {
+TEST_CASE("a file without light gets one, and says so, and an emitter is a light") {
   const scene::LoadedScene dark = load(triangleFile());
   CHECK(dark.scene.background == glm::vec3(0.25f));
   CHECK(dark.scene.punctualLights.size() == 1);

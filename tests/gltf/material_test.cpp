@@ -27,7 +27,7 @@ TEST_CASE("a dielectric is diffuse below a white coat of 4 percent") {
   CHECK(material.glossy->exponent == Approx(30));  // 2 / (0.5^2)^2 - 2
 }
 
-TEST_CASE("a metal reflects its base colour; a smooth one is a mirror") {
+TEST_CASE("a metal reflects its base colour, and a smooth one is a mirror") {
   const scene::Material rough = mapped(metallicRoughness(1, 1));
   CHECK_FALSE(rough.diffuse);
   CHECK(rough.glossy == scene::GlossyLobe{1, kBase, 0});
@@ -60,7 +60,7 @@ TEST_CASE("what transmits refracts if it has a thickness, and lets light pass st
   CHECK_FALSE(mapped(material).opaque);
 }
 
-TEST_CASE("emission has a strength; a textured one is left out, and unlit surfaces shine by their colour") {
+TEST_CASE("emission has a strength, and a textured one is left out, and unlit surfaces shine by their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
   CHECK(mapped(material).emission == glm::vec3(8, 4, 0));

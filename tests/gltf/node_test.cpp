@@ -30,7 +30,7 @@ TEST_CASE("transforms of ancestors are composed") {
   CHECK(origin(file) == glm::vec3(2, 0, 5));
 }
 
-TEST_CASE("only the default scene is visible; without scenes, all nodes are") {
+TEST_CASE("only the default scene is visible, and without scenes, all nodes are") {
   GltfFile file = triangleFile();
   file.root["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 1}}});
   CHECK(sceneOf(file).primitives.size() == 1);
