@@ -82,6 +82,9 @@ void ReferenceSession::empty() {
   coverage_ = {};
   paths_.clear();
   if (settings_.execution.recordPaths) paths_.resize(film_.pixels().size());
+  const std::uint32_t replicaCount = settings_.execution.replicas;
+  replicas_.replicas.assign(replicaCount * film_.pixels().size(), {});
+  replicas_.deviations.assign(replicaCount > 0 ? film_.pixels().size() : 0, {});
   statistics_ = prepared_;
   badSamplesLoaded_ = 0;
 }
@@ -114,7 +117,8 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
   return guarded([&] {
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
-    TileJob job(*tracer_, tile, range.end, control, {film_, coverage_.first, paths_});
+    TileJob job(*tracer_, tile, range.end, control,
+                {film_, coverage_.first, paths_, replicas_, settings_.execution.replicas});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;
