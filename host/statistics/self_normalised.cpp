@@ -7,7 +7,7 @@
 namespace candela::statistics {
 namespace {
 
-constexpr int kMinExponent = -16;  // half octaves
+constexpr int kMinExponent = -40;  // half octaves
 constexpr int kMaxExponent = 56;
 constexpr int kRateCount = kMaxExponent - kMinExponent + 1;
 
@@ -32,15 +32,10 @@ double pValueOf(const SelfNormalisedSum& values, double scale) {
 }
 
 double criticalSum(double squares, double scale, double level) {
-  double low = 0;
-  double high = std::sqrt(squares);
-  const auto pValueAt = [&](double sum) { return pValueOf({sum, squares, 0}, scale); };
-  while (pValueAt(high) > level) high *= 2;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (pValueAt(middle) > level ? low : high) = middle;
-  }
-  return high;
+  const double needed = std::log(kRateCount / level);
+  double least = HUGE_VAL;
+  visitRates(scale, [&](double rate) { least = std::min(least, needed / rate + 0.5 * rate * squares); });
+  return least;
 }
 
 }  // namespace candela::statistics

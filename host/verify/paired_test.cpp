@@ -14,8 +14,8 @@
 namespace candela::verify {
 namespace {
 
-// Values of small images are too few to convince, and are divided into more batches.
-constexpr std::uint64_t kMinValues = 1024;
+// Few values cannot convince, however equal they are: small images are rendered in more batches.
+constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 
 void requireComplete(const render::RenderStatistics& statistics) {
@@ -109,7 +109,7 @@ class PairedTest {
     for (std::size_t i = 0; i < regions_.size(); ++i) result_.regions.push_back(sums_.test(i, level_));
     result_.level = level_;
     result_.looks = look + 1;
-    result_.bias = options_.bias.value_or(std::max(kPairedBias, kMarginFactor * relativeMargin()));
+    if (look == 0) result_.bias = options_.bias.value_or(defaultBias());
     if (look == 0 && options_.bias) requireAboveMargin(*options_.bias);
     result_.information = std::max(result_.information, sums_.information(0, result_.bias, level_));
   }
@@ -117,6 +117,15 @@ class PairedTest {
   double relativeMargin() const {
     const RegionResult& image = result_.regions.front();
     return image.referenceMean == 0 ? 0 : image.margin / std::abs(image.referenceMean);
+  }
+
+  // The detectable bias, beyond the margin, falls with the root of the number of samples.
+  double defaultBias() const {
+    const double margin = relativeMargin();
+    const double noise = result_.regions.front().detectableBias - margin;
+    const auto samples = static_cast<double>(samples_);
+    const double later = noise * std::sqrt(samples / std::max(kDefaultSamples, samples));
+    return std::max({kPairedBias, kMarginFactor * margin, margin + later});
   }
 
   void requireAboveMargin(double bias) const {

@@ -1,6 +1,7 @@
 // Answers the three questions of `candela verify`.
 #include "host/verify/verify.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/core/stopwatch.h"
@@ -37,7 +38,7 @@ void testExact(const scene::Scene& scene, const render::RenderSettings& settings
                render::Renderer& reference, const LightTestOptions& options, const render::RenderControl& control,
                VerifyReport& report) {
   LightTestOptions own = options;
-  own.bias = kIndependentBias;
+  own.bias = std::max(options.bias.value_or(0), kIndependentBias);
   own.keepFilms = false;
   own.watched = regionOf(*scene.exactMean, settings.image.size);
   const LightTestResult light = testLight(scene, settings, device, reference, own, control);
