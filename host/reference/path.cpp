@@ -57,15 +57,15 @@ struct PathTracer::Vertex {
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
 
-render::PathTrace PathTracer::trace(const render::PixelSample& place) const {
+render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
   render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
   SampleNumbers numbers = numbersOf(place);
   for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
     trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
-  Rounding off;
-  notes.finish(walk(cameraRay(place.x, place.y, numbers), numbers, uncounted, notes, off));
+  Rounding rounding = roundingOf(place, replica);
+  notes.finish(walk(roundedCameraRay(place, numbers, rounding), numbers, uncounted, notes, rounding));
   return trace;
 }
 

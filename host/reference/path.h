@@ -18,8 +18,9 @@ class PathTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// Computes what sample() computes for the same sample, and returns all intermediate results.
-  render::PathTrace trace(const render::PixelSample& place) const;
+  /// Computes what sample() computes for the same sample and replica (0: exactly), and returns all intermediate
+  /// results.
+  render::PathTrace trace(const render::PixelSample& place, std::uint32_t replica = 0) const;
 
  private:
   /// The numbers of one path vertex, named as in shaders/shared/dimensions.h.

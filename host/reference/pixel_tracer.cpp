@@ -31,7 +31,7 @@ dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample
 dvec3 PixelTracer::sample(const render::PixelSample& place, Counters& counters, render::PathRecord* record,
                           Rounding& rounding, NumberCache* cache) const {
   SampleNumbers numbers = numbersOf(place, cache);
-  const Ray ray = rounding.cameraRay(cameraRay(place.x, place.y, numbers), hasLens_);
+  const Ray ray = roundedCameraRay(place, numbers, rounding);
   ++counters.samples;
   ++counters.cameraRays;
   return rounding.relative(radiance(ray, numbers, counters, record, rounding), kRoundingBounds.radiance);

@@ -47,8 +47,8 @@ class PixelTracer {
   SampleNumbers numbersOf(const render::PixelSample& place, NumberCache* cache = nullptr) const {
     return SampleNumbers(sampler_, place.x, place.y, place.index, cache);
   }
-  Ray cameraRay(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
-    return camera_.generate(x, y, numbers);
+  Ray roundedCameraRay(const render::PixelSample& place, SampleNumbers& numbers, Rounding& rounding) const {
+    return rounding.cameraRay(camera_.generate(place.x, place.y, numbers), hasLens_);
   }
 
  private:

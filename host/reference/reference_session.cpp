@@ -147,6 +147,15 @@ render::RenderStatistics ReferenceSession::statistics() {
   return result;
 }
 
+std::vector<render::PathTrace> ReferenceSession::replayReplicas(const render::PixelSample& sample,
+                                                                std::uint32_t count) {
+  const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
+  std::vector<render::PathTrace> traces;
+  if (paths == nullptr || settings_.execution.replicas == 0) return traces;
+  for (std::uint32_t i = 1; i <= count; ++i) traces.push_back(paths->trace(sample, i));
+  return traces;
+}
+
 render::Replay ReferenceSession::replay(const render::PixelSample& sample) {
   const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
   if (paths == nullptr) throw UsageError("only samples of the path tracer can be replayed");

@@ -24,6 +24,7 @@ class ReferenceSession final : public render::Session {
   render::Replica replica(const render::PixelSample& sample, std::uint32_t index) override {
     return traceReplica(*tracer_, sample, index);
   }
+  std::vector<render::PathTrace> replayReplicas(const render::PixelSample& sample, std::uint32_t count) override;
   render::Replay replay(const render::PixelSample& sample) override;
 
  private:

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "host/image/film.h"
 #include "host/render/path_record.h"
@@ -67,6 +68,9 @@ class Session {
   virtual ReplicaRecords replicas() { return {}; }
   /// Traces replica `index`, from 0, of one sample, where replicas are traced. Those of replicas() are the first ones.
   virtual Replica replica(const PixelSample& sample, std::uint32_t index);
+  /// The paths of the first `count` replicas of a sample, as replay() gives that of the exact one; empty where no
+  /// replicas are traced.
+  virtual std::vector<PathTrace> replayReplicas(const PixelSample&, std::uint32_t) { return {}; }
   /// Traces one sample again, without adding it to the film. It is the sample that advance() adds, bit for bit. The
   /// integrator must be Integrator::path, and the pixel must be within the image.
   virtual Replay replay(const PixelSample& sample) = 0;

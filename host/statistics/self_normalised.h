@@ -24,15 +24,15 @@ struct SelfNormalisedSum {
   }
 };
 
-/// Returns the logarithm of the mixture's value. The rates are 2^-20 to 2^28 per `scale` in steps of a factor sqrt(2), with
-/// equal weights; `scale` > 0 must not depend on the values. Sums of squares from 1e-14 to 1e13 times that of the scale are
-/// tested within a tenth of the power of the best rate.
+/// Returns the logarithm of the mixture's value. The rates are 2^-20 to 2^28 per `scale` in steps of a factor sqrt(2),
+/// with equal weights; `scale` > 0 must not depend on the values. Sums of squares from 1e-14 to 1e13 times that of the
+/// scale are tested within a tenth of the power of the best rate.
 double evidence(const SelfNormalisedSum& values, double scale);
 /// Returns the bound of the p-value, in (0, 1]: one-sided, for all looks together.
 double pValueOf(const SelfNormalisedSum& values, double scale);
 
-/// Returns a sum at which the p-value is at most `level`, in (0, 1), for values with this sum of squares: the least at which
-/// the term of one rate alone suffices.
+/// Returns a sum at which the p-value is at most `level`, in (0, 1), for values with this sum of squares: the least at
+/// which the term of one rate alone suffices.
 double criticalSum(double squares, double scale, double level);
 
 }  // namespace candela::statistics
