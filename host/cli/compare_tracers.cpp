@@ -31,7 +31,8 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   const verify::AgreementReport report = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::compareTracers(job.scene, job.settings, *device, *reference, makeControl(progress));
+    return verify::compareTracers(job.scene, job.settings, *device, *reference, arguments.verification.alpha,
+                                  makeControl(progress));
   }();
   requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;

@@ -58,7 +58,8 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
   const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
     render::BadSampleTallies badSamples;  // `compare` reports them
-    return verify::comparePaths(job.scene, job.settings, device, reference, makeControl(progress), badSamples);
+    return verify::comparePaths(job.scene, job.settings, device, reference, job.arguments.verification.alpha,
+                                makeControl(progress), badSamples);
   }();
   if (!pixels) {
     log.note("interrupted before a sample was explained");

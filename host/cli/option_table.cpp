@@ -45,6 +45,8 @@ const std::vector<std::pair<std::string, render::Integrator>> kIntegrators{
     {"ao", render::Integrator::ao},         {"normal", render::Integrator::normal},
     {"albedo", render::Integrator::albedo}, {"depth", render::Integrator::depth},
     {"id", render::Integrator::id},         {"cost", render::Integrator::cost}};
+const std::vector<std::pair<std::string, verify::LightTestMethod>> kLightTests{
+    {"paired", verify::LightTestMethod::paired}, {"independent", verify::LightTestMethod::independent}};
 const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{{"none", image::ToneMap::none},
                                                                     {"srgb", image::ToneMap::srgb},
                                                                     {"aces", image::ToneMap::aces},
@@ -170,7 +172,9 @@ std::vector<Option> verificationOptions() {
     valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
            share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect"},
-           share("FRACTION", 1e-5, 1), [](auto& a) -> auto& { return a.verification.bias; }),
+           orAbsent(share("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
+           choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},

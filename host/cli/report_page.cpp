@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <span>
 
 #include "host/cli/display_choice.h"
@@ -46,13 +47,11 @@ Report tracersReport(const RenderJob& job, const image::Film& device, const imag
 }
 
 std::string agreementSentence(const verify::AgreementReport& agreement) {
-  return fmt::format(
-      "{:.3f} % of the pixels are equal at one sample (at least {} %), {:.3f} % of the lit pixels are equal (at least "
-      "{} "
-      "%), and the means of {} samples differ by {:.2e} (at most {:.0e}).",
-      100 * agreement.pixels.share(), 100 * verify::kRequiredShare, 100 * agreement.pixels.litShare(),
-      100 * verify::kRequiredLitShare, agreement.mean.samples, agreement.mean.relativeDifference(),
-      verify::kMeanTolerance);
+  const verify::RegionResult& image = agreement.image();
+  return fmt::format("At one sample {}. At {} samples the means differ by {:+.2g} % ({}; rounding may cause {:.2g} %).",
+                     agreement.pixels.decisions.text(), agreement.samples, 100 * image.relativeDifference(),
+                     verify::pValueText(image.test.pValue),
+                     image.referenceMean == 0 ? 0 : 100 * image.margin / std::abs(image.referenceMean));
 }
 
 void addPaths(const verify::PixelAgreement& paths, Report& page) {
@@ -60,6 +59,7 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
                           fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
   page.figures.push_back(
       {"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
+  page.figures.push_back({"Decidable pixels", paths.decisions.text()});
   page.figures.push_back({"First differences of the other pixels", paths.causesText()});
 }
 
@@ -71,7 +71,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;
   page.verdict = agreementSentence(agreement);
   addPaths(agreement.pixels, page);
-  page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.mean.samples)});
+  page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings.image.seed)});
   page.commands = {
       commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
@@ -87,11 +87,9 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   page.tests = report::LightTests{light.regions, light.level};
   addPaths(verification.paths, page);
   page.figures.push_back(
-      {"Samples per pixel, each side",
-       fmt::format("{} in {} batches, {} looks", light.samplesPerPixel, verify::kBatchCount, light.looks)});
+      {"Samples per pixel, each side", fmt::format("{} in {} looks", light.samplesPerPixel, light.looks)});
   page.figures.push_back({"Seed", fmt::format("{}; each batch derives its own seed from it", job.settings.image.seed)});
-  page.figures.push_back(
-      {"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, verification.options.bias)});
+  page.figures.push_back({"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, light.bias)});
   if (verification.exact) {
     const verify::ExactTest& exact = *verification.exact;
     page.figures.push_back(

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/core/errors.h"
+#include "host/explain/condition.h"
 #include "host/explain/value_text.h"
 
 namespace candela::explain {
@@ -36,10 +37,17 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
   const std::string sides = fmt::format("{} on the device, {} by the reference", valueText(quantity.device),
                                         valueText(quantity.reference));
   const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
-  if (quantity.kind == Quantity::Kind::decision) return fmt::format("{}: {}", where, sides);
+  if (quantity.kind == Quantity::Kind::decision) {
+    return fmt::format("{}: {}{}", where, sides,
+                       quantity.undecidable
+                           ? "; replicas of the path differ here, too, so that single precision cannot "
+                             "decide it"
+                           : "");
+  }
   if (quantity.kind == Quantity::Kind::randomNumber)
     return fmt::format("{}: {}; it must be equal to the bit", where, sides);
-  return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), kTolerance, sides);
+  const double allowed = explanation.replicas > 0 ? quantity.allowed() : kTolerance;
+  return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), allowed, sides);
 }
 
 std::string furthestText(const Explanation& explanation) {
@@ -53,13 +61,19 @@ std::string furthestText(const Explanation& explanation) {
 
 std::string Explanation::verdict() const {
   if (!firstDifference) {
-    return fmt::format("The two paths agree: no decision differs, and {}.", furthestText(*this));
+    const bool isGrown = furthestBefore && at(*furthestBefore).apart > kTolerance;
+    return fmt::format(
+        "The two paths agree: no decision differs, and {}{}.", furthestText(*this),
+        isGrown ? fmt::format(", which is rounding, amplified {:.0e} times", at(*furthestBefore).amplification()) : "");
   }
   std::string text = fmt::format("First difference: {}.\nBefore it {}.", differenceText(*this, *firstDifference),
                                  furthestText(*this));
   if (!firstDecision) text += " No decision differs.";
   if (firstDecision && firstDecision != firstDifference) {
     text += fmt::format("\nFirst decision that differs: {}.", differenceText(*this, *firstDecision));
+  }
+  if (replicas > 0 && !at(*firstDifference).undecidable && at(*firstDifference).kind != Quantity::Kind::randomNumber) {
+    text += "\nRounding does not explain it.";
   }
   const Quantity& radiance = stages.back().quantities.back();
   return text +
@@ -75,7 +89,7 @@ void requirePaths(render::Integrator integrator) {
 
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
                            const render::PixelSample& sample, const render::Replay& device,
-                           const render::Replay& reference) {
+                           const render::Replay& reference, std::span<const render::PathTrace> replicas) {
   Explanation result;
   result.scene = scene.name;
   result.sample = sample;
@@ -84,14 +98,19 @@ Explanation explainReplays(const scene::Scene& scene, const render::RenderSettin
   result.device = device.path;
   result.reference = reference.path;
   result.stages = stagesOf(device.path, reference.path, scene);
+  result.replicas = static_cast<std::uint32_t>(replicas.size());
+  judgeByReplicas(replicas, reference.path, scene, result.stages);
   findDifferences(result);
   return result;
 }
 
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
                           const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference) {
-  return explainReplays(scene, settings, sample, device.replay(scene, settings, sample),
-                        reference.replay(scene, settings, sample));
+  render::RenderSettings replicated = settings;
+  replicated.execution.replicas = kReplicaCount;
+  const std::unique_ptr<render::Session> session = reference.prepare(scene, replicated);
+  return explainReplays(scene, settings, sample, device.replay(scene, settings, sample), session->replay(sample),
+                        session->replayReplicas(sample, kReplicaCount));
 }
 
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct Explanation {
   render::PathTrace device;
   render::PathTrace reference;
   std::vector<Stage> stages;
-  /// In the order of the estimator. Empty: no decision differs, and no number by more than kTolerance.
+  std::uint32_t replicas = 0;  ///< number of replicas that say what rounding allows
+  /// In the order of the estimator. Empty: no decision differs, and no number by more than rounding allows.
   std::optional<Place> firstDifference;
   /// After this decision, the two paths are unrelated and nothing is compared.
   std::optional<Place> firstDecision;
@@ -48,10 +50,11 @@ void requirePaths(render::Integrator integrator);
 /// Traces the sample on both sides. The pixel is within the image.
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
                           const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference);
-/// Compares two replays. `scene` provides names for indices.
+/// Compares two replays. `scene` provides names for indices. `replicas` of the reference's path say how far rounding
+/// may take each quantity; without any it is kTolerance.
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
                            const render::PixelSample& sample, const render::Replay& device,
-                           const render::Replay& reference);
+                           const render::Replay& reference, std::span<const render::PathTrace> replicas = {});
 
 /// Explains the pixel that differs most, with the settings of comparePaths(); returns nothing if all pixels are equal.
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,

@@ -32,6 +32,8 @@ ordered_json valueJson(const Value& value) {
 ordered_json quantityJson(const Quantity& quantity) {
   ordered_json json{{"device", valueJson(quantity.device)}, {"reference", valueJson(quantity.reference)}};
   if (quantity.kind != Quantity::Kind::decision) json["apart"] = quantity.apart;
+  if (quantity.kind == Quantity::Kind::number) json["amplification"] = quantity.amplification();
+  if (quantity.kind == Quantity::Kind::decision) json["decidable"] = !quantity.undecidable;
   json["differs"] = quantity.differs;
   return json;
 }
@@ -66,6 +68,7 @@ ordered_json toJson(const Explanation& explanation) {
   json["sample"] = sample.index;
   json["seed"] = explanation.seed;
   json["tolerance"] = kTolerance;
+  json["replicas"] = explanation.replicas;
   json["firstDifference"] = placeJson(explanation, explanation.firstDifference);
   json["firstDecision"] = placeJson(explanation, explanation.firstDecision);
   json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};

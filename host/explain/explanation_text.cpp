@@ -24,6 +24,11 @@ std::string lastCell(const Quantity& quantity) {
   return quantity.differs ? apartText(quantity) + " DIFFERS" : apartText(quantity);
 }
 
+std::string amplificationCell(const Quantity& quantity) {
+  if (quantity.kind == Quantity::Kind::decision) return quantity.undecidable ? "; undecidable" : "";
+  return quantity.spread > 0 ? fmt::format("; {:.1g}", quantity.amplification()) : "";
+}
+
 class TextLayout {
  public:
   explicit TextLayout(const Explanation& explanation) : explanation_(explanation) {}
@@ -45,8 +50,8 @@ class TextLayout {
                            explanation_.device.vertexCount, explanation_.reference.vertexCount,
                            render::PathTrace::kMaxVertices);
     }
-    text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart\n", "", kNameWidth, "device", kSideWidth, "reference",
-                         kSideWidth - 1);
+    text_ += fmt::format("\n{:<{}} {:<{}}{:<{}}apart{}\n", "", kNameWidth, "device", kSideWidth, "reference",
+                         kSideWidth - 1, explanation_.replicas > 0 ? "; amplification" : "");
   }
 
   void addStage(std::size_t index) {
@@ -84,6 +89,7 @@ class TextLayout {
     const bool compared = comparable && !quantity.device.isAbsent() && !quantity.reference.isAbsent();
     std::string row = fmt::format("{:<{}}{}{}{}", (first ? "> " : "  ") + quantity.name, kNameWidth,
                                   cell(quantity.device), cell(quantity.reference), compared ? lastCell(quantity) : "");
+    if (compared && explanation_.replicas > 0) row += amplificationCell(quantity);
     row.erase(row.find_last_not_of(' ') + 1);
     text_ += row + "\n";
   }

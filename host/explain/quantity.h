@@ -1,5 +1,6 @@
 // One quantity of a path on both tracers, and whether the two differ by more than rounding.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -10,9 +11,12 @@
 
 namespace candela::explain {
 
-/// Numbers, like pixels, are equal up to this fraction of the larger one: single precision gives 1e-7, which a few
-/// reflections at flat surfaces increase to 1e-5.
+/// Where no replicas of the path are known, numbers, like pixels, are equal up to this fraction of the larger one:
+/// single precision gives 1e-7, which a few reflections at flat surfaces increase to 1e-5.
 inline constexpr double kTolerance = verify::kRelativeTolerance;
+
+/// Relative error of one operation in single precision.
+inline constexpr double kOneRounding = 0x1p-24;
 
 /// The value on one side: words (for a decision) or one to three numbers. Both are empty if the path did not reach it.
 struct Value {
@@ -29,6 +33,14 @@ struct Quantity {
   Value reference;
   double apart = 0;  ///< relative difference of numbers; infinite if one is not finite
   bool differs = false;
+  /// Maximum of the same difference between replicas of the path and the exact one; 0 for decisions.
+  double spread = 0;
+  bool undecidable = false;  ///< a decision that a replica takes differently
+
+  /// The spread, in units of one rounding.
+  double amplification() const { return spread / kOneRounding; }
+  /// The difference that the spread explains.
+  double allowed() const { return std::max(verify::kSpread * spread, verify::kSpreadFloor); }
 };
 
 /// A decision, equal or not. The words describe the choice of each side.

@@ -40,8 +40,11 @@ struct PathTracer::Vertex {
   Frame frame;
   dvec3 wo;  ///< in the local frame
 
-  Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection)
-      : surface(at), bsdf(material), frame(at.shadingNormal), wo(frame.toLocal(-rayDirection)) {}
+  Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection, Rounding& rounding)
+      : surface(at),
+        bsdf(material),
+        frame(at.shadingNormal),
+        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {}
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
@@ -54,53 +57,61 @@ struct PathTracer::Vertex {
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
 
-render::PathTrace PathTracer::trace(const render::PixelSample& place) const {
+render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
   render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
-  SampleNumbers numbers = numbersOf(place.x, place.y, place.index);
+  SampleNumbers numbers = numbersOf(place);
   for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
     trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
-  notes.finish(walk(cameraRay(place.x, place.y, numbers), numbers, uncounted, notes));
+  Rounding rounding = roundingOf(place, replica);
+  notes.finish(walk(roundedCameraRay(place, numbers, rounding), numbers, uncounted, notes, rounding));
   return trace;
 }
 
-dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters,
-                           render::PathRecord* record) const {
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                           Rounding& rounding) const {
   PathNotes notes(record);
-  return walk(cameraRay, numbers, counters, notes);
+  return walk(cameraRay, numbers, counters, notes, rounding);
 }
 
-dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const {
+dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
+                       Rounding& rounding) const {
   Ray ray = cameraRay;
   dvec3 radiance(0);
   dvec3 beta(1);
   std::optional<double> pdf;
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
-    const Hit hit = tracing().closest(ray, counters);
+    rounding.startVertex(depth, ray);
+    const Hit hit = tracing().closest(ray, counters, rounding);
+    rounding.decide(hit.primitive);
     if (!hit) return radiance + beta * background(ray, pdf);
 
     ++counters.vertices;
-    const Surface surface = surfaceAt(scene(), ray, hit);
+    const Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
-    radiance += beta * emission(ray, hit.distance, surface, pdf, notes);
+    radiance += beta * emission(ray, hit.distance, surface, pdf, notes, rounding);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction);
+    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction, rounding);
     const VertexNumbers u(numbers, depth);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += beta * directLight(vertex, u, counters, notes);
+      radiance += beta * directLight(vertex, u, counters, notes, rounding);
     }
-    const Scattering next = scatter(vertex, u);
+    const Scattering next = scatter(vertex, u, rounding);
+    rounding.decide(static_cast<std::uint64_t>(next.lobe));
     notes.lobe(next.lobe);
-    beta *= next.weight;
+    beta *= rounding.relative(next.weight, kRoundingBounds.throughput);
     if (beta == dvec3(0)) return radiance;
     notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
 
     if (depth > settings_.image.rouletteStart) {
-      const double survival = std::min(1.0, std::sqrt(largestChannel(beta)));
+      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestChannel(beta))),
+                                                kRoundingBounds.survival);
       const bool survives = u.roulette() < survival;
+      rounding.decide(survives);
       notes.roulette(survival, survives);
       if (!survives) return radiance;
       beta /= survival;
@@ -117,57 +128,66 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf) const {
 }
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
-                           PathNotes& notes) const {
+                           PathNotes& notes, Rounding& rounding) const {
   const SurfaceMaterial& material = materialAt(surface);
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
-  const double weight = pdf ? powerHeuristic(*pdf, lights_.pdf(ray, distance, surface)) : 1;
+  const double lightPdf = pdf ? rounding.relative(lights_.pdf(ray, distance, surface), kRoundingBounds.pdf) : 0;
+  const double weight = pdf ? powerHeuristic(*pdf, lightPdf) : 1;
   const dvec3 found = weight * material.emission;
   notes.emission(found, weight);
   return found;
 }
 
-dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const {
+dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
+                              Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
-  const std::optional<LightSample> light = lights_.sample(choice.entry, vertex.surface, u.light());
+  const std::optional<LightSample> light = rounding.lightSample(
+      lights_.sample(choice.entry, vertex.surface, u.light()));
   if (!light) return dvec3(0);
-  const dvec3 wi = vertex.frame.toLocal(light->wi);
+  const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, wi);
+  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
   if (bsdf.f == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters);
+  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters,
+                                             rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
   const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
   notes.lit(weight, arriving);
+  rounding.decideLit(arriving);
   return arriving;
 }
 
-PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u) const {
+PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
   if (vertex.bsdf.isBlack()) return {};
   const bool mirror = vertex.bsdf.isMirror();
-  const render::Lobe lobe = mirror ? render::Lobe::mirror : vertex.bsdf.chooseLobe(u.lobe());
-  if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u);
+  const render::Lobe lobe = mirror ? render::Lobe::mirror
+                                   : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
+  if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u, rounding);
 
-  const DeltaSample sample = mirror ? vertex.bsdf.sampleMirror(vertex.wo)
-                                    : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside, u.bsdf().x);
-  const dvec3 wi = vertex.frame.toWorld(sample.wi);
+  const DeltaSample sample = mirror
+                                 ? vertex.bsdf.sampleMirror(vertex.wo)
+                                 : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside,
+                                                                rounding.absolute(u.bsdf().x, kRoundingBounds.choice));
+  const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
   const Side side = sample.lobe == render::Lobe::refract ? Side::transmission : Side::reflection;
   return {sample.lobe, wi, vertex.isOn(side, wi) ? sample.weight : dvec3(0), std::nullopt};
 }
 
-PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const {
-  const dvec3 local = vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf());
-  const dvec3 wi = vertex.frame.toWorld(local);
-  const BsdfValue bsdf = vertex.bsdf.evaluate(vertex.wo, local);
+PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u,
+                                                 Rounding& rounding) const {
+  const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
+  const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
+  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, local));
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
   return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
 }

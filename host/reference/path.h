@@ -18,8 +18,9 @@ class PathTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// Computes what sample() computes for the same sample, and returns all intermediate results.
-  render::PathTrace trace(const render::PixelSample& place) const;
+  /// Computes what sample() computes for the same sample and replica (0: exactly), and returns all intermediate
+  /// results.
+  render::PathTrace trace(const render::PixelSample& place, std::uint32_t replica = 0) const;
 
  private:
   /// The numbers of one path vertex, named as in shaders/shared/dimensions.h.
@@ -34,15 +35,18 @@ class PathTracer final : public PixelTracer {
     std::optional<double> pdf;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
-  dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes) const;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                 Rounding& rounding) const override;
+  dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
+             Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf) const;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
-                 PathNotes& notes) const;
-  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes) const;
-  Scattering scatter(const Vertex& vertex, VertexNumbers u) const;
-  Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u) const;
+  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf, PathNotes& notes,
+                 Rounding& rounding) const;
+  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
+                    Rounding& rounding) const;
+  Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
+  Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u, Rounding& rounding) const;
 
   render::RenderSettings settings_;
   Background background_;

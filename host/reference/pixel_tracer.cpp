@@ -8,6 +8,7 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
       image_(settings.image),
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_),
+      hasLens_(scene.camera->aperture > 0),
       tracing_(scene, settings),
       materials_(scene.materials.begin(), scene.materials.end()) {}
 
@@ -16,15 +17,29 @@ void PixelTracer::setSeed(std::uint32_t seed) {
   sampler_ = Sampler(image_.sampler, image_.seed, image_.sampleCount);
 }
 
-void PixelTracer::setCamera(const scene::Camera& camera) { camera_ = CameraRays(camera, image_); }
+void PixelTracer::setCamera(const scene::Camera& camera) {
+  camera_ = CameraRays(camera, image_);
+  hasLens_ = camera.aperture > 0;
+}
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                           render::PathRecord* record) const {
-  SampleNumbers numbers = numbersOf(x, y, sampleIndex);
-  const Ray ray = cameraRay(x, y, numbers);
+  Rounding off;
+  return sample({x, y, sampleIndex}, counters, record, off, nullptr);
+}
+
+dvec3 PixelTracer::sample(const render::PixelSample& place, Counters& counters, render::PathRecord* record,
+                          Rounding& rounding, NumberCache* cache) const {
+  SampleNumbers numbers = numbersOf(place, cache);
+  const Ray ray = roundedCameraRay(place, numbers, rounding);
   ++counters.samples;
   ++counters.cameraRays;
-  return radiance(ray, numbers, counters, record);
+  return rounding.relative(radiance(ray, numbers, counters, record, rounding), kRoundingBounds.radiance);
+}
+
+Rounding PixelTracer::roundingOf(const render::PixelSample& place, std::uint32_t replica) const {
+  const Words words = pcg4d({place.x + 65536u * place.y, place.index, image_.seed, replica});
+  return Rounding(std::uint64_t{words[0]} << 32 | words[1], replica);
 }
 
 }  // namespace candela::reference

@@ -5,11 +5,13 @@
 
 #include "host/reference/camera.h"
 #include "host/reference/ray.h"
+#include "host/reference/rounding.h"
 #include "host/reference/sampler.h"
 #include "host/reference/surface.h"
 #include "host/reference/surface_material.h"
 #include "host/reference/tracing.h"
 #include "host/render/path_record.h"
+#include "host/render/path_trace.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
@@ -30,28 +32,35 @@ class PixelTracer {
   /// Returns the radiance of one sample of a pixel. `record`, unless null, receives the decisions of its path or tree.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                render::PathRecord* record) const;
+  /// The same sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`, unless null, is
+  /// that of the sample.
+  dvec3 sample(const render::PixelSample& place, Counters& counters, render::PathRecord* record, Rounding& rounding,
+               NumberCache* cache) const;
+  /// The perturbations of replica `replica` of a sample; 0: none, but decisions are recorded.
+  Rounding roundingOf(const render::PixelSample& place, std::uint32_t replica) const;
   const Tracing& tracing() const { return tracing_; }
 
  protected:
   const scene::Scene& scene() const { return scene_; }
   /// The only source of what integrators know about a material. It depends on nothing but the surface point.
   const SurfaceMaterial& materialAt(const Surface& surface) const { return materials_[surface.material]; }
-  SampleNumbers numbersOf(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex) const {
-    return SampleNumbers(sampler_, x, y, sampleIndex);
+  SampleNumbers numbersOf(const render::PixelSample& place, NumberCache* cache = nullptr) const {
+    return SampleNumbers(sampler_, place.x, place.y, place.index, cache);
   }
-  Ray cameraRay(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
-    return camera_.generate(x, y, numbers);
+  Ray roundedCameraRay(const render::PixelSample& place, SampleNumbers& numbers, Rounding& rounding) const {
+    return rounding.cameraRay(camera_.generate(place.x, place.y, numbers), hasLens_);
   }
 
  private:
   /// Returns the integrator's value of a sample whose camera ray is `ray`.
-  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
-                         render::PathRecord* record) const = 0;
+  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                         Rounding& rounding) const = 0;
 
   const scene::Scene& scene_;
   render::ImageSettings image_;
   Sampler sampler_;
   CameraRays camera_;
+  bool hasLens_;
   Tracing tracing_;
   std::vector<SurfaceMaterial> materials_;
 };

@@ -82,6 +82,9 @@ void ReferenceSession::empty() {
   coverage_ = {};
   paths_.clear();
   if (settings_.execution.recordPaths) paths_.resize(film_.pixels().size());
+  const std::uint32_t replicaCount = settings_.execution.replicas;
+  replicas_.replicas.assign(replicaCount * film_.pixels().size(), {});
+  replicas_.deviations.assign(replicaCount > 0 ? film_.pixels().size() : 0, {});
   statistics_ = prepared_;
   badSamplesLoaded_ = 0;
 }
@@ -114,7 +117,8 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
   return guarded([&] {
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
-    TileJob job(*tracer_, tile, range.end, control, {film_, coverage_.first, paths_});
+    TileJob job(*tracer_, tile, range.end, control,
+                {film_, coverage_.first, paths_, replicas_, settings_.execution.replicas});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;
@@ -141,6 +145,15 @@ render::RenderStatistics ReferenceSession::statistics() {
   render::RenderStatistics result = statistics_;
   result.badSamples = badSampleCount(film_) - badSamplesLoaded_;
   return result;
+}
+
+std::vector<render::PathTrace> ReferenceSession::replayReplicas(const render::PixelSample& sample,
+                                                                std::uint32_t count) {
+  const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
+  std::vector<render::PathTrace> traces;
+  if (paths == nullptr || settings_.execution.replicas == 0) return traces;
+  for (std::uint32_t i = 1; i <= count; ++i) traces.push_back(paths->trace(sample, i));
+  return traces;
 }
 
 render::Replay ReferenceSession::replay(const render::PixelSample& sample) {

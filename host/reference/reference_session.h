@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "host/reference/pixel_tracer.h"
+#include "host/reference/replicas.h"
 #include "host/render/film_coverage.h"
 #include "host/render/session.h"
 
@@ -20,6 +20,11 @@ class ReferenceSession final : public render::Session {
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
   render::PathRecords paths() override { return paths_; }
+  render::ReplicaRecords replicas() override { return replicas_; }
+  render::Replica replica(const render::PixelSample& sample, std::uint32_t index) override {
+    return traceReplica(*tracer_, sample, index);
+  }
+  std::vector<render::PathTrace> replayReplicas(const render::PixelSample& sample, std::uint32_t count) override;
   render::Replay replay(const render::PixelSample& sample) override;
 
  private:
@@ -31,6 +36,7 @@ class ReferenceSession final : public render::Session {
   image::Film film_;
   render::FilmCoverage coverage_;
   render::PathRecords paths_;
+  render::ReplicaRecords replicas_;
   render::RenderStatistics prepared_;  ///< statistics of the preparation
   render::RenderStatistics statistics_;
   std::uint64_t badSamplesLoaded_ = 0;

@@ -198,7 +198,8 @@ Words Sampler::stratifiedGroup(std::uint32_t pixel, std::uint32_t sample, std::u
 std::uint32_t SampleNumbers::word(std::uint32_t dimension) {
   const std::uint32_t wanted = dimension / 4;
   if (wanted != group_) {
-    words_ = sampler_.group(pixel_, sample_, wanted);
+    const auto compute = [&] { return sampler_.group(pixel_, sample_, wanted); };
+    words_ = cache_ ? cache_->at(wanted, compute) : compute();
     group_ = wanted;
   }
   return words_[dimension % 4];

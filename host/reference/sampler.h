@@ -48,11 +48,32 @@ class Sampler {
   std::uint32_t strataPerSide_;
 };
 
+/// The words of recent groups of one sample, for replicas of it.
+class NumberCache {
+ public:
+  /// Returns the words of `group`, which `compute()` gives the first time.
+  template <class Compute>
+  const Words& at(std::uint32_t group, Compute compute) {
+    Entry& entry = entries_[group % entries_.size()];
+    if (entry.group != group) entry = {group, compute()};
+    return entry.words;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t group = ~0u;
+    Words words{};
+  };
+  std::array<Entry, 32> entries_;
+};
+
 /// The numbers of one sample of one pixel. Caches the words of the last requested group.
 class SampleNumbers {
  public:
-  SampleNumbers(const Sampler& sampler, std::uint32_t x, std::uint32_t y, std::uint32_t sample)
-      : sampler_(sampler), pixel_(x + 65536u * y), sample_(sample) {}
+  /// `cache`, unless null, serves this sample alone, and must outlive the object.
+  SampleNumbers(const Sampler& sampler, std::uint32_t x, std::uint32_t y, std::uint32_t sample,
+                NumberCache* cache = nullptr)
+      : sampler_(sampler), cache_(cache), pixel_(x + 65536u * y), sample_(sample) {}
 
   std::uint32_t word(std::uint32_t dimension);
   double unit(std::uint32_t dimension) { return toUnit(word(dimension)); }
@@ -61,6 +82,7 @@ class SampleNumbers {
   static constexpr std::uint32_t kNoGroup = ~0u;
 
   const Sampler& sampler_;
+  NumberCache* cache_;
   std::uint32_t pixel_;
   std::uint32_t sample_;
   std::uint32_t group_ = kNoGroup;

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "host/reference/replicas.h"
+
 namespace candela::reference {
 namespace {
 
@@ -81,8 +83,16 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   const std::size_t pixel = std::size_t{y} * output_.film.width() + x;
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
-    output_.film.addSample(x, y, tracer_.sample(x, y, i, counters, record), i);
+    output_.film.addSample(x, y, traceSample({x, y, i}, pixel, counters, record), i);
   }
+}
+
+dvec3 TileJob::traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters,
+                           render::PathRecord* record) {
+  const std::uint32_t count = output_.replicaCount;
+  if (count == 0) return tracer_.sample(place.x, place.y, place.index, counters, record);
+  render::Replica* const replicas = place.index > 0 ? nullptr : &output_.replicas.replicas[count * pixel];
+  return traceReplicas(tracer_, place, count, counters, record, output_.replicas.deviations[pixel], replicas);
 }
 
 // Tiles that were finished before do not count as progress.

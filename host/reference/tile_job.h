@@ -5,6 +5,7 @@
 
 #include "host/image/film.h"
 #include "host/reference/pixel_tracer.h"
+#include "host/render/replicas.h"
 #include "host/render/session.h"
 
 namespace candela::reference {
@@ -14,6 +15,8 @@ struct JobOutput {
   image::Film& film;
   std::uint32_t firstSample;   ///< index of the first sample of each pixel in the film
   render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
+  render::ReplicaRecords& replicas;
+  std::uint32_t replicaCount;  ///< 0: none are traced
 };
 
 /// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. The arguments that are references must outlive
@@ -33,6 +36,8 @@ class TileJob {
   bool renderNextTile(Counters& shared);
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
+  dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters,
+                    render::PathRecord* record);
   void reportProgress();
 
   const PixelTracer& tracer_;

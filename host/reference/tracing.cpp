@@ -12,6 +12,9 @@ namespace {
 // The computed distances of a hit and of the box that contains it may have errors of opposite sign.
 constexpr double kSlack = 1 + 1e-12;
 
+// Twice the relative error of a distance by rounding.
+constexpr double kTie = 2 * kRoundingBounds.hitDistance * kRoundoff;
+
 dvec3 inverseOf(const dvec3& direction) {
   dvec3 inverse;
   for (int axis = 0; axis < 3; ++axis) {
@@ -29,6 +32,15 @@ bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double 
   const double entry = std::max(std::max(low.x, low.y), std::max(low.z, 0.0));
   const double exit = std::min(std::min(high.x, high.y), high.z);
   return entry <= exit * kSlack && entry <= limit * kSlack;
+}
+
+// Rays of replicas are displaced, by far less than this, and may hit what lies just outside of a primitive's box.
+void padForReplicas(std::vector<Bounds>& boxes, const dvec3& eye) {
+  constexpr double kPadding = 0x1p-16;
+  dvec3 largest = glm::abs(eye);
+  for (const Bounds& box : boxes) largest = glm::max(largest, glm::max(glm::abs(box.min), glm::abs(box.max)));
+  const dvec3 padding(kPadding * std::max({largest.x, largest.y, largest.z}));
+  for (Bounds& box : boxes) box = {box.min - padding, box.max + padding};
 }
 
 bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
@@ -52,6 +64,8 @@ Counters& Counters::operator+=(const Counters& other) {
 }
 
 Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) {
+  const bool tracesReplicas = settings.execution.replicas > 0;
+  const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
   std::vector<Bounds> boxes;
   std::vector<std::uint32_t> bounded;
   std::vector<std::uint32_t> unbounded;
@@ -61,6 +75,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     (bounds ? bounded : unbounded).push_back(i);
     if (bounds) boxes.push_back(*bounds);
   }
+  if (tracesReplicas) padForReplicas(boxes, dvec3(scene.camera->from));
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque);
@@ -69,16 +84,49 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   items_.reserve(scene.primitives.size());
   const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint ||
                               bounded.size() > kBruteForceLimit;
-  if (settings.structure.accel == render::AccelKind::bvh && wantsHierarchy) {
+  if (accel == render::AccelKind::bvh && wantsHierarchy) {
     hierarchy_ = buildHierarchy(boxes, settings.structure.bvhSplit);
     for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
-  if (settings.structure.accel == render::AccelKind::grid)
-    grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
+  if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
+  if (tracesReplicas) findReaches(dvec3(scene.camera->from));
+}
+
+void Tracing::findReaches(const dvec3& eye) {
+  for (const Item& item : items_) reaches_.push_back(reachOf(item, eye));
+}
+
+Tracing::RoundingReach Tracing::reachOf(const Item& item, const dvec3& eye) const {
+  switch (item.kind) {
+    case scene::PrimitiveKind::sphere: {
+      const SphereShape& sphere = spheres_[item.shape];
+      const dvec3 towards = eye - sphere.centre;
+      const dvec3 outward = towards == dvec3(0) ? dvec3(0) : std::abs(sphere.radius) * normalize(towards);
+      return {sphere.centre + outward, 0, kRoundingBounds.sphereTest};
+    }
+    case scene::PrimitiveKind::triangle: {
+      const TriangleShape& triangle = triangles_[item.shape];
+      const dvec3 centre = (triangle.corner + triangle.corner1 + triangle.corner2) / 3.0;
+      const double radius = std::max(
+          {length(triangle.corner - centre), length(triangle.corner1 - centre), length(triangle.corner2 - centre)});
+      return {centre, radius, kRoundingBounds.triangleTest};
+    }
+    case scene::PrimitiveKind::box: {
+      const BoxShape& box = boxes_[item.shape];
+      return {(box.min + box.max) / 2.0, length(box.max - box.min) / 2, kRoundingBounds.boxTest};
+    }
+    case scene::PrimitiveKind::cone: {
+      const ConeShape& cone = cones_[item.shape];
+      return {cone.base, cone.height, kRoundingBounds.coneTest};
+    }
+    case scene::PrimitiveKind::plane:
+      break;
+  }
+  return {planes_[item.shape].point, 0, kRoundingBounds.planeTest};
 }
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
@@ -125,8 +173,8 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
   return kNoHit;
 }
 
-// Calls visit(item, distance of its box) for the items that a ray may hit before `limit`, which `visit` may reduce.
-// Ends when `visit` returns true.
+// Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit` returns
+// true.
 template <class Visit>
 void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
   if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
@@ -134,7 +182,7 @@ void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters
   if (throughGrid && visitGrid(ray, limit, counters, visit)) return;
   for (std::size_t i = hasGrid() && !throughGrid ? 0 : firstOutside_; i < items_.size(); ++i) {
     ++counters.traversalSteps;
-    if (visit(items_[i], distance(items_[i], ray))) return;
+    if (visit(items_[i])) return;
   }
 }
 
@@ -151,7 +199,7 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
     if (!meets(node.bounds, ray.origin, inverse, limit)) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       ++counters.traversalSteps;
-      if (visit(items_[i], distance(items_[i], ray))) return true;
+      if (visit(items_[i])) return true;
     }
     if (node.count > 0) continue;
     const bool forward = ray.direction[node.axis] >= 0;
@@ -169,7 +217,7 @@ bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters,
     ++counters.traversalSteps;
     for (const std::uint32_t item : grid_.itemsOf(walk.cell())) {
       ++counters.traversalSteps;
-      if (visit(items_[item], distance(items_[item], ray))) return true;
+      if (visit(items_[item])) return true;
     }
     if (limit < walk.exit()) return false;
   }
@@ -178,10 +226,11 @@ bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters,
 
 Hit Tracing::closest(const Ray& ray, Counters& counters) const {
   Hit nearest;
-  visitItems(ray, nearest.distance, counters, [&](const Item& item, double distance) {
-    const bool nearer = distance < nearest.distance;
-    const bool wins = distance == nearest.distance && distance < kNoHit && item.primitive < nearest.primitive;
-    if (nearer || wins) nearest = {distance, item.primitive};
+  visitItems(ray, nearest.distance, counters, [&](const Item& item) {
+    const double itemDistance = distance(item, ray);
+    const bool nearer = itemDistance < nearest.distance;
+    const bool wins = itemDistance == nearest.distance && itemDistance < kNoHit && item.primitive < nearest.primitive;
+    if (nearer || wins) nearest = {itemDistance, item.primitive};
     return false;
   });
   return nearest;
@@ -189,8 +238,51 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
 
 bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const {
   bool occluded = false;
-  visitItems(ray, distance, counters, [&](const Item& item, double itemDistance) {
-    occluded = item.primitive != light && itemDistance < distance;
+  visitItems(ray, distance, counters, [&](const Item& item) {
+    occluded = item.primitive != light && this->distance(item, ray) < distance;
+    return occluded;
+  });
+  return occluded;
+}
+
+dvec3 Tracing::testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const {
+  const RoundingReach& reach = reaches_[static_cast<std::size_t>(&item - items_.data())];
+  return origin + reach.units * kRoundoff * (length(origin - reach.centre) + reach.radius) * signs;
+}
+
+Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
+  if (!rounding.perturbs()) return closest(std::as_const(ray), counters);
+  const dvec3 signs = rounding.signs();
+  const std::uint64_t word = rounding.word();
+  Hit nearest;
+  dvec3 hitOrigin = ray.origin;
+  Ray tested = ray;
+  visitItems(ray, nearest.distance, counters, [&](const Item& item) {
+    tested.origin = testedOrigin(item, ray.origin, signs);
+    const double exact = distance(item, tested);
+    if (!(exact < nearest.distance * (1 + kTie))) return false;
+    const double rounded = exact * (1 + kTie / 2 * Rounding::signOf(word, item.primitive));
+    if (!(rounded < nearest.distance)) return false;
+    nearest = {rounded, item.primitive};
+    hitOrigin = tested.origin;
+    return false;
+  });
+  ray.origin = hitOrigin;
+  return nearest;
+}
+
+bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters,
+                         Rounding& rounding) const {
+  if (!rounding.perturbs()) return isOccluded(ray, distance, light, counters);
+  const dvec3 signs = rounding.signs();
+  const std::uint64_t word = rounding.word();
+  bool occluded = false;
+  Ray tested = ray;
+  visitItems(ray, distance, counters, [&](const Item& item) {
+    if (item.primitive == light) return false;
+    tested.origin = testedOrigin(item, ray.origin, signs);
+    const double exact = this->distance(item, tested);
+    occluded = exact < distance * (1 - kTie / 2 * Rounding::signOf(word, item.primitive));
     return occluded;
   });
   return occluded;

@@ -7,6 +7,7 @@
 #include "host/reference/grid.h"
 #include "host/reference/hierarchy.h"
 #include "host/reference/ray.h"
+#include "host/reference/rounding.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
@@ -40,6 +41,10 @@ class Tracing {
   /// Returns whether a primitive other than `light` is hit before `distance`.
   bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const;
 
+  /// The same with the rounding of a replica: `ray` becomes the ray that, in effect, was tested.
+  Hit closest(Ray& ray, Counters& counters, Rounding& rounding) const;
+  bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters, Rounding& rounding) const;
+
   bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
   const Hierarchy& hierarchy() const { return hierarchy_; }
   bool hasGrid() const { return !grid_.starts.empty(); }
@@ -56,6 +61,18 @@ class Tracing {
 
   void addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
+  /// The rounding in an item's test has the effect of a displaced ray: by `units` of kRoundoff of the distance of the
+  /// ray's origin from `centre`, plus `radius`.
+  struct RoundingReach {
+    dvec3 centre;
+    double radius;
+    double units;
+  };
+
+  void findReaches(const dvec3& eye);
+  RoundingReach reachOf(const Item& item, const dvec3& eye) const;
+  /// The origin of the ray that the device's test of this item amounts to; `signs` of the errors.
+  dvec3 testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const;
   template <class Visit>
   void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
   template <class Visit>
@@ -70,6 +87,7 @@ class Tracing {
   std::vector<BoxShape> boxes_;
   std::vector<ConeShape> cones_;
   std::vector<PlaneShape> planes_;
+  std::vector<RoundingReach> reaches_;  ///< of items_; empty unless replicas are traced
   Hierarchy hierarchy_;
   Grid grid_;
 };

@@ -36,10 +36,13 @@ void ViewTracer::setCamera(const scene::Camera& camera) {
   aoDistance_ = aoDistanceOf(camera, askedAoDistance_);
 }
 
-dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
-                           render::PathRecord* record) const {
+dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                           Rounding& rounding) const {
   const std::uint64_t stepsBefore = counters.traversalSteps;
-  const Hit hit = tracing().closest(ray, counters);
+  rounding.startVertex(1, ray);
+  Ray tested = ray;
+  const Hit hit = tracing().closest(tested, counters, rounding);
+  rounding.decide(hit.primitive);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
   if (hit) ++counters.vertices;
 
@@ -48,14 +51,14 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   if (view_ == render::Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
-    value = valueAt(hit, surfaceAt(scene(), ray, hit), numbers, counters, vertex);
+    value = valueAt(hit, rounding.surfaceAt(scene(), tested, hit), numbers, counters, vertex, rounding);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
 }
 
 dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                          render::VertexRecord& record) const {
+                          render::VertexRecord& record, Rounding& rounding) const {
   switch (view_) {
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
@@ -66,20 +69,24 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::id:
       return indexColour(hit.primitive);
     default:
-      return dvec3(isOpen(surface, numbers, counters, record) ? 1 : 0);
+      return dvec3(isOpen(surface, numbers, counters, record, rounding) ? 1 : 0);
   }
 }
 
 bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                        render::VertexRecord& record) const {
+                        render::VertexRecord& record, Rounding& rounding) const {
   constexpr std::uint32_t kFirstVertex = kCameraDimensionCount;
   const dvec2 u(numbers.unit(kFirstVertex + kDimensionBsdfU), numbers.unit(kFirstVertex + kDimensionBsdfV));
-  const dvec3 wi = Frame(surface.shadingNormal).toWorld(sampleCosineHemisphere(u));
-  if (dot(wi, surface.facingNormal) <= 0) return false;
+  const dvec3 local = rounding.sampledDirection(sampleCosineHemisphere(u));
+  const dvec3 wi = rounding.turned(Frame(surface.shadingNormal).toWorld(local), kRoundingBounds.frame);
+  const bool above = dot(wi, surface.facingNormal) > 0;
+  rounding.decide(above);
+  if (!above) return false;
 
   ++counters.shadowRays;
   const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
-  const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters);
+  const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters, rounding);
+  rounding.decide(blocked);
   record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;
   return !blocked;
 }

@@ -18,11 +18,13 @@ class ViewTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                 Rounding& rounding) const override;
   dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                render::VertexRecord& record) const;
+                render::VertexRecord& record, Rounding& rounding) const;
   /// Returns whether the ambient occlusion ray of this sample hits nothing.
-  bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record) const;
+  bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record,
+              Rounding& rounding) const;
 
   render::Integrator view_;
   std::optional<float> askedAoDistance_;

@@ -21,6 +21,7 @@ struct WhittedTracer::SampleState {
   SampleNumbers& numbers;
   Counters& counters;
   render::PathRecord* record;
+  Rounding& rounding;
 
   void keep(const render::VertexRecord& vertex) const {
     if (record && record->vertexCount < render::PathRecord::kRecordedVertices)
@@ -60,26 +61,32 @@ void WhittedTracer::placeLights(const scene::Camera& camera) {
   }
 }
 
-dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters,
-                              render::PathRecord* record) const {
-  SampleState state{numbers, counters, record};
+dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                              Rounding& rounding) const {
+  SampleState state{numbers, counters, record, rounding};
   return radianceAt({ray}, state);
 }
 
 dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
-  const Hit hit = tracing().closest(node.ray, state.counters);
+  Rounding& rounding = state.rounding;
+  rounding.startVertex(node.number, node.ray);
+  Ray ray = node.ray;
+  const Hit hit = tracing().closest(ray, state.counters, rounding);
+  rounding.decide(hit.primitive);
   render::VertexRecord record{.primitive = hit.primitive};
   if (!hit) {
     state.keep(record);
-    return background_.radiance(node.ray.direction);
+    return background_.radiance(ray.direction);
   }
   ++state.counters.vertices;
   if (node.depth == 1) ++state.counters.cameraHits;
-  const Surface surface = surfaceAt(scene(), node.ray, hit);
+  const Surface surface = rounding.surfaceAt(scene(), ray, hit);
+  rounding.decide(surface.fromOutside);
   const SurfaceMaterial& material = materialAt(surface);
   dvec3 sum = material.emission + double{material.whitted.ka} * dvec3(material.whitted.diffuse);
   sum += direct(node, surface, state, record);
-  const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -node.ray.direction) : Branches{};
+  const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -ray.direction, rounding) : Branches{};
+  rounding.decide(static_cast<std::uint64_t>(branches.lobe));
   record.lobe = branches.lobe;
   state.keep(record);
 
@@ -96,24 +103,25 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
     ++state.counters.refractedRays;
     sum += branches.refracted.factor * radianceAt(node.refracted(rayTowards(branches.refracted.direction)), state);
   }
-  return sum;
+  return rounding.relative(sum, kRoundingBounds.radiance);
 }
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
                             render::VertexRecord& record) const {
   const scene::WhittedMaterial& material = materialAt(surface).whitted;
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
+  Rounding& rounding = state.rounding;
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const dvec3 towards = lightPoint(i, node.number, state.numbers) - surface.position;
-    const double distance = length(towards);
+    const double distance = rounding.relative(length(towards), kRoundingBounds.lightDistance);
     if (distance == 0) continue;
-    const dvec3 wi = towards / distance;
+    const dvec3 wi = rounding.turned(towards / distance, kRoundingBounds.lightDirection);
     if (dot(surface.shadingNormal, wi) <= 0 || dot(surface.facingNormal, wi) <= 0) continue;
 
     ++state.counters.shadowRays;
     const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
-    const bool occluded = tracing().isOccluded(ray, distance, kNoPrimitive, state.counters);
+    const bool occluded = tracing().isOccluded(ray, distance, kNoPrimitive, state.counters, rounding);
     if (occluded) {
       record.shadow = render::ShadowOutcome::occluded;
       continue;
@@ -121,7 +129,10 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
     if (record.shadow == render::ShadowOutcome::notTraced) record.shadow = render::ShadowOutcome::visible;
     const unsigned seen = record.visibleLights ^ 1u << (i % render::VertexRecord::kRecordedLights);
     record.visibleLights = static_cast<std::uint16_t>(seen);
-    sum += lights_[i].colour * localColour(material, surface.shadingNormal, -node.ray.direction, wi);
+    const dvec3 colour = localColour(material, surface.shadingNormal, -node.ray.direction, wi);
+    const dvec3 arriving = lights_[i].colour * rounding.relative(colour, kRoundingBounds.bsdf);
+    rounding.decideLit(arriving);
+    sum += arriving;
   }
   return sum;
 }
@@ -136,20 +147,21 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
   return position + frame.toWorld({offset(kDimensionLightU), offset(kDimensionLightV), 0});
 }
 
-WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo) const {
+WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const {
   const scene::WhittedMaterial& material = materialAt(surface).whitted;
   if (material.kind == scene::WhittedKind::opaque) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);
   Branches branches;
-  branches.reflected = {2 * cosine * normal - wo, material.ks};
+  branches.reflected = {rounding.turned(2 * cosine * normal - wo, kRoundingBounds.frame), material.ks};
   branches.lobe = render::Lobe::mirror;
   if (material.kind == scene::WhittedKind::glass) {
     const double ior = material.ior;
     const double eta = surface.fromOutside ? 1 / ior : ior;
     const Boundary boundary = fresnel(cosine, eta);
-    branches.reflected.factor = boundary.reflectance;
-    branches.refracted = {-eta * wo + (eta * cosine - boundary.cosTransmitted) * normal, 1 - boundary.reflectance};
+    branches.reflected.factor = rounding.relative(boundary.reflectance, kRoundingBounds.bsdf);
+    const dvec3 refracted = -eta * wo + (eta * cosine - boundary.cosTransmitted) * normal;
+    branches.refracted = {rounding.turned(refracted, kRoundingBounds.frame), 1 - boundary.reflectance};
     branches.lobe = render::Lobe::reflect;
   }
   if (dot(branches.reflected.direction, surface.facingNormal) <= 0) branches.reflected.factor = 0;

@@ -40,13 +40,14 @@ class WhittedTracer final : public PixelTracer {
     Frame frame;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record) const override;
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+                 Rounding& rounding) const override;
   /// The squares of point lights face the camera's target.
   void placeLights(const scene::Camera& camera);
   dvec3 radianceAt(const Node& node, SampleState& state) const;
   dvec3 direct(const Node& node, const Surface& surface, SampleState& state, render::VertexRecord& record) const;
   dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;
-  Branches branchesAt(const Surface& surface, const dvec3& wo) const;
+  Branches branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const;
 
   std::uint32_t maxDepth_;
   double lightSize_;

@@ -1,6 +1,8 @@
 // Rendering in one call, for callers that need no session.
 #include "host/render/renderer.h"
 
+#include "host/core/errors.h"
+
 namespace candela::render {
 
 RenderResult Renderer::render(const scene::Scene& scene, const RenderSettings& settings, const RenderControl& control) {
@@ -15,6 +17,10 @@ RenderResult Renderer::render(const scene::Scene& scene, const RenderSettings& s
 
 Replay Renderer::replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample) {
   return prepare(scene, settings)->replay(sample);
+}
+
+Replica Session::replica(const PixelSample&, std::uint32_t) {
+  throw UsageError("only the reference traces replicas of a sample");
 }
 
 }  // namespace candela::render

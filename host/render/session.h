@@ -3,10 +3,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "host/image/film.h"
 #include "host/render/path_record.h"
 #include "host/render/path_trace.h"
+#include "host/render/replicas.h"
 #include "host/render/statistics.h"
 #include "host/scene/scene.h"
 
@@ -62,6 +64,13 @@ class Session {
   virtual RenderStatistics statistics() = 0;
   /// Returns one record per pixel; empty unless ExecutionSettings::recordPaths.
   virtual PathRecords paths() = 0;
+  /// Empty unless the tracer is the reference and ExecutionSettings::replicas is above 0.
+  virtual ReplicaRecords replicas() { return {}; }
+  /// Traces replica `index`, from 0, of one sample, where replicas are traced. Those of replicas() are the first ones.
+  virtual Replica replica(const PixelSample& sample, std::uint32_t index);
+  /// The paths of the first `count` replicas of a sample, as replay() gives that of the exact one; empty where no
+  /// replicas are traced.
+  virtual std::vector<PathTrace> replayReplicas(const PixelSample&, std::uint32_t) { return {}; }
   /// Traces one sample again, without adding it to the film. It is the sample that advance() adds, bit for bit. The
   /// integrator must be Integrator::path, and the pixel must be within the image.
   virtual Replay replay(const PixelSample& sample) = 0;

@@ -102,6 +102,7 @@ struct ExecutionSettings {
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
   std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
+  std::uint32_t replicas = 0;  ///< of each sample, by the reference alone: see host/render/replicas.h
   bool recordPaths = false;  ///< records the decisions of each pixel's path (one sample per pixel only): see PathRecord
 
   Extent workgroupInUse() const { return workgroup.value_or(automatic.workgroup); }

@@ -1,6 +1,7 @@
 // Closed-form levels and increments of the spending function.
 #include "host/statistics/error_rates.h"
 
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,12 @@ double spentAlpha(double alpha, double information) { return alpha * std::log1p(
 double levelOfLook(double alpha, std::uint32_t look, std::uint32_t looks) {
   const double step = 1.0 / looks;
   return spentAlpha(alpha, look * step) - spentAlpha(alpha, (look - 1) * step);
+}
+
+double binomialTail(std::uint64_t count, std::uint64_t trials, double p) {
+  if (count == 0) return 1;
+  const boost::math::binomial distribution(static_cast<double>(trials), p);
+  return boost::math::cdf(boost::math::complement(distribution, static_cast<double>(count) - 1));
 }
 
 }  // namespace candela::statistics

@@ -19,4 +19,7 @@ double spentAlpha(double alpha, double information);
 /// (Bonferroni's inequality over the increments; exact boundaries would be slightly wider).
 double levelOfLook(double alpha, std::uint32_t look, std::uint32_t looks);
 
+/// Returns the probability of `count` or more successes in `trials` independent trials of probability `p` in (0, 1).
+double binomialTail(std::uint64_t count, std::uint64_t trials, double p);
+
 }  // namespace candela::statistics

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "host/statistics/error_rates.h"
+#include "host/verify/paired_sums.h"
 
 namespace candela::verify {
 namespace {
@@ -22,6 +26,14 @@ double meanLuminance(const image::Film& film) {
   return sum / (static_cast<double>(film.width()) * film.height());
 }
 
+void testRegions(AgreementReport& report, std::span<const render::Deviation> deviations, double alpha) {
+  const std::vector<Region> regions = regionsOf({report.deviceFilm.width(), report.deviceFilm.height()});
+  PairedSums sums(regions, report.pixels.referenceMean);
+  sums.add(report.deviceFilm, report.referenceFilm, deviations);
+  report.level = statistics::sidakLevel(alpha, regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) report.regions.push_back(sums.test(i, report.level));
+}
+
 void noteDifference(PixelAgreement& result, double difference, std::uint32_t x, std::uint32_t y) {
   if (difference <= result.worst) return;
   result.worst = difference;
@@ -30,11 +42,6 @@ void noteDifference(PixelAgreement& result, double difference, std::uint32_t x, 
 }
 
 }  // namespace
-
-double MeanAgreement::relativeDifference() const {
-  if (device == reference) return 0;
-  return reference > 0 ? std::abs(device - reference) / reference : 1;
-}
 
 Cause causeOf(const render::PathRecord& device, const render::PathRecord& reference) {
   const std::uint32_t count = std::max(device.vertexCount, reference.vertexCount);
@@ -73,16 +80,25 @@ PixelAgreement comparePixels(const render::RenderResult& device, const render::R
 }
 
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
-                                           render::Renderer& device, render::Renderer& reference,
+                                           render::Renderer& device, render::Renderer& reference, double level,
                                            const render::RenderControl& control, render::BadSampleTallies& badSamples) {
   render::RenderSettings single = settings;
   single.image.sampleCount = 1;
   single.execution.recordPaths = true;
   const render::RenderResult a = device.render(scene, single, control);
-  const render::RenderResult b = reference.render(scene, single, control);
+  single.execution.replicas = kReplicas;
+  const std::unique_ptr<render::Session> session = reference.prepare(scene, single);
+  render::RenderResult b;
+  b.interrupted = !session->advance({0, 1}, control);
+  b.film = session->film();
+  b.paths = session->paths();
   badSamples.device.add(a.film, single.image);
   badSamples.reference.add(b.film, single.image);
-  return a.interrupted || b.interrupted ? std::nullopt : std::optional(comparePixels(a, b));
+  if (a.interrupted || b.interrupted) return std::nullopt;
+  PixelAgreement result = comparePixels(a, b);
+  result.decisions = testDecisions(a.film, *session, level);
+  result.referenceMean = meanLuminance(b.film);
+  return result;
 }
 
 std::string PixelAgreement::causesText() const {
@@ -103,58 +119,69 @@ nlohmann::ordered_json PixelAgreement::worstJson() const {
 }
 
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
-                               render::Renderer& device, render::Renderer& reference,
+                               render::Renderer& device, render::Renderer& reference, double alpha,
                                const render::RenderControl& control) {
   AgreementReport report;
   report.scene = scene.name;
-  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, control,
+  report.samples = settings.image.sampleCount;
+  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, alpha / 2, control,
                                                             report.badSamples);
   report.pixels = pixels.value_or(PixelAgreement{});
-  render::RenderResult deviceMany = device.render(scene, settings, control);
-  render::RenderResult referenceMany = reference.render(scene, settings, control);
-  report.badSamples.device.add(deviceMany.film, settings.image);
-  report.badSamples.reference.add(referenceMany.film, settings.image);
-  report.mean = {settings.image.sampleCount, meanLuminance(deviceMany.film), meanLuminance(referenceMany.film)};
-  report.deviceStatistics = deviceMany.statistics;
-  report.deviceFilm = std::move(deviceMany.film);
-  report.referenceFilm = std::move(referenceMany.film);
-  report.interrupted = !pixels || deviceMany.interrupted || referenceMany.interrupted;
+  render::RenderResult many = device.render(scene, settings, control);
+  render::RenderSettings replicated = settings;
+  replicated.execution.replicas = 1;
+  const std::unique_ptr<render::Session> session = reference.prepare(scene, replicated);
+  const bool finished = session->advance({0, report.samples}, control);
+  report.interrupted = !pixels || many.interrupted || !finished;
+  report.referenceFilm = session->film();
+  report.badSamples.device.add(many.film, settings.image);
+  report.badSamples.reference.add(report.referenceFilm, settings.image);
+  report.deviceStatistics = many.statistics;
+  report.deviceFilm = std::move(many.film);
+  if (!report.interrupted) testRegions(report, session->replicas().deviations, alpha / 2);
   return report;
 }
 
 std::string AgreementReport::toText() const {
   std::string text = fmt::format("{}: {} compared with the reference\n", scene, deviceStatistics.device);
+  if (interrupted) return text + "  interrupted: no verdict\n";
   text += fmt::format(
-      "  1 sample: {:.3f} % of {} pixels equal (at least {} %), {:.3f} % of {} lit pixels (at least {} %)\n",
-      100 * pixels.share(), pixels.pixels, 100 * kRequiredShare, 100 * pixels.litShare(), pixels.lit,
-      100 * kRequiredLitShare);
-  text += "  first differences of the other pixels:" + pixels.causesText();
-  text += fmt::format("\n  {} samples: mean {:.8g}, reference {:.8g}, relative difference {:.2e} (at most {:.0e})\n",
-                      mean.samples, mean.device, mean.reference, mean.relativeDifference(), kMeanTolerance);
-  text += interrupted ? "  interrupted: no verdict\n" : agree() ? "  they agree\n" : "  they DIFFER\n";
-  return text;
+      "  1 sample: {:.3f} % of {} pixels equal to {:.0e}, {:.3f} % of {} lit pixels; first differences:{}\n",
+      100 * pixels.share(), pixels.pixels, kRelativeTolerance, 100 * pixels.litShare(), pixels.lit,
+      pixels.causesText());
+  text += fmt::format("  {}\n", pixels.decisions.text());
+  text += fmt::format("  {} samples, {} tests at p < {:.1e}:\n  {}\n", samples, regions.size(), level,
+                      differenceText(image()));
+  const RegionResult& most = mostSignificant();
+  if (&most != &image()) text += fmt::format("  {}\n", differenceText(most));
+  return text + (agree() ? "  they agree\n" : "  they DIFFER\n");
 }
 
-nlohmann::json AgreementReport::toJson() const {
-  return {{"scene", scene},
-          {"device", deviceStatistics.device},
-          {"driver", deviceStatistics.driver},
-          {"agree", agree()},
-          {"interrupted", interrupted},
-          {"pixels",
-           {{"count", pixels.pixels},
-            {"equal", pixels.equal},
-            {"share", pixels.share()},
-            {"lit", pixels.lit},
-            {"litEqual", pixels.litEqual},
-            {"litShare", pixels.litShare()},
-            {"causes", pixels.causesJson()},
-            {"worst", pixels.worstJson()}}},
-          {"mean",
-           {{"samples", mean.samples},
-            {"device", mean.device},
-            {"reference", mean.reference},
-            {"relativeDifference", mean.relativeDifference()}}}};
+nlohmann::ordered_json AgreementReport::toJson() const {
+  nlohmann::ordered_json json{{"scene", scene},
+                              {"device", deviceStatistics.device},
+                              {"driver", deviceStatistics.driver},
+                              {"agree", agree()},
+                              {"interrupted", interrupted},
+                              {"pixels",
+                               {{"count", pixels.pixels},
+                                {"equal", pixels.equal},
+                                {"share", pixels.share()},
+                                {"lit", pixels.lit},
+                                {"litEqual", pixels.litEqual},
+                                {"litShare", pixels.litShare()},
+                                {"causes", pixels.causesJson()},
+                                {"worst", pixels.worstJson()},
+                                {"decisions", pixels.decisions.json()}}}};
+  if (interrupted) return json;
+  json["mean"] = {{"samples", samples},
+                  {"device", image().deviceMean},
+                  {"reference", image().referenceMean},
+                  {"relativeDifference", std::abs(image().relativeDifference())},
+                  {"margin", image().margin}};
+  json["level"] = level;
+  for (const RegionResult& region : regions) json["regions"].push_back(regionJson(region, "device"));
+  return json;
 }
 
 }  // namespace candela::verify

@@ -9,17 +9,14 @@
 
 #include "host/render/bad_sample_tally.h"
 #include "host/render/renderer.h"
+#include "host/verify/decisions.h"
+#include "host/verify/region_result.h"
 
 namespace candela::verify {
 
 /// Channels are equal if they differ by at most kRelativeTolerance of the larger value, or by kAbsoluteTolerance.
 inline constexpr double kRelativeTolerance = 1e-4;
 inline constexpr double kAbsoluteTolerance = 0x1p-26;
-/// Required fractions of equal pixels at one sample: of all pixels, and of those that are lit on either side.
-inline constexpr double kRequiredShare = 0.99;
-inline constexpr double kRequiredLitShare = 0.97;
-/// Maximum relative difference of the image means (luminance) at more samples.
-inline constexpr double kMeanTolerance = 1e-3;
 
 /// The first decision in which two paths differ. `rounding`: none differs within the recorded vertices.
 enum class Cause { primitive, shadow, lobe, roulette, rounding };
@@ -34,39 +31,35 @@ struct PixelAgreement {
   std::array<std::uint64_t, 5> causes{};  ///< numbers of pixels that differ, by Cause
   double worst = 0;                       ///< maximum difference of a channel
   std::uint32_t worstX = 0, worstY = 0;
+  DecisionTest decisions;
+  double referenceMean = 0;  ///< luminance
 
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
-  bool agree() const { return share() >= kRequiredShare && litShare() >= kRequiredLitShare; }
+  /// Whether all differences are what rounding explains.
+  bool agree() const { return decisions.agrees(); }
   /// Returns the causes with their counts, and the position of the maximum difference.
   std::string causesText() const;
   nlohmann::ordered_json causesJson() const;
   nlohmann::ordered_json worstJson() const;
 };
 
-/// Means (luminance) of images with `samples` samples per pixel.
-struct MeanAgreement {
-  std::uint32_t samples = 0;
-  double device = 0;
-  double reference = 0;
-
-  /// Returns |device - reference| / reference; 0 if both are 0.
-  double relativeDifference() const;
-  bool agree() const { return relativeDifference() <= kMeanTolerance; }
-};
-
 struct AgreementReport {
   std::string scene;
   render::RenderStatistics deviceStatistics;
   PixelAgreement pixels;
-  MeanAgreement mean;
+  std::uint32_t samples = 0;              ///< per pixel, of the films
+  double level = 0;                       ///< of each region's test
+  std::vector<RegionResult> regions;      ///< the luminance of the whole image first
   render::BadSampleTallies badSamples;    ///< bad samples of all renders
   image::Film deviceFilm, referenceFilm;  ///< films with `samples` samples per pixel
   bool interrupted = false;
 
-  bool agree() const { return !interrupted && pixels.agree() && mean.agree(); }
+  const RegionResult& image() const { return regions.front(); }
+  const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }
+  bool agree() const { return !interrupted && pixels.agree() && !anyDiffers(regions); }
   std::string toText() const;
-  nlohmann::json toJson() const;
+  nlohmann::ordered_json toJson() const;
 };
 
 /// Returns why two records of one pixel diverge.
@@ -74,16 +67,16 @@ Cause causeOf(const render::PathRecord& device, const render::PathRecord& refere
 /// Compares results of one sample per pixel that contain path records.
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
-/// Renders and compares images of one sample per pixel, and adds the bad samples of both to `badSamples`. Returns
-/// nothing if a render was interrupted, since its records are incomplete.
+/// Renders and compares images of one sample per pixel, tests their decisions at `level`, and adds the bad samples of
+/// both to `badSamples`. Returns nothing if a render was interrupted, since its records are incomplete.
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
-                                           render::Renderer& device, render::Renderer& reference,
+                                           render::Renderer& device, render::Renderer& reference, double level,
                                            const render::RenderControl& control, render::BadSampleTallies& badSamples);
 
 /// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the
-/// means.
+/// paired test of their light. The probability of a false alarm is at most `alpha`.
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
-                               render::Renderer& device, render::Renderer& reference,
+                               render::Renderer& device, render::Renderer& reference, double alpha,
                                const render::RenderControl& control);
 
 }  // namespace candela::verify

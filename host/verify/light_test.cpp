@@ -31,6 +31,7 @@ class LightTest {
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         device_(Side::device, device, scene, settings, regions_),
         reference_(Side::reference, reference, scene, settings, regions_) {
+    result_.bias = options.bias.value_or(kIndependentBias);
     if (!options.keepFilms) return;
     device_.keepFilm(settings.image.size);
     reference_.keepFilm(settings.image.size);
@@ -70,7 +71,7 @@ class LightTest {
     const double level = statistics::sidakLevel(options_.alpha, testCount_);
     const RegionResult image = compareMeans(0, level);
     if (image.test.standardError == 0 || image.referenceMean == 0) return 1;
-    return informationShare(image.test.standardError, options_.bias * std::abs(image.referenceMean),
+    return informationShare(image.test.standardError, result_.bias * std::abs(image.referenceMean),
                             statistics::criticalT(level, image.test.degreesOfFreedom));
   }
 

@@ -24,11 +24,17 @@ namespace candela::verify {
 
 inline constexpr std::uint32_t kMaxLooks = 8;
 
+/// paired: equal random numbers on both sides, docs/testing.md; independent: as described above.
+enum class LightTestMethod { paired, independent };
+/// Relative bias that the independent test must detect if none is asked for.
+inline constexpr double kIndependentBias = 0.005;
+
 struct LightTestOptions {
+  LightTestMethod method = LightTestMethod::paired;
   double alpha = 1e-4;                ///< probability of a false alarm of a whole run, in (0, 1)
-  double bias = 0.005;                ///< fraction of the image mean that must be detected, > 0
+  std::optional<double> bias{};       ///< fraction of the image mean that must be detected, > 0; absent: the method's
   std::optional<double> timeLimit{};  ///< seconds after which no further look begins
-  std::optional<Region> watched{};    ///< a region whose means are returned in addition to the tests
+  std::optional<Region> watched{};    ///< a region whose means are returned in addition to the tests: independent
   bool keepFilms = false;             ///< return the films, too
 };
 
@@ -38,6 +44,7 @@ struct LightTestResult {
   double level = 0;                                     ///< level of each region's test at the last look
   std::vector<RegionResult> regions;                    ///< the luminance of the whole image first
   statistics::Summary watchedDevice, watchedReference;  ///< over the batches; empty without a watched region
+  double bias = kIndependentBias;                       ///< that was to be detected
   double information = 0;            ///< at the last look; 1: `bias` would have been detected with probability kPower
   bool outOfTime = false;            ///< the time limit was reached before all of the information was available
   bool interrupted = false;          ///< no verdict

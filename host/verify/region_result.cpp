@@ -18,7 +18,7 @@ double RegionResult::relativeDifference() const {
 RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
                            const statistics::Estimate& reference, double level) {
   const double rounding = kRelativeTolerance * std::abs(reference.mean) + kAbsoluteTolerance;
-  RegionResult result{region, device.mean, reference.mean, statistics::welch(device, reference, rounding), 0, false};
+  RegionResult result{region, device.mean, reference.mean, statistics::welch(device, reference, rounding), rounding};
   result.differs = result.test.pValue < level;
   if (result.test.standardError == 0 || reference.mean == 0) return result;
   const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
@@ -45,7 +45,7 @@ std::string pValueText(double pValue) { return pValue > 0 ? fmt::format("p = {:.
 std::string differenceText(const RegionResult& result) {
   const double error = result.referenceMean == 0 ? result.test.standardError
                                                  : result.test.standardError / std::abs(result.referenceMean);
-  return fmt::format("{}: {:.6g}, reference {:.6g}, {:+.3f} % (standard error {:.3f} %, p = {:.1e})",
+  return fmt::format("{}: {:.6g}, reference {:.6g}, {:+.2g} % (standard error {:.2g} %, p = {:.1e})",
                      regionText(result.region), result.deviceMean, result.referenceMean,
                      100 * result.relativeDifference(), 100 * error, result.test.pValue);
 }
@@ -60,6 +60,7 @@ nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstN
           {firstName, result.deviceMean},
           {"reference", result.referenceMean},
           {"difference", result.test.difference},
+          {"margin", result.margin},
           {"standardError", result.test.standardError},
           {"degreesOfFreedom", result.test.degreesOfFreedom},
           {"t", result.test.t},

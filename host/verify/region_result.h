@@ -18,6 +18,7 @@ struct RegionResult {
   double deviceMean = 0;
   double referenceMean = 0;
   statistics::WelchTest test;
+  double margin = 0;  ///< difference that rounding may cause
   double
       detectableBias = 0;  ///< relative to the reference's mean, detected with probability kPower; 0 if that mean is 0
   bool differs = false;

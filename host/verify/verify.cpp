@@ -1,10 +1,12 @@
 // Answers the three questions of `candela verify`.
 #include "host/verify/verify.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
+#include "host/verify/paired_test.h"
 
 namespace candela::verify {
 namespace {
@@ -31,15 +33,26 @@ double pValueAgainst(const Summary& measured, double expected) {
   return statistics::welch(measured, exact, kRelativeTolerance * expected + kAbsoluteTolerance).pValue;
 }
 
-ExactTest testExact(const scene::ExactMean& exact, const LightTestResult& light, double alpha) {
+// Both sides render with seeds of their own: the exact result knows nothing of the noise that they share.
+void testExact(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+               render::Renderer& reference, const LightTestOptions& options, const render::RenderControl& control,
+               VerifyReport& report) {
+  LightTestOptions own = options;
+  own.bias = std::max(options.bias.value_or(0), kIndependentBias);
+  own.keepFilms = false;
+  own.watched = regionOf(*scene.exactMean, settings.image.size);
+  const LightTestResult light = testLight(scene, settings, device, reference, own, control);
+  report.tallies.add(light.tallies);
+  report.interrupted = light.interrupted;
+  if (report.interrupted) return;
   ExactTest test;
-  test.expected = image::luminance(glm::dvec3(exact.rgb));
+  test.expected = image::luminance(glm::dvec3(scene.exactMean->rgb));
   test.device = light.watchedDevice.mean;
   test.reference = light.watchedReference.mean;
   test.devicePValue = pValueAgainst(light.watchedDevice, test.expected);
   test.referencePValue = pValueAgainst(light.watchedReference, test.expected);
-  test.level = statistics::sidakLevel(alpha, 2);
-  return test;
+  test.level = statistics::sidakLevel(own.alpha, 2);
+  report.exact = test;
 }
 
 }  // namespace
@@ -51,19 +64,21 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, control, report.tallies);
+  // Each question is a separate test, so that alpha is divided evenly.
+  LightTestOptions own = options;
+  own.alpha = options.alpha / (scene.exactMean ? 3 : 2);
+  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, own.alpha, control,
+                                                           report.tallies);
   report.interrupted = !paths;
   if (report.interrupted) return report;
   report.paths = *paths;
 
-  // The stated result is a separate test, so that alpha is divided evenly.
-  LightTestOptions own = options;
-  own.alpha = scene.exactMean ? options.alpha / 2 : options.alpha;
-  if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.image.size);
-  report.light = testLight(scene, settings, device, reference, own, control);
+  report.light = options.method == LightTestMethod::paired
+                     ? testLightPaired(scene, settings, device, reference, own, paths->referenceMean, control)
+                     : testLight(scene, settings, device, reference, own, control);
   report.tallies.add(report.light.tallies);
   report.interrupted = report.light.interrupted;
-  if (scene.exactMean && !report.interrupted) report.exact = testExact(*scene.exactMean, report.light, own.alpha);
+  if (scene.exactMean && !report.interrupted) testExact(scene, settings, device, reference, own, control, report);
   report.seconds = watch.lap();
   return report;
 }

@@ -27,6 +27,46 @@ std::string firstOf(const Explanation& explanation) {
 
 std::string firstIn(const std::function<void(render::PathTrace&)>& change) { return firstOf(explainChanged(change)); }
 
+// The made path with another weight, as an amplified error changes it.
+render::PathTrace movedBy(double distance) {
+  render::PathTrace path = madePath();
+  path.vertices[0].scattering->weight *= 1 + distance;
+  return path;
+}
+
+Explanation explainWithReplicas(const render::PathTrace& device, const std::vector<render::PathTrace>& replicas) {
+  return explainReplays(twoSpheres(), {}, {3, 4, 5}, {device, {}}, {madePath(), {}}, replicas);
+}
+
+TEST_CASE("replicas say how far rounding may take a number") {
+  const std::vector<render::PathTrace> replicas{movedBy(1e-3), movedBy(-2e-3)};
+  const Explanation grown = explainWithReplicas(movedBy(0.01), replicas);
+  CHECK_FALSE(grown.firstDifference);
+  CHECK_THAT(grown.verdict(), Contains("which is rounding, amplified 3e+04 times"));
+  CHECK_THAT(toText(grown), Contains("apart; amplification"));
+  CHECK(toJson(grown)["replicas"] == 2);
+
+  const Explanation wrong = explainWithReplicas(movedBy(0.1), replicas);
+  REQUIRE(wrong.firstDifference);
+  CHECK(wrong.at(*wrong.firstDifference).name == "weight");
+  CHECK_THAT(wrong.verdict(), Contains("rounding allows 3e-02") && Contains("Rounding does not explain it."));
+  // Without replicas the fixed tolerance holds; with equal ones an error of a hundred roundings is too much.
+  CHECK_FALSE(explainMade(movedBy(1e-5), madePath()).firstDifference);
+  CHECK(explainWithReplicas(movedBy(1e-5), {madePath()}).firstDifference);
+}
+
+TEST_CASE("a decision that replicas take differently cannot be decided, and says so") {
+  render::PathTrace turned = madePath();
+  turned.vertices[0].hit->primitive = 1;
+  const Explanation explanation = explainWithReplicas(turned, {madePath(), turned});
+  REQUIRE(explanation.firstDecision);
+  CHECK(explanation.at(*explanation.firstDecision).undecidable);
+  CHECK_THAT(explanation.verdict(), Contains("single precision cannot decide it") && !Contains("does not explain"));
+  CHECK_THAT(toText(explanation), Contains("undecidable"));
+  const Explanation decidable = explainWithReplicas(turned, {madePath()});
+  CHECK_FALSE(decidable.at(*decidable.firstDecision).undecidable);
+}
+
 }  // namespace
 
 TEST_CASE("equal paths agree, to the bit or within rounding") {

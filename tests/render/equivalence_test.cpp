@@ -24,8 +24,8 @@ void requireSamePixels(const scene::Scene& scene, render::RenderSettings setting
                                                               renderOnReference(scene, settings));
   CAPTURE(scene.name, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes,
           pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.share() >= verify::kRequiredShare);
-  CHECK(pixels.litShare() >= verify::kRequiredLitShare);
+  CHECK(pixels.share() >= kRequiredShare);
+  CHECK(pixels.litShare() >= kRequiredLitShare);
 }
 
 void requireSameScenes(std::uint32_t side, bool nextEventEstimation) {
@@ -44,7 +44,7 @@ void requireSameMeans(std::uint32_t side, std::uint32_t samples) {
       const double device = meanLuminance(renderOnDevice(scene, settings).film);
       const double reference = meanLuminance(renderOnReference(scene, settings).film);
       CAPTURE(scene.name, nextEventEstimation);
-      CHECK(device == Approx(reference).epsilon(verify::kMeanTolerance));
+      CHECK(device == Approx(reference).epsilon(kMeanTolerance));
     }
   }
 }

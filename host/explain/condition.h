@@ -1,0 +1,20 @@
+// How far rounding may take the quantities of a path: the spread of replicas of the reference's path.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "host/explain/stages.h"
+#include "host/render/path_trace.h"
+#include "host/scene/scene.h"
+
+namespace candela::explain {
+
+/// Number of replicas that are compared with the exact path.
+inline constexpr std::uint32_t kReplicaCount = 16;
+
+/// Sets the spread of every quantity of `stages`, and which decisions replicas take differently; what differs is then
+/// judged by Quantity::allowed(). Without replicas nothing changes.
+void judgeByReplicas(std::span<const render::PathTrace> replicas, const render::PathTrace& reference,
+                     const scene::Scene& scene, std::vector<Stage>& stages);
+
+}  // namespace candela::explain

@@ -1,0 +1,71 @@
+// Compares replicas with the exact sample.
+#include "host/reference/replicas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/image/film.h"
+
+namespace candela::reference {
+namespace {
+
+double amplificationAt(const std::vector<TrailVertex>& a, const std::vector<TrailVertex>& b, std::size_t vertex) {
+  const double travelled = vertex > 0 ? length(a[vertex].origin - a[vertex - 1].origin) : 0;
+  const double scale = std::max(maxNorm(a[vertex].origin), travelled);
+  const double apart = length(a[vertex].origin - b[vertex].origin) / (scale > 0 ? scale : 1);
+  return std::max(apart, length(a[vertex].direction - b[vertex].direction)) / kRoundoff;
+}
+
+render::Replica compare(const Rounding& exact, const Rounding& replica, const dvec3& radiance) {
+  const std::vector<TrailVertex>& a = exact.trail();
+  const std::vector<TrailVertex>& b = replica.trail();
+  const std::size_t count = std::min(a.size(), b.size());
+  std::size_t next = 1;  // the first vertex that is reached by other decisions
+  while (next < count && a[next].decisions == b[next].decisions) ++next;
+  const bool same = next == count && a.size() == b.size() && exact.decisions() == replica.decisions();
+  return {radiance, replica.decisions(), same ? 0 : static_cast<std::uint32_t>(next),
+          static_cast<float>(amplificationAt(a, b, next - 1))};
+}
+
+glm::dvec4 withLuminance(const dvec3& rgb) { return {rgb, image::luminance(rgb)}; }
+
+void add(const render::Replica& replica, const dvec3& exact, render::Deviation& deviation) {
+  const glm::dvec4 difference = withLuminance(replica.radiance - exact);
+  deviation.undecided += replica.vertex > 0 ? 1 : 0;
+  if (replica.amplification > kAmplified) {
+    deviation.amplified += 1;
+    deviation.drift += difference;
+  } else {
+    deviation.magnitude += glm::abs(difference);
+  }
+}
+
+}  // namespace
+
+dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t count,
+                    Counters& counters, render::PathRecord* record, render::Deviation& deviation,
+                    render::Replica* replicas) {
+  Counters uncounted;
+  NumberCache cache;
+  Rounding exact = tracer.roundingOf(place, 0);
+  const dvec3 radiance = tracer.sample(place, counters, record, exact, &cache);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Rounding rounding = tracer.roundingOf(place, i + 1);
+    const dvec3 value = tracer.sample(place, uncounted, nullptr, rounding, &cache);
+    const render::Replica replica = compare(exact, rounding, value);
+    if (i == 0) add(replica, radiance, deviation);
+    if (replicas) replicas[i] = replica;
+  }
+  return radiance;
+}
+
+render::Replica traceReplica(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t index) {
+  Counters uncounted;
+  NumberCache cache;
+  Rounding exact = tracer.roundingOf(place, 0);
+  tracer.sample(place, uncounted, nullptr, exact, &cache);
+  Rounding rounding = tracer.roundingOf(place, index + 1);
+  return compare(exact, rounding, tracer.sample(place, uncounted, nullptr, rounding, &cache));
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,103 @@
+// Random signs, and the quantities that they move.
+#include "host/reference/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::reference {
+namespace {
+
+// Finaliser of SplitMix64 (Steele et al., OOPSLA 2014).
+std::uint64_t mix(std::uint64_t value) {
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
+  return value ^ (value >> 31);
+}
+
+constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15u;
+
+}  // namespace
+
+Rounding::Rounding(std::uint64_t key, std::uint32_t replica)
+    : records_(true), perturbs_(replica > 0), key_(mix(key + replica * kStep)), counter_(key_) {}
+
+std::uint64_t Rounding::nextWord() { return mix(counter_ += kStep); }
+
+double Rounding::signOf(std::uint64_t word, std::uint32_t primitive) {
+  return (mix(word + primitive * kStep) & 1) != 0 ? 1 : -1;
+}
+
+double Rounding::sign() {
+  if (bitCount_ == 0) {
+    bits_ = nextWord();
+    bitCount_ = 64;
+  }
+  --bitCount_;
+  const bool up = bits_ & 1;
+  bits_ >>= 1;
+  return up ? 1 : -1;
+}
+
+void Rounding::startVertex(std::uint32_t vertex) {
+  counter_ = mix(key_ ^ mix(vertex * kStep));
+  bitCount_ = 0;
+}
+
+void Rounding::startVertex(std::uint32_t vertex, const Ray& ray) {
+  if (!records_) return;
+  startVertex(vertex);
+  trail_.push_back({ray.origin, ray.direction, decisions_});
+}
+
+dvec3 Rounding::relative(const dvec3& value, double units) {
+  if (!perturbs_) return value;
+  return {relative(value.x, units), relative(value.y, units), relative(value.z, units)};
+}
+
+dvec3 Rounding::moved(const dvec3& value, double units, double scale) {
+  return perturbs_ ? value + units * kRoundoff * scale * signs() : value;
+}
+
+dvec3 Rounding::turned(const dvec3& direction, double units) {
+  return perturbs_ ? normalize(direction + units * kRoundoff * signs()) : direction;
+}
+
+Ray Rounding::cameraRay(Ray ray, bool hasLens) {
+  if (!records_) return ray;
+  startVertex(0);
+  if (hasLens) ray.origin = moved(ray.origin, kRoundingBounds.lensPoint, maxNorm(ray.origin));
+  ray.direction = turned(ray.direction, kRoundingBounds.cameraDirection);
+  return ray;
+}
+
+Surface Rounding::surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit) {
+  if (!perturbs_) return reference::surfaceAt(scene, ray, hit);
+  const double scale = std::max({maxNorm(ray.origin), maxNorm(ray.at(hit.distance)), hit.distance});
+  ray.origin = moved(ray.origin, kRoundingBounds.position, scale);
+  Surface surface = reference::surfaceAt(scene, ray, hit);
+  const dvec3 error = kRoundingBounds.normal * kRoundoff * signs();
+  const bool fromOutside = dot(ray.direction, surface.outwardNormal + error) < 0;
+  const bool turns = fromOutside != surface.fromOutside;
+  surface.fromOutside = fromOutside;
+  surface.outwardNormal = normalize(surface.outwardNormal + error);
+  const bool isSmooth = surface.shadingNormal != surface.facingNormal;
+  surface.facingNormal = fromOutside ? surface.outwardNormal : -surface.outwardNormal;
+  surface.shadingNormal = isSmooth ? normalize((turns ? -1.0 : 1.0) * surface.shadingNormal + error)
+                                   : surface.facingNormal;
+  return surface;
+}
+
+std::optional<LightSample> Rounding::lightSample(std::optional<LightSample> light) {
+  if (!perturbs_ || !light) return light;
+  light->wi = turned(light->wi, kRoundingBounds.lightDirection);
+  light->distance = relative(light->distance, kRoundingBounds.lightDistance);
+  if (light->pdf) light->pdf = relative(*light->pdf, kRoundingBounds.pdf);
+  return light;
+}
+
+BsdfValue Rounding::bsdfValue(BsdfValue value) {
+  if (!perturbs_) return value;
+  return {relative(value.f, kRoundingBounds.bsdf), relative(value.pdf, kRoundingBounds.bsdf)};
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,33 @@
+// Replicas of samples by stochastic arithmetic: what single precision can decide, and how far it may be off. Only the
+// reference traces them (ExecutionSettings::replicas).
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace candela::render {
+
+/// A sample traced again with every quantity perturbed by its rounding error.
+struct Replica {
+  glm::dvec3 radiance{0};
+  std::uint64_t decisions = 0;  ///< hash of all decisions
+  /// Vertex or node, from 1, at which decisions first differ from those of the exact sample; 0: none do.
+  std::uint32_t vertex = 0;
+  /// Distance of its ray from the exact one, in units of 2^-24 of their coordinates: at `vertex`, or at the last one.
+  float amplification = 0;
+};
+
+/// Differences of replica 1 from the exact sample, summed over the samples of a pixel: red, green, blue, luminance.
+struct Deviation {
+  glm::dvec4 magnitude{0};      ///< sum of |difference| over samples whose errors are not amplified
+  glm::dvec4 drift{0};          ///< sum of the differences of all other samples
+  std::uint32_t undecided = 0;  ///< number of samples whose decisions differ
+  std::uint32_t amplified = 0;  ///< number of samples with amplified errors
+};
+
+struct ReplicaRecords {
+  std::vector<Replica> replicas;      ///< ExecutionSettings::replicas for each pixel, of its sample 0
+  std::vector<Deviation> deviations;  ///< one per pixel
+};
+
+}  // namespace candela::render

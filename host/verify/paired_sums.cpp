@@ -1,0 +1,98 @@
+// Adds up differences, and tests them.
+#include "host/verify/paired_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::verify {
+namespace {
+
+std::size_t componentOf(Region::Quantity quantity) {
+  return quantity == Region::Quantity::luminance ? 3 : static_cast<std::size_t>(quantity) - 1;
+}
+
+double valueOf(const glm::dvec3& rgb, Region::Quantity quantity) {
+  return quantity == Region::Quantity::luminance ? image::luminance(rgb) : rgb[static_cast<int>(componentOf(quantity))];
+}
+
+double variationOf(const statistics::SelfNormalisedSum& values) {
+  if (values.count == 0) return 0;
+  return std::max(0.0, values.squares - values.sum * values.sum / static_cast<double>(values.count));
+}
+
+// The more uncertain side.
+double variationOf(const PairedSum& sum) { return std::max(variationOf(sum.brighter), variationOf(sum.darker)); }
+
+}  // namespace
+
+PairedSums::PairedSums(std::span<const Region> regions, double scale)
+    : regions_(regions), scale_(scale > 0 ? scale : 1), sums_(regions.size()) {}
+
+void PairedSums::add(const image::Film& device, const image::Film& reference,
+                     std::span<const render::Deviation> deviations) {
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    const Region& region = regions_[i];
+    const auto component = static_cast<int>(componentOf(region.quantity));
+    for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
+      for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
+        const std::size_t pixel = std::size_t{y} * device.width() + x;
+        const double count = device.at(x, y).sampleCount;
+        const double a = count * valueOf(device.mean(x, y), region.quantity);
+        const double b = count * valueOf(reference.mean(x, y), region.quantity);
+        const render::Deviation deviation = deviations.empty() ? render::Deviation{} : deviations[pixel];
+        const double margin = kOneWay * deviation.magnitude[component] + count * kFilmQuantum;
+        const double difference = a - b - deviation.drift[component];
+        PairedSum& sum = sums_[i];
+        sum.brighter.add(difference - margin);
+        sum.darker.add(-difference - margin);
+        sum.device += a;
+        sum.reference += b;
+        sum.margin += margin;
+        sum.samples += count;
+      }
+    }
+  }
+}
+
+RegionResult PairedSums::test(std::size_t region, double level) const {
+  const PairedSum& sum = sums_[region];
+  RegionResult result;
+  result.region = regions_[region];
+  result.deviceMean = sum.device / sum.samples;
+  result.referenceMean = sum.reference / sum.samples;
+  const statistics::SelfNormalisedSum& larger = sum.brighter.sum > sum.darker.sum ? sum.brighter : sum.darker;
+  result.margin = sum.margin / sum.samples;
+  result.test.difference = (sum.device - sum.reference) / sum.samples;
+  result.test.standardError = std::sqrt(variationOf(sum)) / sum.samples;
+  result.test.degreesOfFreedom = static_cast<double>(larger.count) - 1;
+  result.test.t = larger.sum > 0 ? larger.sum / std::sqrt(larger.squares) : 0;
+  result.test.pValue = std::min(1.0, 2 * statistics::pValueOf(larger, scale_));
+  result.differs = result.test.pValue < level;
+  if (sum.reference != 0) {
+    result.detectableBias = (neededSum(sum, level) + sum.margin) / std::abs(sum.reference);
+  }
+  return result;
+}
+
+double PairedSums::neededSum(const PairedSum& sum, double level) const {
+  const double variation = variationOf(sum);
+  if (variation == 0) return 0;
+  const auto count = static_cast<double>(sum.brighter.count);
+  double needed = 0;
+  // A bias adds to the squares, too.
+  for (int i = 0; i < 30; ++i) {
+    const double critical = statistics::criticalSum(variation + needed * needed / count, scale_, level / 2);
+    needed = critical + statistics::normalQuantile(kPower) * std::sqrt(variation);
+  }
+  return needed;
+}
+
+double PairedSums::information(std::size_t region, double bias, double level) const {
+  const PairedSum& sum = sums_[region];
+  const double excess = bias * std::abs(sum.reference) - sum.margin;
+  if (excess <= 0) return sum.reference == 0 ? 1 : 0;
+  const double ratio = excess / neededSum(sum, level);
+  return std::min(1.0, ratio * ratio);
+}
+
+}  // namespace candela::verify

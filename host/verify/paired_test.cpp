@@ -1,0 +1,163 @@
+// Plans looks, renders batches on both sides with equal seeds, and tests their differences.
+#include "host/verify/paired_test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/core/errors.h"
+#include "host/core/stopwatch.h"
+#include "host/statistics/error_rates.h"
+#include "host/verify/paired_sums.h"
+
+namespace candela::verify {
+namespace {
+
+// Few values cannot convince, however equal they are: small images are rendered in more batches.
+constexpr std::uint64_t kMinValues = 65536;
+constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
+
+void requireComplete(const render::RenderStatistics& statistics) {
+  if (statistics.truncated == 0) return;
+  throw InternalError(fmt::format("{} loops ended before their work was done", statistics.truncated));
+}
+
+class PairedTest {
+ public:
+  PairedTest(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
+             render::Renderer& reference, const LightTestOptions& options, double scale,
+             const render::RenderControl& control)
+      : scene_(scene),
+        settings_(settings),
+        device_(device),
+        reference_(reference),
+        options_(options),
+        control_(control),
+        regions_(regionsOf(settings.image.size)),
+        sums_(regions_, scale),
+        level_(statistics::sidakLevel(options.alpha, regions_.size())),
+        batches_(batchesFor(settings.image.size)) {
+    if (!options.keepFilms) return;
+    result_.deviceFilm = image::Film(settings.image.size.width, settings.image.size.height);
+    result_.referenceFilm = result_.deviceFilm;
+  }
+
+  LightTestResult run() {
+    std::uint64_t samples = batches_;
+    for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
+      result_.interrupted = !renderTo(samples, look);
+      if (result_.interrupted) break;
+      takeLook(look);
+      if (result_.information == 1 || result_.differs()) break;
+      result_.outOfTime = isOutOfTime();
+      if (result_.outOfTime || look + 1 == kMaxLooks) break;
+      samples = std::min(nextSamples(samples_, result_.information, kMaxLooks - 1 - look), kMaxPairedSamples);
+    }
+    result_.samplesPerPixel = samples_;
+    return std::move(result_);
+  }
+
+ private:
+  static std::uint32_t batchesFor(const render::Extent& size) {
+    const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
+    return static_cast<std::uint32_t>((kMinValues + pixels - 1) / pixels);
+  }
+
+  bool isOutOfTime() {
+    elapsed_ += watch_.lap();
+    return options_.timeLimit && elapsed_ >= *options_.timeLimit;
+  }
+
+  // Every look has samples of its own: how many a pixel gets is part of what some samplers depend on.
+  bool renderTo(std::uint64_t samples, std::uint32_t look) {
+    const std::uint64_t each = (samples - samples_ + batches_ - 1) / batches_;
+    render::RenderSettings settings = settings_;
+    settings.image.sampleCount = static_cast<std::uint32_t>(each);
+    settings.image.seed = batchSeed(settings_.image.seed, Side::device, 0, look);
+    const std::unique_ptr<render::Session> device = device_.prepare(scene_, settings);
+    settings.execution.replicas = 1;
+    const std::unique_ptr<render::Session> reference = reference_.prepare(scene_, settings);
+    for (std::uint32_t batch = 0; batch < batches_; ++batch) {
+      settings.image.seed = batchSeed(settings_.image.seed, Side::device, batch, look);
+      if (batch > 0) device->reset(settings.image.seed);
+      if (batch > 0) reference->reset(settings.image.seed);
+      const render::SampleRange range{0, settings.image.sampleCount};
+      if (!device->advance(range, control_) || !reference->advance(range, control_)) return false;
+      addBatch(*device, *reference, settings.image);
+    }
+    samples_ += each * batches_;
+    return true;
+  }
+
+  void addBatch(render::Session& device, render::Session& reference, const render::ImageSettings& image) {
+    result_.deviceStatistics = device.statistics();
+    requireComplete(result_.deviceStatistics);
+    const image::Film deviceFilm = device.film();
+    const image::Film referenceFilm = reference.film();
+    sums_.add(deviceFilm, referenceFilm, reference.replicas().deviations);
+    result_.tallies.device.add(deviceFilm, image);
+    result_.tallies.reference.add(referenceFilm, image);
+    if (!options_.keepFilms) return;
+    result_.deviceFilm.merge(deviceFilm);
+    result_.referenceFilm.merge(referenceFilm);
+  }
+
+  // The p-values hold for all looks together, so that every look may use all of alpha.
+  void takeLook(std::uint32_t look) {
+    result_.regions.clear();
+    for (std::size_t i = 0; i < regions_.size(); ++i) result_.regions.push_back(sums_.test(i, level_));
+    result_.level = level_;
+    result_.looks = look + 1;
+    if (look == 0) result_.bias = options_.bias.value_or(defaultBias());
+    if (look == 0 && options_.bias) requireAboveMargin(*options_.bias);
+    result_.information = std::max(result_.information, sums_.information(0, result_.bias, level_));
+  }
+
+  double relativeMargin() const {
+    const RegionResult& image = result_.regions.front();
+    return image.referenceMean == 0 ? 0 : image.margin / std::abs(image.referenceMean);
+  }
+
+  // The detectable bias, beyond the margin, falls with the root of the number of samples.
+  double defaultBias() const {
+    const double margin = relativeMargin();
+    const double noise = result_.regions.front().detectableBias - margin;
+    const auto samples = static_cast<double>(samples_);
+    const double later = noise * std::sqrt(samples / std::max(kDefaultSamples, samples));
+    return std::max({kPairedBias, kMarginFactor * margin, margin + later});
+  }
+
+  void requireAboveMargin(double bias) const {
+    if (bias > relativeMargin() || result_.differs()) return;
+    throw UsageError(fmt::format(
+        "--bias {:g}: rounding in single precision may change the mean of this image by {:.2g} of itself, so "
+        "that a smaller difference says nothing about a device; choose a larger --bias",
+        bias, relativeMargin()));
+  }
+
+  const scene::Scene& scene_;
+  render::RenderSettings settings_;
+  render::Renderer& device_;
+  render::Renderer& reference_;
+  const LightTestOptions& options_;
+  const render::RenderControl& control_;
+  std::vector<Region> regions_;
+  PairedSums sums_;
+  double level_;
+  std::uint32_t batches_;
+  std::uint64_t samples_ = 0;  ///< per pixel, so far
+  Stopwatch watch_;
+  double elapsed_ = 0;
+  LightTestResult result_;
+};
+
+}  // namespace
+
+LightTestResult testLightPaired(const scene::Scene& scene, const render::RenderSettings& settings,
+                                render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
+                                double scale, const render::RenderControl& control) {
+  return PairedTest(scene, settings, device, reference, options, scale, control).run();
+}
+
+}  // namespace candela::verify

@@ -1,0 +1,21 @@
+// The test "Same light?" on paired differences: both tracers draw the same random numbers, so that their difference has
+// next to no noise.
+#pragma once
+#include "host/verify/light_test.h"
+
+namespace candela::verify {
+
+/// Relative bias that must be detected if none is asked for; or kMarginFactor times the margin, or what kDefaultSamples
+/// samples per pixel can detect, whichever is largest.
+inline constexpr double kPairedBias = 5e-4;
+inline constexpr double kMarginFactor = 3;
+inline constexpr double kDefaultSamples = 32;
+
+/// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
+/// `scale`: roughly the mean luminance of the image, from other samples. Throws UsageError if `options.bias` is below
+/// the margin of the image, and what Renderer::render throws.
+LightTestResult testLightPaired(const scene::Scene& scene, const render::RenderSettings& settings,
+                                render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
+                                double scale, const render::RenderControl& control);
+
+}  // namespace candela::verify

@@ -1,0 +1,68 @@
+// Samples that single precision can decide are equal on device and reference, in scenes of every kind; and the rounding
+// of replicas covers the device's.
+#include <catch2/catch.hpp>
+
+#include "host/verify/agreement.h"
+#include "tests/generate/generated_text.h"
+#include "tests/render/render_support.h"
+
+using namespace candela;
+using namespace candela::device;
+
+namespace {
+
+struct OddCounts {
+  std::uint64_t device = 0;
+  std::uint64_t all = 0;
+};
+
+// Adds the odd participants of one scene. The seeds are fixed, so that this is no lottery.
+void addScene(const scene::Scene& scene, render::RenderSettings settings, OddCounts& counts) {
+  settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
+  const auto reference = reference::makeReferenceRenderer();
+  render::BadSampleTallies badSamples;
+  const auto pixels = verify::comparePaths(scene, settings, testRenderer(), *reference, 1e-4, {}, badSamples);
+  REQUIRE(pixels);
+  INFO(scene.name << ": " << pixels->decisions.text());
+  CHECK(pixels->decisions.isPossible);
+  CHECK(pixels->decisions.agrees());
+  counts.device += pixels->decisions.oddDevice;
+  counts.all += pixels->decisions.odd;
+}
+
+render::RenderSettings settingsOf(render::Integrator integrator) {
+  render::RenderSettings settings = squareSettings(64, 1);
+  settings.image.integrator = integrator;
+  settings.image.maxDepth = render::defaultMaxDepth(integrator);
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("what single precision can decide is equal in every scene, by paths") {
+  OddCounts counts;
+  for (const auto& file : sceneFiles()) {
+    addScene(scene::loadScene(file).scene, settingsOf(render::Integrator::path), counts);
+  }
+  INFO(counts.device << " of " << counts.all);
+  CHECK(3 * counts.device <= counts.all);
+}
+
+TEST_CASE("what single precision can decide is equal in generated scenes that amplify rounding or coincide", "[slow]") {
+  const auto integrator = GENERATE(render::Integrator::path, render::Integrator::whitted);
+  OddCounts counts;
+  for (const auto& [kind, size] : {std::pair("balls", 3u),
+                                   {"jacks", 3u},
+                                   {"lattice", 3u},
+                                   {"rings", 2u},
+                                   {"teapot", 1u},
+                                   {"teapot", 2u},
+                                   {"shells", 2u},
+                                   {"mount", 3u},
+                                   {"tree", 3u},
+                                   {"cornell", 2u}}) {
+    addScene(generatedScene(kind, size).scene, settingsOf(integrator), counts);
+  }
+  INFO(counts.device << " of " << counts.all);
+  CHECK(3 * counts.device <= counts.all + 3);
+}
