@@ -24,7 +24,8 @@ enum class Command : unsigned {
   verify = 64,
   boxes = 128,
   explain = 256,
-  tune = 512
+  tune = 512,
+  doctor = 1024
 };
 
 struct PixelPlace {

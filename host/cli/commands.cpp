@@ -8,10 +8,12 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 10> table{{
+  static const std::array<CommandInfo, 11> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
+      {Command::doctor, "doctor", "doctor",
+       "say whether renders work on this machine, what is wrong with it, and how to fix it", "", 0, 0, runDoctor},
       {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1, kAnyNumber,
        runCheck},
       {Command::compare, "compare", "compare A B | SCENE",

@@ -27,6 +27,7 @@ const CommandInfo& commandInfo(Command command);
 // scenes) and throw Error if there is no result.
 ExitCode runRender(const Arguments& arguments, const Log& log);
 ExitCode runDevices(const Arguments& arguments, const Log& log);
+ExitCode runDoctor(const Arguments& arguments, const Log& log);
 ExitCode runCheck(const Arguments& arguments, const Log& log);
 ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);

@@ -18,9 +18,10 @@ constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
 constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
 constexpr unsigned kTune = static_cast<unsigned>(Command::tune);
+constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
-constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune | kDoctor;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 constexpr std::uint32_t kMaxSamples = 1u << 30;
@@ -112,7 +113,7 @@ std::vector<Option> sceneFileOptions() {
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing | kTune, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
+    valued({"--device", kTracing | kTune | kDoctor, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "acceleration structure"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),

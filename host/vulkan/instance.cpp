@@ -41,9 +41,7 @@ bool hasExtension(const std::vector<vk::ExtensionProperties>& extensions, const 
 }
 
 void requireValidationLayer(const vk::raii::Context& context) {
-  for (const vk::LayerProperties& layer : context.enumerateInstanceLayerProperties()) {
-    if (std::strcmp(layer.layerName, kValidationLayer) == 0) return;
-  }
+  if (hasValidationLayer(context)) return;
   throw NoDeviceError(std::string("CANDELA_VALIDATION requires the Vulkan layer ") + kValidationLayer +
                       ", which is not installed; on Debian: apt-get install vulkan-validationlayers");
 }
@@ -72,6 +70,8 @@ vk::raii::Instance createInstance(const vk::raii::Context& context, bool validat
   return vk::raii::Instance(context, info);
 }
 
+}  // namespace
+
 std::optional<vk::raii::Context> openLoader() {
   try {
     return std::make_optional<vk::raii::Context>();
@@ -80,7 +80,11 @@ std::optional<vk::raii::Context> openLoader() {
   }
 }
 
-}  // namespace
+bool hasValidationLayer(const vk::raii::Context& context) {
+  const std::vector<vk::LayerProperties> layers = context.enumerateInstanceLayerProperties();
+  return std::ranges::any_of(layers,
+                             [](const auto& layer) { return std::strcmp(layer.layerName, kValidationLayer) == 0; });
+}
 
 std::vector<vk::raii::PhysicalDevice> Instance::physicalDevices() const {
   try {

@@ -15,6 +15,12 @@ struct Instance {
   std::vector<vk::raii::PhysicalDevice> physicalDevices() const;
 };
 
+/// Returns nothing if there is no Vulkan loader. Opens no driver.
+std::optional<vk::raii::Context> openLoader();
+
+/// Returns whether the Khronos validation layer is installed.
+bool hasValidationLayer(const vk::raii::Context& context);
+
 /// Returns nothing if there is no Vulkan loader or no driver. Throws NoDeviceError if validation is requested but not
 /// installed.
 std::optional<Instance> openInstance();

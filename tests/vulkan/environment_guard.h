@@ -8,9 +8,9 @@ namespace candela::vulkan {
 
 class EnvironmentGuard {
  public:
-  EnvironmentGuard(const char* name, const char* value) : name_(name) {
+  EnvironmentGuard(const char* name, const std::string& value) : name_(name) {
     if (const char* old = std::getenv(name)) old_ = old;
-    setenv(name, value, 1);
+    setenv(name, value.c_str(), 1);
   }
   ~EnvironmentGuard() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
   EnvironmentGuard(const EnvironmentGuard&) = delete;

@@ -1,0 +1,24 @@
+// `candela doctor`: examines the machine.
+#include <iostream>
+
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/doctor/diagnosis.h"
+
+namespace candela::cli {
+
+ExitCode runDoctor(const Arguments& arguments, const Log&) {
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference tracer needs nothing that could be wrong; choose a Vulkan device (see candela "
+        "devices)");
+  }
+  requireWritableReport(arguments.json);
+  const doctor::Diagnosis diagnosis = doctor::diagnose(arguments.device);
+  if (arguments.wantsText()) std::cout << doctor::toText(diagnosis) << std::flush;
+  writeJson(arguments.json, doctor::toJson(diagnosis));
+  return diagnosis.code();
+}
+
+}  // namespace candela::cli

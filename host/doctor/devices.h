@@ -1,0 +1,35 @@
+// Lists Vulkan devices in a child process, since a driver may crash while it looks for them.
+#pragma once
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/doctor/check.h"
+#include "host/vulkan/device_info.h"
+
+namespace candela::vulkan {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driver, driverVersion, pipelineCacheUuid, apiVersion,
+                                   usable, whyNot, memoryBytes, maxStorageBufferRange, maxTexelBufferElements,
+                                   maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize)
+}  // namespace candela::vulkan
+
+namespace candela::doctor {
+
+/// Time after which a driver that still looks for devices is considered to hang.
+inline constexpr std::chrono::seconds kListLimit{30};
+
+struct ListedDevices {
+  std::vector<vulkan::DeviceInfo> devices;
+  std::string failure;  ///< as ChildResult::failure
+};
+
+/// Lists the devices of all drivers, or of the driver of `manifest` alone, after opening `library` to learn why that
+/// fails. Validation is off.
+ListedDevices listAllDevices();
+ListedDevices listDevicesOf(const std::string& manifest, const std::string& library);
+
+/// Two lines for each device: what it is, and the limits that matter.
+Checks checkDevices(const std::vector<vulkan::DeviceInfo>& devices);
+
+}  // namespace candela::doctor

@@ -1,0 +1,76 @@
+// The order of the checks, and the verdict.
+#include "host/doctor/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/doctor/caches.h"
+#include "host/doctor/driver_check.h"
+#include "host/doctor/gpu_nodes.h"
+#include "host/doctor/known_faults.h"
+#include "host/doctor/loader.h"
+#include "host/doctor/resources.h"
+#include "host/vulkan/device_choice.h"
+
+namespace candela::doctor {
+namespace {
+
+void append(Checks& checks, Checks more) {
+  for (Check& check : more) checks.push_back(std::move(check));
+}
+
+bool hasHardware(const std::vector<vulkan::DeviceInfo>& devices) {
+  return std::ranges::any_of(devices, [](const vulkan::DeviceInfo& device) { return device.type != "CPU"; });
+}
+
+void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
+  try {
+    diagnosis.device = vulkan::chooseDevice(diagnosis.devices, selector);
+  } catch (const NoDeviceError& error) {
+    if (diagnosis.devices.empty()) return;  // a problem of the drivers, which is in the list already
+    const std::string message = error.what();
+    diagnosis.checks.push_back({"chosen device", Status::problem, message.substr(0, message.find('\n')),
+                                "choose one of the devices above with --device"});
+  }
+}
+
+}  // namespace
+
+Diagnosis diagnose(const std::string& selector) {
+  Diagnosis diagnosis;
+  diagnosis.checks = checkLoader();
+  DriverDiagnosis drivers = checkDrivers();
+  append(diagnosis.checks, std::move(drivers.checks));
+  diagnosis.devices = std::move(drivers.devices);
+  append(diagnosis.checks, checkGpuNodes("/dev", hasHardware(diagnosis.devices)));
+  chooseFor(selector, diagnosis);
+  if (diagnosis.device) append(diagnosis.checks, checkKnownFaults(*diagnosis.device));
+  append(diagnosis.checks, checkCaches(diagnosis.device));
+  append(diagnosis.checks, checkResources(std::filesystem::current_path()));
+  if (!diagnosis.device) return diagnosis;
+  diagnosis.trial = tryRender(std::to_string(diagnosis.device->index));
+  diagnosis.checks.push_back(diagnosis.trial->check);
+  return diagnosis;
+}
+
+ExitCode Diagnosis::code() const {
+  if (!trial || trial->outcome == TrialOutcome::fails) return ExitCode::noDevice;
+  return trial->outcome == TrialOutcome::wrong ? ExitCode::differ : ExitCode::done;
+}
+
+std::string Diagnosis::verdict() const {
+  switch (code()) {
+    case ExitCode::done:
+      return fmt::format("A render will work, on {}{}.", device->name,
+                         device->type == "CPU" ? ", in software: the picture is right, but a GPU is faster" : "");
+    case ExitCode::differ:
+      return fmt::format("The pictures of {} are WRONG. `--device cpu` renders right ones without Vulkan.",
+                         device->name);
+    default:
+      return "A render will not work on a Vulkan device; see the problems above. `--device cpu` renders without "
+             "Vulkan.";
+  }
+}
+
+}  // namespace candela::doctor

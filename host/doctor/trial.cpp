@@ -1,0 +1,69 @@
+// Renders a small picture on a device and checks it against the reference tracer.
+#include "host/doctor/trial.h"
+
+#include <fmt/format.h>
+
+#include "embedded/cornell.h"
+#include "host/core/stopwatch.h"
+#include "host/device/gpu_renderer.h"
+#include "host/doctor/child_process.h"
+#include "host/reference/reference_renderer.h"
+#include "host/render/request.h"
+#include "host/scene/load.h"
+#include "host/verify/agreement.h"
+
+namespace candela::doctor {
+namespace {
+
+constexpr const char* kName = "test picture";
+constexpr std::uint32_t kSide = 64;
+constexpr std::uint32_t kSamples = 16;
+
+Trial failed(const std::string& failure) {
+  return {TrialOutcome::fails,
+          {kName, Status::problem, "rendering it " + failure,
+           "update the driver, or choose another device with --device; `--device cpu` needs no driver"},
+          {}};
+}
+
+}  // namespace
+
+nlohmann::json compareWithReference(render::Renderer& device) {
+  const scene::Scene scene = scene::parseScene(std::string(embedded::cornell), "the Cornell box", ".").scene;
+  render::RenderRequest request;
+  request.size = render::Extent{kSide, kSide};
+  request.sampleCount = kSamples;
+  const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
+  Stopwatch stopwatch;
+  const verify::AgreementReport report = verify::compareTracers(scene, render::resolve(request, scene), device,
+                                                                *reference, {});
+  return {{"agree", report.agree() && report.deviceStatistics.truncated == 0},
+          {"seconds", stopwatch.lap()},
+          {"truncated", report.deviceStatistics.truncated},
+          {"report", report.toJson()}};
+}
+
+Trial interpretTrial(const nlohmann::json& comparison) {
+  Trial trial{TrialOutcome::works, {kName, Status::ok, "", ""}, comparison};
+  const std::string what = fmt::format("{}x{} pixels, {} samples, {:.1f} s", kSide, kSide, kSamples,
+                                       comparison["seconds"].get<double>());
+  trial.check.text = fmt::format("{}: agrees with the reference tracer", what);
+  if (comparison["agree"].get<bool>()) return trial;
+  trial.outcome = TrialOutcome::wrong;
+  trial.check.status = Status::problem;
+  trial.check.text = fmt::format("{}: DIFFERS from the reference tracer", what);
+  trial.check.remedy =
+      "update the driver, or choose another device with --device; `candela explain SCENE` shows the "
+      "first difference";
+  return trial;
+}
+
+Trial tryRender(const std::string& selector) {
+  const ChildResult result = runInChild(kTrialLimit, [&] {
+    const std::unique_ptr<render::Renderer> device = device::makeGpuRenderer(selector);
+    return compareWithReference(*device);
+  });
+  return result.failure.empty() ? interpretTrial(result.answer) : failed(result.failure);
+}
+
+}  // namespace candela::doctor

@@ -1,0 +1,31 @@
+// Renders a small picture on a device and checks it against the reference tracer.
+#pragma once
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/doctor/check.h"
+#include "host/render/renderer.h"
+
+namespace candela::doctor {
+
+/// Time after which the device is considered to hang. Software Vulkan on a busy machine takes some ten seconds.
+inline constexpr std::chrono::minutes kTrialLimit{3};
+
+/// `works`: the picture is right. `wrong`: it is not. `fails`: there is no picture.
+enum class TrialOutcome { works, wrong, fails };
+
+struct Trial {
+  TrialOutcome outcome = TrialOutcome::fails;
+  Check check;
+  nlohmann::json agreement;  ///< report of `candela compare SCENE`; null if there is no picture
+};
+
+/// Compares the Cornell box, 64x64 pixels, 16 samples, as `candela compare SCENE` does.
+nlohmann::json compareWithReference(render::Renderer& device);
+/// Renders on the device for `selector` (see vulkan::selectDevice) in a child process.
+Trial tryRender(const std::string& selector);
+/// Interprets the report of compareWithReference().
+Trial interpretTrial(const nlohmann::json& comparison);
+
+}  // namespace candela::doctor

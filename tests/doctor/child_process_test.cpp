@@ -1,0 +1,75 @@
+// Work in a child process: its result, and every way in which it can fail.
+#include "host/doctor/child_process.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+
+#include "host/vulkan/validation.h"
+#include "host/vulkan/validation_log.h"
+
+namespace candela::doctor {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::chrono::seconds kLongLimit{60};
+
+}  // namespace
+
+TEST_CASE("a child returns JSON of any size") {
+  const std::string text(1'000'000, 'x');
+  const ChildResult result = runInChild(kLongLimit, [&] { return json{{"text", text}}; });
+  CHECK(result.failure.empty());
+  CHECK(result.answer["text"] == text);
+}
+
+TEST_CASE("a child that crashes is a failure with the name of the signal and the last line") {
+  const ChildResult aborted = runInChild(kLongLimit, []() -> json {
+    std::fputs("first\nlast\n\n", stderr);
+    std::fflush(stderr);
+    ::raise(SIGABRT);
+    return 1;
+  });
+  CHECK(aborted.failure == "crashes (Aborted)");
+  CHECK(aborted.lastMessage == "last");
+  CHECK(aborted.answer.is_null());
+  const ChildResult killed = runInChild(kLongLimit, []() -> json { return ::raise(SIGKILL); });
+  CHECK(killed.failure == "crashes (Killed)");
+}
+
+TEST_CASE("a child that exits without a result is a failure") {
+  const ChildResult result = runInChild(kLongLimit, []() -> json { ::_exit(9); });
+  CHECK(result.failure == "ends the program with exit code 9");
+}
+
+TEST_CASE("an exception in a child is a failure with its message") {
+  const ChildResult result = runInChild(kLongLimit, []() -> json { throw std::runtime_error("out of wax"); });
+  CHECK(result.failure == "fails: out of wax");
+}
+
+TEST_CASE("a child that hangs is ended after the limit") {
+  const auto start = std::chrono::steady_clock::now();
+  const ChildResult result = runInChild(std::chrono::milliseconds(300), []() -> json {
+    std::this_thread::sleep_for(std::chrono::minutes(2));
+    return 1;
+  });
+  CHECK(result.failure == "does not end within 0.3 s");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::minutes(1));
+}
+
+TEST_CASE("messages of the validation layer in a child are those of the program") {
+  vulkan::clearValidationMessages();
+  runInChild(kLongLimit, []() -> json {
+    vulkan::addValidationMessage("a wrong call");
+    return nullptr;
+  });
+  CHECK(vulkan::validationMessages() == std::vector<std::string>{"a wrong call"});
+  vulkan::clearValidationMessages();
+}
+
+}  // namespace candela::doctor
