@@ -8,13 +8,14 @@
 
 namespace candela::cli {
 
-ExitCode runDoctor(const Arguments& arguments, const Log&) {
+ExitCode runDoctor(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError(
         "--device cpu: the reference tracer needs nothing that could be wrong; choose a Vulkan device (see candela "
         "devices)");
   }
   requireWritableReport(arguments.json);
+  log.note("examining this machine; a software device may take a minute to compile its kernels");
   const doctor::Diagnosis diagnosis = doctor::diagnose(arguments.device);
   if (arguments.wantsText()) std::cout << doctor::toText(diagnosis) << std::flush;
   writeJson(arguments.json, doctor::toJson(diagnosis));

@@ -16,7 +16,7 @@ namespace candela::doctor {
 namespace {
 
 constexpr const char* kName = "test picture";
-constexpr std::uint32_t kSide = 64;
+constexpr std::uint32_t kSide = 48;
 constexpr std::uint32_t kSamples = 16;
 
 Trial failed(const std::string& failure) {

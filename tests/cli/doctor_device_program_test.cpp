@@ -35,7 +35,8 @@ json checkNamed(const json& report, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("doctor finds that a render works, although the cache folder is a file and a driver is missing") {
+TEST_CASE("doctor finds that a render works, although the cache folder is a file and a driver is missing",
+          "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string files = folder.write("missing.json", manifestOf("/nonexistent/lib.so")) + ":" + workingDriver();
   const ProgramResult result = runCandela({"doctor", "--json", "-"},
