@@ -11,6 +11,7 @@
 #include "host/render/request.h"
 #include "host/scene/load.h"
 #include "host/verify/agreement.h"
+#include "host/verify/light_test.h"
 
 namespace candela::doctor {
 namespace {
@@ -36,11 +37,11 @@ nlohmann::json compareWithReference(render::Renderer& device) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   Stopwatch stopwatch;
   const verify::AgreementReport report = verify::compareTracers(scene, render::resolve(request, scene), device,
-                                                                *reference, {});
+                                                                *reference, verify::LightTestOptions{}.alpha, {});
   return {{"agree", report.agree() && report.deviceStatistics.truncated == 0},
           {"seconds", stopwatch.lap()},
           {"truncated", report.deviceStatistics.truncated},
-          {"report", report.toJson()}};
+          {"report", nlohmann::json(report.toJson())}};
 }
 
 Trial interpretTrial(const nlohmann::json& comparison) {

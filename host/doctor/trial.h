@@ -22,7 +22,7 @@ struct Trial {
   nlohmann::json agreement;  ///< report of `candela compare SCENE`; null if there is no picture
 };
 
-/// Compares the Cornell box, 48x48 pixels, 16 samples, as `candela compare SCENE` does.
+/// Compares the Cornell box, 48x48 pixels, 16 samples, as `candela compare SCENE` does by default.
 nlohmann::json compareWithReference(render::Renderer& device);
 /// Renders on the device for `selector` (see vulkan::selectDevice) in a child process.
 Trial tryRender(const std::string& selector);
