@@ -91,6 +91,7 @@ std::optional<LightSample> Rounding::lightSample(std::optional<LightSample> ligh
   if (!perturbs_ || !light) return light;
   light->wi = turned(light->wi, kRoundingBounds.lightDirection);
   light->distance = relative(light->distance, kRoundingBounds.lightDistance);
+  light->radiance = relative(light->radiance, kRoundingBounds.pdf);
   if (light->pdf) light->pdf = relative(*light->pdf, kRoundingBounds.pdf);
   return light;
 }

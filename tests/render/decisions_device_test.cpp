@@ -2,6 +2,7 @@
 // of replicas covers the device's.
 #include <catch2/catch.hpp>
 
+#include "host/formats/load_scene.h"
 #include "host/verify/agreement.h"
 #include "tests/generate/generated_text.h"
 #include "tests/render/render_support.h"
@@ -42,7 +43,7 @@ render::RenderSettings settingsOf(render::Integrator integrator) {
 TEST_CASE("what single precision can decide is equal in every scene, by paths") {
   OddCounts counts;
   for (const auto& file : sceneFiles()) {
-    addScene(scene::loadScene(file).scene, settingsOf(render::Integrator::path), counts);
+    addScene(formats::loadScene(file).scene, settingsOf(render::Integrator::path), counts);
   }
   INFO(counts.device << " of " << counts.all);
   CHECK(3 * counts.device <= counts.all);
