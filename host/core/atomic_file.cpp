@@ -86,6 +86,16 @@ void AtomicFile::write(std::span<const std::byte> content) {
   if (!writeAll(descriptor_.get(), content)) failWithErrno(name_);
 }
 
+void AtomicFile::writeAt(std::uint64_t offset, std::span<const std::byte> content) {
+  while (!content.empty()) {
+    const ssize_t written = ::pwrite(descriptor_.get(), content.data(), content.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) failWithErrno(name_);
+    offset += static_cast<std::uint64_t>(written);
+    content = content.subspan(static_cast<std::size_t>(written));
+  }
+}
+
 void AtomicFile::commit() {
   if (!inPlace_ && ::fsync(descriptor_.get()) != 0) failWithErrno(name_);
   if (!descriptor_.close()) failWithErrno(name_);

@@ -1,6 +1,7 @@
 // Files that appear completely or not at all.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
@@ -20,6 +21,8 @@ class AtomicFile {
   ~AtomicFile();
 
   void write(std::span<const std::byte> content);
+  /// Writes at an offset in bytes, wherever write() is; not for devices and pipes.
+  void writeAt(std::uint64_t offset, std::span<const std::byte> content);
   /// Call it once, as the last function.
   void commit();
 

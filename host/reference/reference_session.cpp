@@ -120,9 +120,8 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
   return guarded([&] {
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
-    TileJob job(
-        *tracer_, tile, range.end, control,
-        {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas});
+    TileJob job(*tracer_, tile, range.end, control,
+                {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;
