@@ -29,9 +29,8 @@ void Checkpoints::writeFiles(const image::Film& film, const render::RenderStatis
   film::writeWork(file_, check, work_);
 }
 
-bool Checkpoints::write(const image::Film& film, const render::RenderStatistics& statistics) {
+bool Checkpoints::write(const image::Film& film, const render::RenderStatistics& statistics, double start) {
   constexpr double kMinTimesItsCost = 100;
-  const double start = monotonicSeconds();
   bool written = true;
   try {
     writeFiles(film, statistics);

@@ -16,9 +16,10 @@ class Checkpoints {
   Checkpoints(std::filesystem::path file, double every, film::FilmHeader header, std::uint32_t firstSample,
               film::WorkReport before, const Log& log);
 
-  /// Writes the film and, beside it, the report of the work. Returns false, with a message in the log, if that fails;
-  /// then the file has its old content.
-  bool write(const image::Film& film, const render::RenderStatistics& statistics);
+  /// Writes the film and, beside it, the report of the work. `start` is the time of monotonicSeconds() at which the
+  /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
+  /// that fails; then the file has its old content.
+  bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
   /// When the film is to be written again, a time of monotonicSeconds(): so that writing takes at most 1 % of the time.
   double nextWrite() const { return nextWrite_; }
   /// The work that went into the film, all runs together, as last written.

@@ -102,7 +102,8 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   header.seed = job.settings.image.seed;
   header.settings = settingsOf(job, statistics);
   header.window = job.settings.image.window();
-  header.tracers = {{statistics.device, statistics.driver, statistics.platform, statistics.kernels, versionText()}};
+  header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
+                     statistics.kernels, versionText()}};
   return header;
 }
 

@@ -202,7 +202,7 @@ std::vector<Option> verificationOptions() {
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
-           orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
     flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},

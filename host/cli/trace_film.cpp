@@ -9,6 +9,7 @@
 
 #include "host/cli/checkpoints.h"
 #include "host/cli/film_identity.h"
+#include "host/cli/option_table.h"
 #include "host/cli/render_watch.h"
 
 namespace candela::cli {
@@ -69,9 +70,17 @@ class FilmProgress {
 
 // Work that was truncated must not reach a film file.
 void writeDuring(render::Session& session, Checkpoints& checkpoints) {
+  const double start = monotonicSeconds();
   const render::RenderStatistics statistics = session.statistics();
   requireComplete(statistics);
-  checkpoints.write(session.film(), statistics);
+  checkpoints.write(session.film(), statistics, start);
+}
+
+void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
+  if (watch.isTimeUp()) log.note("--time-limit: the time is up");
+  if (job.arguments.checkpoint.empty()) return;
+  const std::string file = shellQuoted(job.arguments.checkpoint.string());
+  log.note(fmt::format("the same command with --resume {} goes on", file));
 }
 
 double deadlineOf(const RenderJob& job, double start) {
@@ -110,13 +119,13 @@ TracedFilm traceFilm(const RenderJob& job, double start, const Log& log) {
   traced.result.statistics = session->statistics();
   requireComplete(traced.result.statistics);
   if (!checkpoint.empty()) {
-    traced.isFilmLost = !checkpoints.write(traced.result.film, traced.result.statistics);
+    traced.isFilmLost = !checkpoints.write(traced.result.film, traced.result.statistics, monotonicSeconds());
     traced.work = checkpoints.work();
   } else if (reader) {
     traced.work = inheritance.work;
     traced.work->add(film::workOf(traced.result.statistics));
   }
-  if (traced.result.interrupted && watch.isTimeUp()) log.note("--time-limit: the time is up");
+  if (traced.result.interrupted) noteStop(job, watch, log);
   return traced;
 }
 

@@ -59,6 +59,10 @@ std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHe
 std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
                                            const std::string& b);
 
+/// `text` with every byte that is not UTF-8 replaced by U+FFFD, since names of devices may contain any bytes. All texts
+/// of a header are valid.
+std::string validText(const std::string& text);
+
 /// Canonical JSON: equal headers have equal texts.
 std::string toJson(const FilmHeader& header);
 /// Throws FileError for any text that toJson() does not write for a header that is possible.

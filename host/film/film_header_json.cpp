@@ -171,6 +171,10 @@ ordered_json parsed(const std::string& text) {
 
 }  // namespace
 
+std::string validText(const std::string& text) {
+  return ordered_json::parse(ordered_json(text).dump(-1, ' ', true, ordered_json::error_handler_t::replace));
+}
+
 std::string toJson(const FilmHeader& header) {
   ordered_json json;
   json["format"] = kFormat;
@@ -184,8 +188,7 @@ std::string toJson(const FilmHeader& header) {
   json["begun"] = boxesJson(header.begun);
   json["tracers"] = tracersJson(header.tracers);
   json["mixed"] = header.mixed;
-  // Names of devices may contain any bytes; those that are not UTF-8 become U+FFFD.
-  return json.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
+  return json.dump(-1, ' ', true);
 }
 
 FilmHeader headerFromJson(const std::string& text) {
