@@ -17,7 +17,8 @@ Checkpoints::Checkpoints(std::filesystem::path file, double every, film::FilmHea
       header_(std::move(header)),
       firstSample_(firstSample),
       before_(std::move(before)),
-      nextWrite_(monotonicSeconds() + every),
+      begun_(monotonicSeconds()),
+      nextWrite_(begun_ + every),
       log_(log) {}
 
 void Checkpoints::writeFiles(const image::Film& film, const render::RenderStatistics& statistics) {
@@ -40,7 +41,8 @@ bool Checkpoints::write(const image::Film& film, const render::RenderStatistics&
   }
   const double end = monotonicSeconds();
   seconds_ += end - start;
-  nextWrite_ = end + std::max(every_, kMinTimesItsCost * (end - start));
+  const double cost = end - start;
+  nextWrite_ = std::max({end + every_, end + kMinTimesItsCost * cost, begun_ + kMinTimesItsCost * (seconds_ + cost)});
   log_.detail(fmt::format("{}: {} after {:.3f} s, next in {:.1f} s at the earliest", file_.string(),
                           written ? "written" : "not written", end - start, nextWrite_ - end));
   return written;

@@ -20,7 +20,8 @@ class Checkpoints {
   /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
   /// that fails; then the file has its old content.
   bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
-  /// When the film is to be written again, a time of monotonicSeconds(): so that writing takes at most 1 % of the time.
+  /// When the film is to be written again, a time of monotonicSeconds(): so that all writes together take at most 1 %
+  /// of the time if the next one takes as long as the last. The cost of the first is not known before.
   double nextWrite() const { return nextWrite_; }
   /// The work that went into the film, all runs together, as last written.
   const film::WorkReport& work() const { return work_; }
@@ -33,6 +34,7 @@ class Checkpoints {
   film::FilmHeader header_;
   std::uint32_t firstSample_;
   film::WorkReport before_, work_;
+  double begun_;  ///< when the object was made, a time of monotonicSeconds()
   double nextWrite_;
   double seconds_ = 0;  ///< for all writes
   const Log& log_;

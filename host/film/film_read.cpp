@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "host/core/errors.h"
+#include "host/film/exr_threads.h"
 #include "host/film/film_blocks.h"
 #include "host/film/film_channels.h"
 #include "host/film/film_file.h"
@@ -125,16 +126,19 @@ FilmReader::FilmReader(FilmReader&&) noexcept = default;
 void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<image::FilmPixel>)>& use) try {
   std::optional<FilmInput> stream;
   std::optional<Imf::InputFile> input;
-  std::vector<image::FilmPixel> pixels(std::size_t{std::min(kBlockRows, header_.window.height)} * header_.window.width);
-  for (std::size_t i = 0; i < blocks_->count(); ++i) {
-    blocks_->check(i, header_.window);
+  const std::uint32_t threads = exrThreads();
+  const std::uint32_t rowsAtATime = std::min(kBlockRows * threads, header_.window.height);
+  std::vector<image::FilmPixel> pixels(std::size_t{rowsAtATime} * header_.window.width);
+  for (std::uint32_t first = 0; first < header_.window.height; first += rowsAtATime) {
+    const std::uint32_t rows = std::min(rowsAtATime, header_.window.height - first);
+    for (std::uint32_t row = first; row < first + rows; row += kBlockRows) {
+      blocks_->check(row / kBlockRows, header_.window);
+    }
     if (!input) {
       stream.emplace(blocks_->bytes());
-      input.emplace(*stream, 0);
+      input.emplace(*stream, static_cast<int>(threads));
       requireOurs(*input);
     }
-    const std::uint32_t first = static_cast<std::uint32_t>(i) * kBlockRows;
-    const std::uint32_t rows = std::min(kBlockRows, header_.window.height - first);
     const auto top = static_cast<int>(header_.window.y + first);
     const auto left = static_cast<int>(header_.window.x);
     const Imath::Box2i box({left, top},

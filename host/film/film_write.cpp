@@ -4,13 +4,12 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "host/core/errors.h"
+#include "host/film/exr_threads.h"
 #include "host/film/film_channels.h"
 #include "host/film/film_file.h"
 #include "host/film/film_stream.h"
@@ -78,14 +77,14 @@ void writeBlocks(Imf::OutputFile& output, const FilmHeader& header, const image:
 }  // namespace
 
 std::string writeFilm(const std::filesystem::path& file, const FilmHeader& header, const image::Film& film) try {
-  const auto threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  if (Imf::globalThreadCount() < threads) Imf::setGlobalThreadCount(threads);
+  const std::uint32_t threads = exrThreads();
   AtomicFile target(file);
   FilmStream stream(target);
   {
-    Imf::OutputFile output(stream, exrHeader(header), threads);  // its destructor writes the table of offsets
+    Imf::OutputFile output(stream, exrHeader(header),
+                           static_cast<int>(threads));  // its destructor writes the table of offsets
     stream.endHead();
-    writeBlocks(output, header, film, kBlockRows * static_cast<std::uint32_t>(threads));
+    writeBlocks(output, header, film, kBlockRows * threads);
   }
   std::string check = stream.finish();
   target.commit();
