@@ -11,6 +11,8 @@ DispatchConstants dispatch = pushed;  // docs/driver-workarounds.md section 1
 layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };
 
 // Returns the index in the band of a pixel of the image.
-uint pixelIndexOf(uvec2 pixel) { return (pixel.y - dispatch.firstRow) * constants.imageWidth + pixel.x; }
+uint pixelIndexOf(uvec2 pixel) {
+  return (pixel.y - dispatch.firstRow) * constants.imageWidth + pixel.x - dispatch.firstColumn;
+}
 
 #endif

@@ -44,7 +44,7 @@ void pushPixel(uint queue, uint pixelIndex) {
 
 uvec2 pixelAt(uint pixelIndex) {
   uint width = constants.imageWidth;
-  return uvec2(pixelIndex % width, dispatch.firstRow + pixelIndex / width);
+  return uvec2(dispatch.firstColumn + pixelIndex % width, dispatch.firstRow + pixelIndex / width);
 }
 
 void addSteps(uint pixelIndex, Work work) {

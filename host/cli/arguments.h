@@ -8,6 +8,7 @@
 
 #include "host/core/log.h"
 #include "host/image/image.h"
+#include "host/render/session.h"
 #include "host/render/settings.h"
 #include "host/scene/load.h"
 #include "host/verify/light_test.h"
@@ -25,7 +26,9 @@ enum class Command : unsigned {
   boxes = 128,
   explain = 256,
   tune = 512,
-  doctor = 1024
+  doctor = 1024,
+  film = 2048,
+  merge = 4096
 };
 
 struct PixelPlace {
@@ -54,6 +57,16 @@ struct Arguments {
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   image::DisplayTransform display;
+
+  std::optional<render::SampleRange> samples;  ///< part of the samples of each pixel; empty: all
+  std::filesystem::path checkpoint;            ///< film file; empty for none
+  double checkpointEvery = 60;                 ///< minimum time between two writes in seconds
+  std::filesystem::path resume;                ///< film file; empty for none
+  bool resumeAnyway = false;
+  std::optional<double> timeLimit;   ///< of a render, in seconds
+  std::filesystem::path mergedFilm;  ///< film file that `merge` writes
+  bool mixedDevices = false;         ///< for `merge`
+  bool partial = false;              ///< for `merge`
 
   std::optional<double> tolerance;  ///< maximum relMSE that passes
   std::filesystem::path differenceFile;

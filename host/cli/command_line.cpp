@@ -129,7 +129,24 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
 void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  fail(Command::render, "no output given: write the image with -o FILE, or only measure with --stats or --json FILE");
+  if (!arguments.checkpoint.empty()) return;
+  fail(Command::render,
+       "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with --stats "
+       "or --json FILE");
+}
+
+// An option that only completes another one.
+void requireTogether(const Arguments& arguments, const char* option, const char* other) {
+  if (!arguments.given.contains(option) || arguments.given.contains(other)) return;
+  fail(arguments.command, fmt::format("{} has no effect without {}", option, other));
+}
+
+void requireFilms(const Arguments& arguments) {
+  requireTogether(arguments, "--checkpoint-every", "--checkpoint");
+  requireTogether(arguments, "--resume-anyway", "--resume");
+  if (arguments.command == Command::merge && arguments.mergedFilm.empty()) {
+    fail(Command::merge, "no output given: name the merged film with -o FILE");
+  }
 }
 
 void requireTreeDepth(const Arguments& arguments) {
@@ -165,6 +182,7 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   refuseTracingOptionsForImages(arguments);
   refuseImageOptionsForScene(arguments);
   requireOutput(arguments);
+  requireFilms(arguments);
   requireOneReaderOfStdout(arguments);
   requireTreeDepth(arguments);
   return arguments;

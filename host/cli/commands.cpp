@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 11> table{{
+  static const std::array<CommandInfo, 13> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
@@ -27,6 +27,10 @@ std::span<const CommandInfo> commandTable() {
       {Command::generate, "generate", "generate KIND",
        "write a procedural scene; `candela generate --help` lists the kinds", "kind", 1, 1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "write the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
+      {Command::film, "film", "film FILE", "describe a film file, or make pictures of it without rendering",
+       "film file", 1, 1, runFilm},
+      {Command::merge, "merge", "merge FILM... -o FILE", "add films of parts of a render", "film file", 1, kAnyNumber,
+       runMerge},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
        "time renders of scenes, acceleration structures (table1: on the built-in scenes mirror and balls) or rays "
        "alone, or compare two of the resulting reports",

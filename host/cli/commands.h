@@ -39,6 +39,8 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log);        ///< `
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< scenes
 ExitCode runBenchCompare(const Arguments& arguments, const Log& log);     ///< `compare`
 ExitCode runTune(const Arguments& arguments, const Log& log);
+ExitCode runFilm(const Arguments& arguments, const Log& log);
+ExitCode runMerge(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 

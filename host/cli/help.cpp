@@ -23,6 +23,7 @@ struct GroupTitle {
 };
 constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::output, "Output"},
+    GroupTitle{OptionGroup::film, "Films: checkpoints and parts of a render"},
     GroupTitle{OptionGroup::image, "Image"},
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
     GroupTitle{OptionGroup::execution,

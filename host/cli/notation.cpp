@@ -59,6 +59,53 @@ Notation<PixelPlace> pixelPlace(std::uint32_t highest) {
   return {"X,Y", fmt::format("X,Y with both from 0 to {}", highest), parse, print};
 }
 
+Notation<double> duration(double lowest) {
+  const auto parse = [=](const std::string& word) -> std::optional<double> {
+    constexpr std::pair<std::string_view, double> kUnits[]{{"min", 60}, {"s", 1}, {"h", 3600}, {"", 1}};
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{}) return std::nullopt;
+    const std::string_view unit(end, static_cast<std::size_t>(word.data() + word.size() - end));
+    for (const auto& [name, seconds] : kUnits) {
+      if (unit == name && value * seconds >= lowest && value * seconds <= 1e9) return value * seconds;
+    }
+    return std::nullopt;
+  };
+  return {"TIME", "a time such as 90s, 1.5min or 2h", parse,
+          [](const double& value) { return fmt::format("{}s", value); }};
+}
+
+Notation<render::SampleRange> sampleRange(std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<render::SampleRange> {
+    const std::size_t colon = word.find(':');
+    if (colon == std::string::npos) return std::nullopt;
+    const auto first = parseWhole(std::string_view(word).substr(0, colon), 0, highest);
+    const auto end = parseWhole(std::string_view(word).substr(colon + 1), 0, highest);
+    if (!first || !end || *first >= *end) return std::nullopt;
+    return render::SampleRange{*first, *end};
+  };
+  const auto print = [](const render::SampleRange& range) { return fmt::format("{}:{}", range.first, range.end); };
+  return {"A:B", fmt::format("A:B with A below B, and both from 0 to {}", highest), parse, print};
+}
+
+Notation<render::Window> window(std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<render::Window> {
+    std::uint32_t numbers[4]{};
+    std::string_view rest = word;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t end = i < 3 ? rest.find(',') : rest.size();
+      if (end == std::string_view::npos) return std::nullopt;
+      const auto number = parseWhole(rest.substr(0, end), i < 2 ? 0 : 1, highest);
+      if (!number) return std::nullopt;
+      numbers[i] = *number;
+      rest.remove_prefix(std::min(rest.size(), end + 1));
+    }
+    return render::Window{numbers[0], numbers[1], numbers[2], numbers[3]};
+  };
+  return {"X,Y,W,H", fmt::format("X,Y,W,H with whole numbers up to {}, W and H at least 1", highest), parse,
+          render::windowText};
+}
+
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {
   const auto parse = [](const std::string& word) { return word.empty() ? std::nullopt : std::optional(word); };
   const auto print = [empty](const std::string& value) { return value.empty() ? empty : value; };

@@ -34,6 +34,12 @@ Notation<double> share(std::string metavar, double lowest, double highest);
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
 /// "X,Y", both from 0 to `highest`.
 Notation<PixelPlace> pixelPlace(std::uint32_t highest);
+/// A duration in seconds, at least `lowest`: "90", "90s", "1.5min" or "2h".
+Notation<double> duration(double lowest);
+/// "A:B", 0 <= A < B <= `highest`.
+Notation<render::SampleRange> sampleRange(std::uint32_t highest);
+/// "X,Y,W,H", X and Y below `highest`, W and H from 1 to `highest`.
+Notation<render::Window> window(std::uint32_t highest);
 /// Any text; an empty value, which can only be the default, prints as `empty`.
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
 /// One of a list of names.

@@ -19,9 +19,12 @@ constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
 constexpr unsigned kTune = static_cast<unsigned>(Command::tune);
 constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
+constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
+constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
-constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune | kDoctor;
+constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune | kDoctor |
+                                kFilm | kMerge;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 constexpr std::uint32_t kMaxSamples = 1u << 30;
@@ -146,12 +149,34 @@ std::vector<Option> executionOptions() {
 std::vector<Option> outputOptions() {
   constexpr OptionGroup kGroup = OptionGroup::output;
   return {
-    paths({"-o,--output", kRender, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
+    paths({"-o,--output", kRender | kFilm, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--tonemap", kRender | kCompare, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
+    valued({"--tonemap", kRender | kCompare | kFilm, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare, kGroup, "exposure of 8-bit files and of FLIP; each stop doubles the brightness"},
+    valued({"--exposure", kRender | kCompare | kFilm, kGroup, "exposure of 8-bit files and of FLIP; each stop doubles the brightness"},
            realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
+  };
+}
+
+std::vector<Option> filmOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::film;
+  return {
+    path({"--checkpoint", kRender, kGroup, "film file that the render can go on from: written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.checkpoint; }),
+    valued({"--checkpoint-every", kRender, kGroup, "minimum time between two writes of the film, which also take at most 1 % of the time"},
+           duration(0), [](auto& a) -> auto& { return a.checkpointEvery; }),
+    path({"--resume", kRender, kGroup, "go on from a film file, up to --spp"}, "FILE", [](auto& a) -> auto& { return a.resume; }),
+    flag({"--resume-anyway", kRender, kGroup, "go on although scene, settings or device differ; the film is marked as mixed"},
+         [](auto& a) -> auto& { return a.resumeAnyway; }),
+    valued({"--time-limit", kRender, kGroup, "stop after this time, as Ctrl-C does"},
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.timeLimit; }),
+    valued({"--samples", kRender, kGroup, "render samples A to B - 1 of the --spp of each pixel"},
+           orAbsent(sampleRange(kMaxSamples), "all"), [](auto& a) -> auto& { return a.samples; }),
+    valued({"--crop", kRender, kGroup, "render a window: its left column, top row, width and height in pixels of the full image"},
+           orAbsent(window(kMaxSide), "the image"), [](auto& a) -> auto& { return a.settings.image.crop; }),
+    path({"-o,--output", kMerge, kGroup, "for `merge`: the film file that is written"}, "FILE", [](auto& a) -> auto& { return a.mergedFilm; }),
+    flag({"--mixed-devices", kMerge, kGroup, "merge films of different devices; the film is marked as mixed"},
+         [](auto& a) -> auto& { return a.mixedDevices; }),
+    flag({"--partial", kMerge, kGroup, "write the film although samples are missing"}, [](auto& a) -> auto& { return a.partial; }),
   };
 }
 
@@ -177,7 +202,7 @@ std::vector<Option> verificationOptions() {
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
-           orAbsent(realNumber<double>("SECONDS", 0, 1e9), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
     flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},
@@ -258,7 +283,7 @@ std::vector<Option> generalOptions() {
 const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
-    for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(),
+    for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(),
                              comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(),
                              tuningOptions(), generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());

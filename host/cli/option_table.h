@@ -13,6 +13,7 @@ enum class OptionGroup {
   image,
   sceneFile,
   execution,
+  film,
   output,
   comparison,
   verification,

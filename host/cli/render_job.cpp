@@ -2,7 +2,6 @@
 #include "host/cli/render_job.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 
@@ -11,6 +10,7 @@
 #include "host/core/interrupt.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
+#include "host/film/film_memory.h"
 #include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
@@ -25,14 +25,10 @@ void requirePixelLimit(const render::Extent& size) {
                               image::kMaximumImagePixels));
 }
 
-// Requires that the film fits into memory: a larger one could be allocated, but would make the machine swap.
-void requireMemoryForFilm(const render::Extent& size) {
-  const double needed = static_cast<double>(size.width) * size.height * sizeof(image::FilmPixel);
-  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed <= present) return;
-  constexpr double kGiB = 1024.0 * 1024 * 1024;
-  throw OutOfMemoryError(fmt::format("an image of {}x{} pixels needs {:.1f} GiB; this machine has {:.1f} GiB",
-                                     size.width, size.height, needed / kGiB, present / kGiB));
+void requireCropWithin(const render::ImageSettings& image) {
+  if (!image.crop || isWithin(*image.crop, image.size)) return;
+  throw UsageError(
+      fmt::format("--crop {} is not within the image of {} pixels", windowText(*image.crop), extentText(image.size)));
 }
 
 // Options that have an effect only on some renders.
@@ -108,7 +104,8 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   device::requireKernel(arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
-  requireMemoryForFilm(arguments.settings.image.size);
+  requireCropWithin(arguments.settings.image);
+  film::requireMemoryForFilm(arguments.settings.image.window().extent());
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }

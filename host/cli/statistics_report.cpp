@@ -141,6 +141,7 @@ ordered_json toJson(const RenderReport& report) {
   json["firstBadPixels"] = firstPixelsJson(report.badSamples, report.job);
   json["dispatch"] = dispatchJson(statistics.dispatchSeconds);
   json["seconds"] = seconds;
+  if (report.work) json["work"] = film::toJson(*report.work);
   return json;
 }
 

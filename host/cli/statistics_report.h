@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/cli/render_job.h"
+#include "host/film/work_report.h"
 #include "host/render/bad_sample_tally.h"
 
 namespace candela::cli {
@@ -13,7 +14,8 @@ struct RenderReport {
   const render::RenderResult& result;
   double writeSeconds = 0;
   double totalSeconds = 0;
-  render::BadSampleTally badSamples{};  ///< bad samples of the result's film
+  render::BadSampleTally badSamples{};     ///< bad samples of the result's film
+  std::optional<film::WorkReport> work{};  ///< of all runs that made the film, if it has a file
 };
 
 /// Returns all figures, with keys in lowerCamel. Rates are per second of the phase `trace`.

@@ -59,6 +59,18 @@ fs::path temporaryName(const fs::path& target) {
   return name;
 }
 
+/// Returns the path under which the kernel shows an open file of this process.
+std::string shownPath(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// Opens a file in the folder that has no name yet, or none if the file system has no such files or if they could not
+/// be given a name later.
+int openNameless(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor < 0 || ::access(shownPath(descriptor).c_str(), F_OK) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
 /// Syncs the folder, so that the rename survives a power failure. Errors are ignored, since not every file system can
 /// sync a folder.
 void syncFolder(const fs::path& folder) {
@@ -72,10 +84,39 @@ AtomicFile::AtomicFile(const fs::path& file)
     : name_(file),
       inPlace_(isSpecialFile(file)),
       target_(inPlace_ ? file : resolveLinks(file)),
-      temporary_(inPlace_ ? fs::path() : temporaryName(target_)),
-      descriptor_(inPlace_ ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC)
-                           : ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+      descriptor_(inPlace_ ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC) : openNameless(target_.parent_path())) {
+  if (!inPlace_ && !descriptor_.isOpen()) openNamed();
   if (!descriptor_.isOpen()) failWithErrno(name_);
+}
+
+void AtomicFile::openNamed() {
+  const fs::path name = temporaryName(target_);
+  descriptor_ = FileDescriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (descriptor_.isOpen()) temporary_ = name;
+}
+
+// The name is always the same, so that what a killed program left under it goes away.
+void AtomicFile::giveName(int descriptor) {
+  fs::path name = target_;
+  name += ".candela-part";
+  const std::string shown = shownPath(descriptor);
+  while (::linkat(AT_FDCWD, shown.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    if (errno != EEXIST) failWithErrno(name_);
+    if (::unlink(name.c_str()) != 0 && errno != ENOENT) failWithErrno(name_);
+  }
+  temporary_ = name;
+}
+
+// Another process that writes the same file may take the name away, and even rename this file to the target. Whichever
+// comes last, the target is one of the two complete files.
+void AtomicFile::replaceTarget(int descriptor) {
+  const bool isNameless = temporary_.empty();
+  if (isNameless) giveName(descriptor);
+  while (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    if (!isNameless || errno != ENOENT) failWithErrno(name_);
+    giveName(descriptor);
+  }
+  temporary_.clear();
 }
 
 AtomicFile::~AtomicFile() {
@@ -86,12 +127,24 @@ void AtomicFile::write(std::span<const std::byte> content) {
   if (!writeAll(descriptor_.get(), content)) failWithErrno(name_);
 }
 
+void AtomicFile::writeAt(std::uint64_t offset, std::span<const std::byte> content) {
+  while (!content.empty()) {
+    const ssize_t written = ::pwrite(descriptor_.get(), content.data(), content.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) failWithErrno(name_);
+    offset += static_cast<std::uint64_t>(written);
+    content = content.subspan(static_cast<std::size_t>(written));
+  }
+}
+
 void AtomicFile::commit() {
   if (!inPlace_ && ::fsync(descriptor_.get()) != 0) failWithErrno(name_);
+  // A file without a name is lost when its last descriptor is closed, and closing reports the last errors.
+  const FileDescriptor kept(inPlace_ ? -1 : ::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));
+  if (!inPlace_ && !kept.isOpen()) failWithErrno(name_);
   if (!descriptor_.close()) failWithErrno(name_);
   if (inPlace_) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) failWithErrno(name_);
-  temporary_.clear();
+  replaceTarget(kept.get());
   syncFolder(target_.parent_path());
 }
 

@@ -1,6 +1,7 @@
 // Files that appear completely or not at all.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
@@ -9,9 +10,10 @@
 namespace candela {
 
 /// Replaces or creates a file. A temporary file beside it is written, synced and renamed by commit(). Until then, and
-/// after any error, the old file stays unchanged; the destructor removes the temporary file. A symbolic link still
-/// points to the file that is replaced. Devices and pipes are written in place. All functions throw FileError, which
-/// names the file and the cause.
+/// after any error, the old file stays unchanged. Where the file system can, the temporary file has no name before
+/// commit(), so that a program that is killed leaves at most one file behind, which the next write replaces; elsewhere
+/// the destructor removes it. A symbolic link still points to the file that is replaced. Devices and pipes are written
+/// in place. All functions throw FileError, which names the file and the cause.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file);
@@ -20,10 +22,16 @@ class AtomicFile {
   ~AtomicFile();
 
   void write(std::span<const std::byte> content);
+  /// Writes at an offset in bytes, wherever write() is; not for devices and pipes.
+  void writeAt(std::uint64_t offset, std::span<const std::byte> content);
   /// Call it once, as the last function.
   void commit();
 
  private:
+  void openNamed();
+  void giveName(int descriptor);
+  void replaceTarget(int descriptor);
+
   std::filesystem::path name_;  ///< as given, for messages
   bool inPlace_;
   std::filesystem::path target_;     ///< the absolute path behind symbolic links

@@ -2,6 +2,8 @@
 #pragma once
 #include <unistd.h>
 
+#include <utility>
+
 namespace candela {
 
 class FileDescriptor {
@@ -10,6 +12,10 @@ class FileDescriptor {
   explicit FileDescriptor(int value) : value_(value) {}
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(value_, other.value_);
+    return *this;
+  }
   ~FileDescriptor() {
     if (value_ >= 0) ::close(value_);
   }

@@ -7,9 +7,11 @@ namespace candela {
 namespace {
 
 std::atomic<bool> interrupted{false};
+std::atomic<bool> writeRequested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
 
 void onSignal(int) { interrupted.store(true); }
+void onWriteRequest(int) { writeRequested.store(true); }
 
 }  // namespace
 
@@ -22,6 +24,15 @@ const std::atomic<bool>& watchInterrupts() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   return interrupted;
+}
+
+std::atomic<bool>& watchWriteRequests() {
+  struct sigaction action {};
+  action.sa_handler = onWriteRequest;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGUSR1, &action, nullptr);
+  return writeRequested;
 }
 
 }  // namespace candela

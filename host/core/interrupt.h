@@ -8,4 +8,7 @@ namespace candela {
 /// second signal of a kind ends the program at once.
 const std::atomic<bool>& watchInterrupts();
 
+/// From this call on, SIGUSR1 sets the returned flag, every time, instead of ending the program.
+std::atomic<bool>& watchWriteRequests();
+
 }  // namespace candela

@@ -75,16 +75,16 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes) {
-  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.size.width;
+  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
   // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
   const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
   const std::uint64_t head = headBytes(kernel, 0);
   const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.image.size.width, rowBytes >> 10, info.name, allowedBytes >> 10));
+                                settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
   }
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.size.height));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.window().height));
 }
 
 Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::ComputePipeline> pipelines,
@@ -93,7 +93,7 @@ Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::Com
       kernel_(kernel),
       pipelines_(std::move(pipelines)),
       settings_(settings),
-      width_(settings.image.size.width),
+      width_(settings.image.window().width),
       states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
       film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
@@ -143,14 +143,17 @@ void Band::clearCounters() {
 }
 
 double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget) {
-  const gpu::DispatchConstants constants{.regionOrigin = {region.x, rows_.first + region.y},
+  const render::Window window = settings_.image.window();
+  const std::uint32_t firstRow = window.y + rows_.first;
+  const gpu::DispatchConstants constants{.regionOrigin = {window.x + region.x, firstRow + region.y},
                                          .regionSize = {region.width, region.height},
-                                         .firstRow = rows_.first,
+                                         .firstRow = firstRow,
                                          .maxSegments = segments,
                                          .sampleEnd = sampleEnd,
                                          .maxIterations = budget.maxIterations,
                                          .roundParity = 0,
-                                         .bandPixels = static_cast<std::uint32_t>(pixels())};
+                                         .bandPixels = static_cast<std::uint32_t>(pixels()),
+                                         .firstColumn = window.x};
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
   return device_.run([&](vulkan::CommandRecorder& recorder) {

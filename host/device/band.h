@@ -18,7 +18,7 @@
 
 namespace candela::device {
 
-/// Rows first .. first + height - 1 of the image.
+/// Rows first .. first + height - 1 of the film.
 struct BandRows {
   std::uint32_t first = 0;
   std::uint32_t height = 0;

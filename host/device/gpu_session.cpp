@@ -1,6 +1,8 @@
 // Rendering band by band under the governor. A band stays on the device until another one needs its buffers.
 #include "host/device/gpu_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -58,13 +60,16 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
 
   bandHeight_ = bandHeight(info, kernel_, settings_, context_->maxBandBytes);
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
-  film_ = image::Film(settings_.image.size.width, settings_.image.size.height);
+  film_ = image::Film(settings_.image.window().width, settings_.image.window().height);
   startCounting();
 }
 
 void GpuSession::describe() {
   prepared_.device = context_->device.info().name;
   prepared_.driver = context_->device.info().driver;
+  prepared_.platform = fmt::format("driver {}, pipeline cache {}", context_->device.info().driverUuid,
+                                   context_->device.info().pipelineCacheUuid);
+  prepared_.kernels = kernelsHash();
   prepared_.structure = settings_.structure.accel;
   if (prepared_.structure == render::AccelKind::bvh) describeBuild(settings_.structure, prepared_);
   prepared_.layout = flat_.uniformSlots > 0 ? "row" : flatten::layoutName(flat_.structure);
@@ -89,13 +94,13 @@ std::vector<vulkan::ComputePipeline> GpuSession::pipelinesOf(const Kernel& kerne
 
 BandRows GpuSession::bandAt(std::uint32_t index) const {
   const std::uint32_t first = index * bandHeight_;
-  return {first, std::min(bandHeight_, settings_.image.size.height - first)};
+  return {first, std::min(bandHeight_, film_.height() - first)};
 }
 
-std::uint32_t GpuSession::bandCount() const { return (settings_.image.size.height + bandHeight_ - 1) / bandHeight_; }
+std::uint32_t GpuSession::bandCount() const { return (film_.height() + bandHeight_ - 1) / bandHeight_; }
 
 std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
-  const std::uint64_t width = settings_.image.size.width;
+  const std::uint64_t width = film_.width();
   return {film_.pixels().data() + width * rows.first, width * rows.height};
 }
 
@@ -131,7 +136,7 @@ void GpuSession::setCamera(const scene::Camera& camera) {
 }
 
 void GpuSession::load(const image::Film& film, std::uint32_t first) {
-  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.size,
+  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
   empty();
   film_ = film;

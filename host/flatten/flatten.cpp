@@ -157,8 +157,8 @@ std::uint32_t strataPerSide(const render::RenderSettings& settings) {
 void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
   setCamera(constants, *scene.camera, settings.image);
   constants.background = scene.background;
-  constants.imageWidth = settings.image.size.width;
-  constants.imageHeight = settings.image.size.height;
+  constants.imageWidth = settings.image.window().width;
+  constants.imageHeight = settings.image.window().height;
   constants.seed = settings.image.seed;
   constants.strataPerSide = strataPerSide(settings);
   constants.maxDepth = settings.image.maxDepth;

@@ -53,16 +53,6 @@ double inRange(double value, bool& bad) {
 /// Returns the lower of two values of FilmPixel::firstBadSample, in which 0 means none.
 std::uint32_t earlier(std::uint32_t a, std::uint32_t b) { return std::min(a - 1, b - 1) + 1; }
 
-void add(FilmPixel& sums, const FilmPixel& terms) {
-  add(sums.red, terms.red);
-  add(sums.green, terms.green);
-  add(sums.blue, terms.blue);
-  add(sums.luminanceSquared, terms.luminanceSquared);
-  sums.sampleCount += terms.sampleCount;
-  sums.badCount += terms.badCount;
-  sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
-}
-
 /// Computes FNV-1a over the little-endian bytes of 32-bit words.
 class Fnv1a {
  public:
@@ -82,6 +72,16 @@ class Fnv1a {
 
 }  // namespace
 
+void addSums(FilmPixel& sums, const FilmPixel& terms) {
+  add(sums.red, terms.red);
+  add(sums.green, terms.green);
+  add(sums.blue, terms.blue);
+  add(sums.luminanceSquared, terms.luminanceSquared);
+  sums.sampleCount += terms.sampleCount;
+  sums.badCount += terms.badCount;
+  sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
+}
+
 Film::Film(std::uint32_t width, std::uint32_t height)
     : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
 
@@ -98,7 +98,7 @@ void Film::addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radianc
   sample.sampleCount = 1;
   sample.badCount = bad ? 1 : 0;
   sample.firstBadSample = bad ? sampleIndex + 1 : 0;
-  add(at(x, y), sample);
+  addSums(at(x, y), sample);
 }
 
 glm::dvec3 Film::mean(std::uint32_t x, std::uint32_t y) const {
@@ -129,7 +129,7 @@ void Film::merge(const Film& other) {
       throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaximumCount));
     }
   }
-  for (std::size_t i = 0; i < pixels_.size(); ++i) add(pixels_[i], other.pixels_[i]);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) addSums(pixels_[i], other.pixels_[i]);
 }
 
 std::uint64_t Film::hash() const {

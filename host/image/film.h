@@ -28,6 +28,9 @@ struct FilmPixel {
 };
 static_assert(sizeof(FilmPixel) == 64);
 
+/// Adds the sums, counts and the first bad sample of other samples of the same pixel.
+void addSums(FilmPixel& sums, const FilmPixel& terms);
+
 inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
 inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the maximum of a channel of one sample
 

@@ -7,6 +7,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
+#include "host/core/version.h"
 #include "host/reference/path.h"
 #include "host/reference/tile_job.h"
 #include "host/reference/views.h"
@@ -64,11 +65,13 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
     : settings_(settings) {
   prepared_.device = "cpu";
   prepared_.kernel = "reference";
+  prepared_.kernels = "reference";
+  prepared_.platform = toolchainText();
   prepared_.threads = threadCount(settings_);
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
-    film_ = image::Film(settings_.image.size.width, settings_.image.size.height);
+    film_ = image::Film(settings_.image.window().width, settings_.image.window().height);
     empty();
   });
   prepared_.seconds["build"] = watch.lap();
@@ -101,7 +104,7 @@ void ReferenceSession::setCamera(const scene::Camera& camera) {
 }
 
 void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
-  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.size,
+  const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
   empty();
   film_ = film;
@@ -118,7 +121,7 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
     TileJob job(*tracer_, tile, range.end, control,
-                {film_, coverage_.first, paths_, replicas_, settings_.execution.replicas});
+                {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;

@@ -83,7 +83,8 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   const std::size_t pixel = std::size_t{y} * output_.film.width() + x;
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
-    output_.film.addSample(x, y, traceSample({x, y, i}, pixel, counters, record), i);
+    const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
+    output_.film.addSample(x, y, traceSample(place, pixel, counters, record), i);
   }
 }
 

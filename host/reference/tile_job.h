@@ -13,6 +13,7 @@ namespace candela::reference {
 /// The destination of a job's samples.
 struct JobOutput {
   image::Film& film;
+  render::Window window;       ///< pixels of the image that the film has
   std::uint32_t firstSample;   ///< index of the first sample of each pixel in the film
   render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
   render::ReplicaRecords& replicas;

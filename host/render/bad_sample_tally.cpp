@@ -13,23 +13,25 @@ bool BadSampleTally::note(std::size_t pixel, std::size_t pixelCount) {
 }
 
 void BadSampleTally::add(const image::Film& film, const ImageSettings& image) {
-  width_ = film.width();
+  window_ = image.window();
   for (std::size_t i = 0; i < film.pixels().size(); ++i) {
     const image::FilmPixel& pixel = film.pixels()[i];
     if (pixel.badCount == 0) continue;
     samples_ += pixel.badCount;
     if (!note(i, film.pixels().size()) || firstPixels_.size() == kPixelsKept) continue;
-    firstPixels_.push_back({static_cast<std::uint32_t>(i % film.width()), static_cast<std::uint32_t>(i / film.width()),
-                            pixel.badCount, pixel.firstBadSample - 1, image.seed, image.sampleCount});
+    firstPixels_.push_back({window_.x + static_cast<std::uint32_t>(i % film.width()),
+                            window_.y + static_cast<std::uint32_t>(i / film.width()), pixel.badCount,
+                            pixel.firstBadSample - 1, image.seed, image.sampleCount});
   }
 }
 
 void BadSampleTally::add(const BadSampleTally& later) {
   if (later.pixels_ == 0) return;
-  width_ = later.width_;
+  window_ = later.window_;
   samples_ += later.samples_;
   for (const BadPixel& pixel : later.firstPixels_) {
-    const bool isNew = note(std::size_t{pixel.y} * width_ + pixel.x, later.isBad_.size());
+    const bool isNew = note(std::size_t{pixel.y - window_.y} * window_.width + pixel.x - window_.x,
+                            later.isBad_.size());
     if (isNew && firstPixels_.size() < kPixelsKept) firstPixels_.push_back(pixel);
   }
   for (std::size_t i = 0; i < later.isBad_.size(); ++i) {

@@ -39,7 +39,7 @@ class BadSampleTally {
  private:
   bool note(std::size_t pixel, std::size_t pixelCount);
 
-  std::uint32_t width_ = 0;  ///< of the images
+  Window window_;  ///< of the images
   std::uint64_t samples_ = 0;
   std::uint64_t pixels_ = 0;
   std::vector<bool> isBad_;  ///< by pixel; empty while no pixel is bad

@@ -18,6 +18,8 @@ namespace candela::render {
 struct SampleRange {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
+
+  bool operator==(const SampleRange&) const = default;
 };
 
 /// Functions by which a caller watches and stops a session while it traces.

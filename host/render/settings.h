@@ -56,6 +56,7 @@ constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrat
 /// bit, on one device, whatever the other settings are (except that Integrator::cost shows the acceleration structure).
 struct ImageSettings {
   Extent size;                     ///< pixels, each in [1, 65535]
+  std::optional<Window> crop;      ///< pixels that are rendered, within `size`; absent: all. It changes none of them
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
   std::uint32_t seed = 0;
   /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
@@ -72,6 +73,8 @@ struct ImageSettings {
   float lightSize = 0;       ///< side of the squares that replace point lights, >= 0; Whitted only
   bool oneSided = false;     ///< hits on the back of triangles and planes with T = 0 are ignored
 
+  /// Returns the pixels that are rendered: those of the film.
+  Window window() const { return crop.value_or(windowOf(size)); }
   /// Returns whether the pixel filter distributes the camera rays; otherwise they pass through the pixels' origins.
   bool jittersPixels() const { return antialiasing && (integrator == Integrator::path || sampleCount > 1); }
 

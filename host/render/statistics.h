@@ -32,8 +32,12 @@ constexpr const char* structureName(AccelKind accel) {
 
 /// Counts and times of one session since it was prepared or reset. Times in seconds.
 struct RenderStatistics {
-  std::string device;                     ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
-  std::string driver;                     ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
+  std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
+  std::string driver;  ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
+  /// What the bytes of a film depend on besides device, driver and kernels: the UUIDs of the driver and of its pipeline
+  /// cache; for the reference: compiler, C library and instruction set.
+  std::string platform;
+  std::string kernels;                    ///< hash of the code of all kernels, or "reference"
   AccelKind structure = AccelKind::none;  ///< in use; a BVH of one leaf is a BVH, too
   std::string bvhSplit;    ///< "sah", "midpoint", or "median" (the reference's own rule); empty without a BVH
   std::string bvhQuality;  ///< "fast", "default" or "high"; empty unless a device's BVH is built by SAH

@@ -46,14 +46,15 @@ void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
   for (std::size_t axis = 0; axis < 3; ++axis) info.maxWorkgroupSize[axis] = limits.maxComputeWorkGroupSize[axis];
 }
 
-/// Queries the properties of Vulkan 1.2. There are only these two structures, because SwiftShader prints a warning
+/// Queries the properties of Vulkan 1.2. There are only these three structures, because SwiftShader prints a warning
 /// about any that it does not know.
 void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
-                                           vk::PhysicalDeviceSubgroupProperties>();
+                                           vk::PhysicalDeviceIDProperties, vk::PhysicalDeviceSubgroupProperties>();
   const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
   info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
   while (!info.driver.empty() && info.driver.back() == ' ') info.driver.pop_back();
+  info.driverUuid = fmt::format("{:02x}", fmt::join(chain.get<vk::PhysicalDeviceIDProperties>().driverUUID, ""));
   info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
 }
 

@@ -12,6 +12,7 @@ struct DeviceInfo {
   std::string type;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
   std::string driver;               ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   std::uint32_t driverVersion = 0;  ///< in the driver's own encoding
+  std::string driverUuid;           ///< 32 hexadecimal digits; of Vulkan 1.2 alone
   std::string pipelineCacheUuid;    ///< 32 hexadecimal digits; they change with the driver and the device
   std::string apiVersion;           ///< "1.3.230"
   bool usable = false;

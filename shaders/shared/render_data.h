@@ -23,7 +23,7 @@ struct RenderConstants {
   float unused0;
   vec3 background;
   float aoDistance;          // maximum distance of ambient occlusion rays
-  uint imageWidth;           // pixels
+  uint imageWidth;           // pixels of the film
   uint imageHeight;
   uint seed;
   uint strataPerSide;        // n of the n x n strata; 0: none
@@ -74,6 +74,7 @@ struct DispatchConstants {
   uint maxIterations;  // loop iterations per invocation
   uint roundParity;    // wavefront only: index of the round modulo 2
   uint bandPixels;     // wavefront only: pixels of the band
+  uint firstColumn;    // column of the image at which the film begins
 };
 
 // Work of a pixel's paths so far. Each count wraps at 2^32.

@@ -80,6 +80,16 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--no-cache", "", ""},
       {"-t,--threads", "N", "0"},
       {"--tonemap", "none|srgb|aces|agx|neutral", "srgb"},
+      {"--checkpoint", "FILE", ""},
+      {"--checkpoint-every", "TIME", "60s"},
+      {"--resume", "FILE", ""},
+      {"--resume-anyway", "", ""},
+      {"--time-limit", "TIME", "none", Command::render},
+      {"--samples", "A:B", "all"},
+      {"--crop", "X,Y,W,H", "the image"},
+      {"-o,--output", "FILE", "", Command::merge},
+      {"--mixed-devices", "", ""},
+      {"--partial", "", ""},
       {"--exposure", "STOPS", "0"},
       {"--tolerance", "T", ""},
       {"--diff", "FILE", ""},
@@ -88,7 +98,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--alpha", "A", "0.0001", Command::verify},
       {"--bias", "FRACTION", "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"},
       {"--test", "paired|independent", "paired"},
-      {"--time-limit", "SECONDS", "none"},
+      {"--time-limit", "TIME", "none", Command::verify},
       {"--junit", "FILE", ""},
       {"--explain", "", ""},
       {"--pixel", "X,Y", "the pixel that differs most"},
@@ -166,6 +176,9 @@ TEST_CASE("an option prints the value that it was given") {
       {"--tonemap", {"none", "srgb", "aces", "agx", "neutral"}},
       {"--exposure", {"-1.5", "2"}},
       {"--tolerance", {"0.001"}},
+      {"--checkpoint-every", {"0s", "90s", "0.5s"}},
+      {"--samples", {"0:1", "16:64"}},
+      {"--crop", {"0,0,1,1", "12,34,56,78"}},
       {"--allow-path", {"/a", "b c"}}};
   Arguments arguments;
   for (const auto& [name, values] : samples) {
@@ -197,6 +210,9 @@ TEST_CASE("a value out of range or of another kind is refused") {
       {"--threads", {"1025"}},
       {"--exposure", {"nan", "inf", "65", "1,5"}},
       {"--tolerance", {"-1", "nan"}},
+      {"--checkpoint-every", {"-1s", "s", "", "1d", "nan", "inf", "60 s"}},
+      {"--samples", {"1:1", "2:1", "1", ":", "0:", ":4", "-1:4", "0:4:8", "0:1073741825"}},
+      {"--crop", {"0,0,0,1", "0,0,1,0", "0,0,1", "0,0,1,1,", "0,0,1,1,1", "65536,0,1,1", "-1,0,1,1", ",,,"}},
       {"--json", {""}},
       {"--output", {""}}};
   for (const auto& [name, values] : bad) {
@@ -206,6 +222,16 @@ TEST_CASE("a value out of range or of another kind is refused") {
       CHECK_FALSE(find(name).apply(arguments, value));
     }
   }
+}
+
+TEST_CASE("a duration may have a unit, and prints in seconds") {
+  Arguments arguments;
+  for (const auto& [word, seconds] :
+       std::vector<std::pair<std::string, double>>{{"90", 90}, {"90s", 90}, {"1.5min", 90}, {"2h", 7200}, {"0", 0}}) {
+    REQUIRE(find("--checkpoint-every").apply(arguments, word));
+    CHECK(arguments.checkpointEvery == seconds);
+  }
+  CHECK(find("--checkpoint-every").show(arguments) == std::vector<std::string>{"0s"});
 }
 
 TEST_CASE("settings print as the command line that states them") {

@@ -51,12 +51,17 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& words, c
 int waitFor(pid_t child, const Surroundings& surroundings) {
   const Clock::time_point start = Clock::now();
   bool interrupted = !surroundings.interruptAfter;
+  Clock::duration nextRequest = surroundings.writeRequestsFrom;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     const auto elapsed = Clock::now() - start;
     if (!interrupted && elapsed >= *surroundings.interruptAfter) {
-      kill(child, SIGINT);
+      kill(child, surroundings.signal);
       interrupted = true;
+    }
+    if (surroundings.writeRequestsEvery && elapsed >= nextRequest) {
+      kill(child, SIGUSR1);
+      nextRequest = elapsed + *surroundings.writeRequestsEvery;
     }
     if (elapsed > kMaxRunTime) {
       kill(child, SIGKILL);

@@ -1,5 +1,7 @@
 // Runs the real program as a person would, and catches what it says.
 #pragma once
+#include <signal.h>
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -17,8 +19,12 @@ struct ProgramResult {
 struct Surroundings {
   std::vector<std::string> environment;  ///< added, "NAME=value"
   std::string standardOutput;            ///< a file to write to instead of catching it
-  /// Ctrl-C after this time.
+  /// After this time, `signal` (Ctrl-C) is sent.
   std::optional<std::chrono::milliseconds> interruptAfter;
+  int signal = SIGINT;
+  /// SIGUSR1 is sent after each of these times, from `writeRequestsFrom` on.
+  std::optional<std::chrono::milliseconds> writeRequestsEvery{};
+  std::chrono::milliseconds writeRequestsFrom{0};
 };
 
 /// Runs candela with `words`, stdin empty, where nothing has been tuned unless the surroundings say so. Throws

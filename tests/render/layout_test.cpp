@@ -119,7 +119,8 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
         Offsets{MEMBER(DispatchConstants, regionOrigin), MEMBER(DispatchConstants, regionSize),
                 MEMBER(DispatchConstants, firstRow), MEMBER(DispatchConstants, maxSegments),
                 MEMBER(DispatchConstants, sampleEnd), MEMBER(DispatchConstants, maxIterations),
-                MEMBER(DispatchConstants, roundParity), MEMBER(DispatchConstants, bandPixels)});
+                MEMBER(DispatchConstants, roundParity), MEMBER(DispatchConstants, bandPixels),
+                MEMBER(DispatchConstants, firstColumn)});
   CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving),
                                                  MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
                                                  MEMBER(PathState, counts)});

@@ -1,0 +1,43 @@
+// Writes the film of a render to its film file, as often as it may.
+#pragma once
+#include <filesystem>
+
+#include "host/core/log.h"
+#include "host/film/film_file.h"
+#include "host/film/work_report.h"
+#include "host/render/session.h"
+
+namespace candela::cli {
+
+class Checkpoints {
+ public:
+  /// `header` is that of the film without its coverage, `firstSample` that of its pixels, `before` the work of earlier
+  /// runs. `every` is the minimum time between two writes in seconds.
+  Checkpoints(std::filesystem::path file, double every, film::FilmHeader header, std::uint32_t firstSample,
+              film::WorkReport before, const Log& log);
+
+  /// Writes the film and, beside it, the report of the work. `start` is the time of monotonicSeconds() at which the
+  /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
+  /// that fails; then the file has its old content.
+  bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
+  /// When the film is to be written again, a time of monotonicSeconds(): so that all writes together take at most 1 %
+  /// of the time if the next one takes as long as the last. The cost of the first is not known before.
+  double nextWrite() const { return nextWrite_; }
+  /// The work that went into the film, all runs together, as last written.
+  const film::WorkReport& work() const { return work_; }
+
+ private:
+  void writeFiles(const image::Film& film, const render::RenderStatistics& statistics);
+
+  std::filesystem::path file_;
+  double every_;
+  film::FilmHeader header_;
+  std::uint32_t firstSample_;
+  film::WorkReport before_, work_;
+  double begun_;  ///< when the object was made, a time of monotonicSeconds()
+  double nextWrite_;
+  double seconds_ = 0;  ///< for all writes
+  const Log& log_;
+};
+
+}  // namespace candela::cli

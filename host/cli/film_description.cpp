@@ -1,0 +1,118 @@
+// Describes films as text and as JSON.
+#include "host/cli/film_description.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/cli/option_table.h"
+#include "host/core/hash_text.h"
+
+namespace candela::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<std::string> textsOf(const std::vector<film::SampleBox>& boxes) {
+  std::vector<std::string> texts;
+  for (const film::SampleBox& box : boxes) texts.push_back(boxText(box));
+  return texts;
+}
+
+std::string row(const std::string& name, const std::string& value) { return fmt::format("{:<16} {}\n", name, value); }
+
+std::string rows(const std::string& name, const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += row(text.empty() ? name : "", value);
+  return text;
+}
+
+std::string settingsText(const std::map<std::string, std::string>& settings) {
+  std::string text;
+  for (const auto& [name, value] : settings) text += fmt::format("{}--{} {}", text.empty() ? "" : " ", name, value);
+  return text;
+}
+
+std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
+  std::vector<std::string> texts;
+  for (const film::Tracer& tracer : tracers) {
+    texts.push_back(fmt::format("{}{}{} (candela {})", tracer.device, tracer.driver.empty() ? "" : ", ", tracer.driver,
+                                tracer.program));
+  }
+  return texts;
+}
+
+ordered_json tracersJson(const std::vector<film::Tracer>& tracers) {
+  ordered_json json = ordered_json::array();
+  for (const film::Tracer& tracer : tracers) {
+    json.push_back({{"device", tracer.device},
+                    {"driver", tracer.driver},
+                    {"platform", tracer.platform},
+                    {"kernels", tracer.kernels},
+                    {"program", tracer.program}});
+  }
+  return json;
+}
+
+}  // namespace
+
+FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work) {
+  FilmDescription description{header, hashText(film.hash()), 0, 0, {}, work};
+  for (const image::FilmPixel& pixel : film.pixels()) {
+    description.samples += pixel.sampleCount;
+    description.badSamples += pixel.badCount;
+  }
+  std::vector<film::SampleBox> boxes = header.covered;
+  boxes.insert(boxes.end(), header.begun.begin(), header.begun.end());
+  description.missing = missingBoxes(boxes, {render::windowOf(header.size), {0, header.samplesPerPixel}});
+  return description;
+}
+
+FilmDescription describe(const film::FilmReader& reader, const image::Film& film) {
+  return describe(reader.header(), film, film::readWork(reader.file(), reader.check()));
+}
+
+std::string toText(const FilmDescription& description) {
+  const film::FilmHeader& header = description.header;
+  std::string text = row("scene", header.sceneHash);
+  text += row("image", fmt::format("{} pixels, {} samples per pixel, seed {}", render::extentText(header.size),
+                                   header.samplesPerPixel, header.seed));
+  text += row("settings", settingsText(header.settings));
+  text += rows("holds", textsOf(header.covered));
+  text += rows("interrupted in", textsOf(header.begun));
+  text += rows("lacks", textsOf(description.missing));
+  text += row("samples", fmt::to_string(description.samples));
+  text += row("bad samples", fmt::to_string(description.badSamples));
+  text += rows("made by", tracerTexts(header.tracers));
+  text += rows("mixed", header.mixed);
+  text += row("film hash", description.filmHash);
+  if (description.work.runs > 0) {
+    text += row("work",
+                fmt::format("{} runs, {:.1f} s of tracing", description.work.runs,
+                            description.work.seconds.contains("trace") ? description.work.seconds.at("trace") : 0.0));
+  }
+  return text;
+}
+
+ordered_json toJson(const FilmDescription& description) {
+  const film::FilmHeader& header = description.header;
+  return {{"sceneHash", header.sceneHash},
+          {"size", render::extentText(header.size)},
+          {"samplesPerPixel", header.samplesPerPixel},
+          {"seed", header.seed},
+          {"settings", header.settings},
+          {"crop", render::windowText(header.window)},
+          {"complete", header.isComplete()},
+          {"covered", textsOf(header.covered)},
+          {"interrupted", textsOf(header.begun)},
+          {"missing", textsOf(description.missing)},
+          {"samples", description.samples},
+          {"badSamples", description.badSamples},
+          {"tracers", tracersJson(header.tracers)},
+          {"isMixed", header.isMixed()},
+          {"mixed", header.mixed},
+          {"filmHash", description.filmHash},
+          {"work", film::toJson(description.work)}};
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,28 @@
+// What `candela film` and `candela merge` report about a film file.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host/film/film_file.h"
+#include "host/film/work_report.h"
+
+namespace candela::cli {
+
+struct FilmDescription {
+  film::FilmHeader header;
+  std::string filmHash;
+  std::uint64_t samples = 0;  ///< in the film
+  std::uint64_t badSamples = 0;
+  std::vector<film::SampleBox> missing;  ///< of the image
+  film::WorkReport work;
+};
+
+FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work);
+/// With the report of the work beside the file.
+FilmDescription describe(const film::FilmReader& reader, const image::Film& film);
+
+std::string toText(const FilmDescription& description);
+nlohmann::ordered_json toJson(const FilmDescription& description);
+
+}  // namespace candela::cli

@@ -1,0 +1,141 @@
+// Compares renders with film files.
+#include "host/cli/film_identity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/cli/option_table.h"
+#include "host/core/errors.h"
+#include "host/core/hash_text.h"
+#include "host/core/version.h"
+
+namespace candela::cli {
+namespace {
+
+// Members of the header of their own.
+bool hasOwnMember(const Option& option) {
+  return option.name() == "--size" || option.name() == "--spp" || option.name() == "--seed";
+}
+
+std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
+  return fmt::format("{} {} {} {} density {}", render::structureName(statistics.structure), statistics.bvhSplit,
+                     statistics.bvhQuality, statistics.layout, job.settings.structure.gridDensity);
+}
+
+std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
+  std::map<std::string, std::string> settings;
+  for (const Option& option : optionTable()) {
+    if (option.group != OptionGroup::image || !option.isFor(Command::render) || hasOwnMember(option)) continue;
+    const std::vector<std::string> values = option.show(job.arguments);
+    settings[option.name().substr(2)] = values.empty() ? "off" : values.front();
+  }
+  settings["lenient"] = job.arguments.lenient ? "on" : "off";
+  if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
+  if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
+  return settings;
+}
+
+// Why a film that was begun with another number of samples per pixel cannot go on to that of the job, as a clause.
+const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
+  render::ImageSettings before = job.settings.image;
+  before.sampleCount = begunWith;
+  if (before.sampler == render::SamplerKind::stratified) return "the strata of --sampler stratified depend on --spp";
+  if (before.jittersPixels() != job.settings.image.jittersPixels()) {
+    return "rays of one sample per pixel are not jittered, and those of several are";
+  }
+  return nullptr;
+}
+
+// A film may go on to another --spp where its samples do not depend on it.
+void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
+  const std::uint32_t wanted = job.settings.image.sampleCount;
+  if (film.samplesPerPixel == wanted) return;
+  const char* const why = whyFixedCount(job, film.samplesPerPixel);
+  if (why == nullptr) {
+    film.samplesPerPixel = wanted;
+  } else if (!job.arguments.resumeAnyway) {
+    throw FileError(fmt::format("{}: the film was begun with --spp {}, and cannot go on to --spp {}: {}",
+                                reader.file().string(), film.samplesPerPixel, wanted, why));
+  }
+}
+
+void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& header) {
+  if (film.header().window == header.window) return;
+  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; state --crop {}",
+                              film.file().string(), render::windowText(film.header().window),
+                              render::windowText(header.window), render::windowText(film.header().window)));
+}
+
+template <class T>
+void insertSorted(std::vector<T>& items, const T& item) {
+  const auto place = std::ranges::lower_bound(items, item);
+  if (place == items.end() || *place != item) items.insert(place, item);
+}
+
+// The first sample of a film that samples can be appended to.
+std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range) {
+  const film::FilmHeader& film = reader.header();
+  if (film.covered.empty() && film.begun.empty()) return std::nullopt;
+  const std::optional<std::uint32_t> first = film::firstSampleOf(film);
+  if (!first) {
+    throw FileError(
+        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts by "
+                    "themselves, and merge them",
+                    reader.file().string()));
+  }
+  const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
+  if (range.first == *first && range.end >= next) return first;
+  throw FileError(
+      fmt::format("{}: the film starts at sample {} and goes to {}, and the render has samples {}:{}; state "
+                  "--samples {}:N",
+                  reader.file().string(), *first, next, range.first, range.end, *first));
+}
+
+}  // namespace
+
+film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics) {
+  film::FilmHeader header;
+  header.sceneHash = hashText(job.scene.hash);
+  header.size = job.settings.image.size;
+  header.samplesPerPixel = job.settings.image.sampleCount;
+  header.seed = job.settings.image.seed;
+  header.settings = settingsOf(job, statistics);
+  header.window = job.settings.image.window();
+  header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
+                     statistics.kernels, versionText()}};
+  return header;
+}
+
+render::SampleRange samplesOf(const RenderJob& job) {
+  const std::uint32_t total = job.settings.image.sampleCount;
+  const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
+  if (range.end <= total) return range;
+  throw UsageError(fmt::format("--samples {}:{} goes beyond the {} samples per pixel; state the total with --spp",
+                               range.first, range.end, total));
+}
+
+std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& header,
+                                       const Log& log) {
+  film::FilmHeader film = reader.header();
+  adoptSampleCount(job, reader, film);
+  std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
+  for (const film::Tracer& tracer : film.tracers) {
+    const auto more = tracerDifferences(tracer, header.tracers.front(), "the film", "this render");
+    differences.insert(differences.end(), more.begin(), more.end());
+  }
+  if (!differences.empty() && !job.arguments.resumeAnyway) {
+    throw FileError(fmt::format("{}: {}; --resume-anyway goes on all the same, and marks the film as mixed",
+                                reader.file().string(), differences.front()));
+  }
+  for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);
+  requireSameWindow(reader, header);
+  for (const std::string& line : estimateDifferences(film, header, "an earlier part", "a later part")) {
+    insertSorted(header.mixed, line);
+  }
+  for (const std::string& line : film.mixed) insertSorted(header.mixed, line);
+  for (const film::Tracer& tracer : film.tracers) insertSorted(header.tracers, tracer);
+  return requireContinuable(reader, samplesOf(job));
+}
+
+}  // namespace candela::cli

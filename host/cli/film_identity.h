@@ -1,0 +1,23 @@
+// What a render's film file says about it, and whether a render can go on from a film file.
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "host/cli/render_job.h"
+#include "host/film/film_file.h"
+
+namespace candela::cli {
+
+/// The header of the film of a job, without samples. `statistics` are those of the prepared session.
+film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics);
+
+/// The samples of each pixel that a job renders. Throws UsageError if --samples goes beyond --spp.
+render::SampleRange samplesOf(const RenderJob& job);
+
+/// Adapts the header of a job to that of the film that it resumes: a film that differs is refused with FileError, which
+/// names the first difference, or with --resume-anyway marks the header as mixed. Returns the index of the film's first
+/// sample, or nothing for a film without samples.
+std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmReader& film, film::FilmHeader& header,
+                                       const Log& log);
+
+}  // namespace candela::cli

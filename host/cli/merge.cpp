@@ -1,0 +1,34 @@
+// `candela merge`: adds films of parts of a render.
+#include "host/film/merge.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/commands.h"
+#include "host/cli/film_description.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+
+namespace candela::cli {
+
+ExitCode runMerge(const Arguments& arguments, const Log& log) {
+  requireWritableFile(arguments.mergedFilm);
+  requireWritableReport(arguments.json);
+  const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
+  const film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
+  const std::string check = film::writeFilm(arguments.mergedFilm, merged.header, merged.film);
+  film::writeWork(arguments.mergedFilm, check, merged.work);
+  const FilmDescription description = describe(merged.header, merged.film, merged.work);
+  for (const film::SampleBox& box : description.missing) log.warning(boxText(box) + " are missing");
+  for (const film::SampleBox& box : merged.header.begun) log.warning(boxText(box) + " are incomplete");
+  if (merged.header.isMixed())
+    log.warning("the films come from different devices or settings; the merged film is marked as mixed");
+  log.note(fmt::format("{} films merged, {} samples{}", files.size(), description.samples,
+                       merged.header.isComplete() ? "; the image is complete" : ""));
+  writeJson(arguments.json, toJson(description));
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

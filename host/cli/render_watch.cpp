@@ -1,0 +1,42 @@
+// Polls every few milliseconds, which costs nothing that can be measured.
+#include "host/cli/render_watch.h"
+
+#include <chrono>
+
+#include "host/core/interrupt.h"
+
+namespace candela::cli {
+
+RenderWatch::RenderWatch(double deadline, bool writesFilm)
+    : interrupted_(watchInterrupts()),
+      writeRequested_(writesFilm ? &watchWriteRequests() : nullptr),
+      deadline_(deadline),
+      thread_([this](const std::stop_token& ended) { run(ended); }) {}
+
+void RenderWatch::goOn() {
+  const std::scoped_lock lock(mutex_);
+  nextWrite_ = std::numeric_limits<double>::infinity();
+  if (writeRequested_ != nullptr) writeRequested_->store(false);
+  stop_.store(false);
+}
+
+void RenderWatch::writeAt(double time) {
+  const std::scoped_lock lock(mutex_);
+  nextWrite_ = time;
+}
+
+void RenderWatch::look() {
+  const std::scoped_lock lock(mutex_);
+  const bool write = (writeRequested_ != nullptr && writeRequested_->load()) || monotonicSeconds() >= nextWrite_;
+  if (write || mustEnd()) stop_.store(true);
+}
+
+void RenderWatch::run(const std::stop_token& ended) {
+  constexpr std::chrono::milliseconds kPeriod{10};
+  while (!ended.stop_requested()) {
+    look();
+    std::this_thread::sleep_for(kPeriod);
+  }
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,43 @@
+// Stops a render where it is to be interrupted or its film is to be written.
+#pragma once
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "host/core/progress.h"
+
+namespace candela::cli {
+
+/// A thread looks at signals and the clock, so that renders need only poll a flag.
+class RenderWatch {
+ public:
+  /// `deadline` is a time of monotonicSeconds(), or infinity. SIGINT and SIGTERM end the render; SIGUSR1 has its film
+  /// written if `writesFilm`, and else keeps its default action.
+  RenderWatch(double deadline, bool writesFilm);
+
+  /// Becomes true when there is something to do.
+  const std::atomic<bool>& stop() const { return stop_; }
+  /// Whether the render is to end before it is finished.
+  bool mustEnd() const { return isInterrupted() || isTimeUp(); }
+  bool isTimeUp() const { return monotonicSeconds() >= deadline_; }
+  /// Lets the render go on. SIGUSR1 from this call on counts as new.
+  void goOn();
+  /// The film is to be written at `time`, of monotonicSeconds().
+  void writeAt(double time);
+
+ private:
+  bool isInterrupted() const { return interrupted_.load(std::memory_order_relaxed); }
+  void run(const std::stop_token& ended);
+  void look();
+
+  const std::atomic<bool>& interrupted_;
+  std::atomic<bool>* writeRequested_;  ///< null if no film is written
+  double deadline_;
+  std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than goOn()
+  double nextWrite_ = std::numeric_limits<double>::infinity();
+  std::atomic<bool> stop_{false};
+  std::jthread thread_;  ///< last, so that it ends first
+};
+
+}  // namespace candela::cli

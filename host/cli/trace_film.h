@@ -1,0 +1,21 @@
+// Renders the film of `candela render`, from the beginning or from a film file, and writes checkpoints.
+#pragma once
+#include <optional>
+
+#include "host/cli/render_job.h"
+#include "host/film/work_report.h"
+
+namespace candela::cli {
+
+struct TracedFilm {
+  render::RenderResult result;
+  /// The work of all runs that made the film; nothing if it neither came from a film file nor went to one.
+  std::optional<film::WorkReport> work;
+  bool isFilmLost = false;  ///< the film could not be written in the end
+};
+
+/// `start` is the time of monotonicSeconds() from which --time-limit counts. Throws as render::Renderer::prepare() and
+/// Session::advance() do, and FileError for films that cannot be resumed or written.
+TracedFilm traceFilm(const RenderJob& job, double start, const Log& log);
+
+}  // namespace candela::cli

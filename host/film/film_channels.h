@@ -1,0 +1,84 @@
+// The channels of a film file: a picture, and the exact sums of the film as words of 32 bits.
+#pragma once
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "host/image/film.h"
+
+namespace candela::film {
+
+/// Rows of an OpenEXR block of the compression that film files have (ZIP). Each block has a checksum.
+inline constexpr std::uint32_t kBlockRows = 16;
+
+/// Before the content of a block stand its first row and its size in bytes.
+inline constexpr std::size_t kBlockHeadBytes = 8;
+
+inline constexpr const char* kFilmAttribute = "candela.film";      ///< string: FilmHeader as JSON
+inline constexpr const char* kBlocksAttribute = "candela.blocks";  ///< string: CRC-32 of each block, 8 digits each
+inline constexpr const char* kCheckAttribute = "candela.check";    ///< string: CRC-32 of all before the first block
+inline constexpr std::size_t kCheckDigits = 8;
+
+/// A word of FilmPixel.
+struct WordChannel {
+  const char* name;
+  std::size_t offset;
+};
+
+constexpr std::size_t wordOf(std::size_t offset, std::size_t word) { return offset + word * sizeof(std::uint32_t); }
+
+inline constexpr std::array kWordChannels{
+    WordChannel{"samples", offsetof(image::FilmPixel, sampleCount)},
+    WordChannel{"badSamples", offsetof(image::FilmPixel, badCount)},
+    WordChannel{"firstBadSample", offsetof(image::FilmPixel, firstBadSample)},
+    WordChannel{"sum.R.0", wordOf(offsetof(image::FilmPixel, red), 0)},
+    WordChannel{"sum.R.1", wordOf(offsetof(image::FilmPixel, red), 1)},
+    WordChannel{"sum.R.2", wordOf(offsetof(image::FilmPixel, red), 2)},
+    WordChannel{"sum.G.0", wordOf(offsetof(image::FilmPixel, green), 0)},
+    WordChannel{"sum.G.1", wordOf(offsetof(image::FilmPixel, green), 1)},
+    WordChannel{"sum.G.2", wordOf(offsetof(image::FilmPixel, green), 2)},
+    WordChannel{"sum.B.0", wordOf(offsetof(image::FilmPixel, blue), 0)},
+    WordChannel{"sum.B.1", wordOf(offsetof(image::FilmPixel, blue), 1)},
+    WordChannel{"sum.B.2", wordOf(offsetof(image::FilmPixel, blue), 2)},
+    WordChannel{"sum.YY.0", wordOf(offsetof(image::FilmPixel, luminanceSquared), 0)},
+    WordChannel{"sum.YY.1", wordOf(offsetof(image::FilmPixel, luminanceSquared), 1)},
+    WordChannel{"sum.YY.2", wordOf(offsetof(image::FilmPixel, luminanceSquared), 2)}};
+
+/// The picture: means and the variance of the luminance of one sample, as image::toImage() computes them.
+struct PicturePixel {
+  float red = 0, green = 0, blue = 0, variance = 0;
+};
+
+struct PictureChannel {
+  const char* name;
+  std::size_t offset;
+};
+
+inline constexpr std::array kPictureChannels{
+    PictureChannel{"R", offsetof(PicturePixel, red)}, PictureChannel{"G", offsetof(PicturePixel, green)},
+    PictureChannel{"B", offsetof(PicturePixel, blue)}, PictureChannel{"variance.Y", offsetof(PicturePixel, variance)}};
+
+/// Bytes of a pixel in a block that is not compressed.
+inline constexpr std::size_t kPixelBytes = 4 * (kWordChannels.size() + kPictureChannels.size());
+
+inline Imf::ChannelList filmChannels() {
+  Imf::ChannelList channels;
+  for (const PictureChannel& channel : kPictureChannels) channels.insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const WordChannel& channel : kWordChannels) channels.insert(channel.name, Imf::Channel(Imf::UINT));
+  return channels;
+}
+
+/// Adds the words of `pixels`, which are the rows of `window` from its top on. OpenEXR takes pointers to non-const even
+/// where it only reads.
+inline void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, const Imath::Box2i& window) {
+  const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  for (const WordChannel& channel : kWordChannels) {
+    const std::byte* const first = reinterpret_cast<const std::byte*>(pixels) + channel.offset;
+    buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, sizeof *pixels, width * sizeof *pixels));
+  }
+}
+
+}  // namespace candela::film

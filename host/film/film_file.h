@@ -1,0 +1,49 @@
+// Film files: a film with everything that identifies it, exactly, in an OpenEXR file that other programs open as a
+// picture. docs/film-file.md is the specification.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/film/film_header.h"
+#include "host/image/film.h"
+
+namespace candela::film {
+
+class FilmBlocks;
+
+/// Writes a film file as AtomicFile does: equal headers and films give equal bytes. The film has the size of
+/// header.window. Returns the file's check, 8 hexadecimal digits that change with every byte. Throws FileError.
+std::string writeFilm(const std::filesystem::path& file, const FilmHeader& header, const image::Film& film);
+
+/// A film file that is open for reading. All functions throw FileError, which names the file, for any file that
+/// writeFilm() did not write: not a film, truncated, damaged, beyond the limits of image sizes, or of another version.
+class FilmReader {
+ public:
+  /// Reads everything but the pixels. The file has a row of checks behind it before OpenEXR sees a byte.
+  explicit FilmReader(const std::filesystem::path& file);
+  ~FilmReader();
+  FilmReader(FilmReader&&) noexcept;
+
+  const std::filesystem::path& file() const { return file_; }
+  const FilmHeader& header() const { return header_; }
+  /// The digits that writeFilm() returned.
+  const std::string& check() const { return check_; }
+  /// Passes all pixels, blocks of full rows from the top: the number of the block's first row within the window, and
+  /// its pixels, which may be taken.
+  void forEachBlock(const std::function<void(std::uint32_t, std::span<image::FilmPixel>)>& use);
+
+ private:
+  std::filesystem::path file_;
+  FilmHeader header_;
+  std::string check_;
+  std::unique_ptr<FilmBlocks> blocks_;
+};
+
+/// All pixels of a film file. Throws FileError as FilmReader does, and OutOfMemoryError.
+image::Film readFilm(FilmReader& reader);
+
+}  // namespace candela::film

@@ -1,0 +1,93 @@
+// Coverage of a film, and differences between two headers.
+#include "host/film/film_header.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace candela::film {
+namespace {
+
+// The samples from `first` to `end`, unless there are none.
+std::vector<SampleBox> boxOf(const render::Window& window, std::uint32_t first, std::uint32_t end) {
+  if (first == end) return {};
+  return {{window, {first, end}}};
+}
+
+std::string clause(const std::string& what, const std::string& inA, const std::string& inB, const std::string& a,
+                   const std::string& b) {
+  return fmt::format("{} is {} in {} and {} in {}", what, inA.empty() ? "absent" : inA, a, inB.empty() ? "absent" : inB,
+                     b);
+}
+
+std::string settingOf(const FilmHeader& header, const std::string& name) {
+  const auto found = header.settings.find(name);
+  return found == header.settings.end() ? "" : found->second;
+}
+
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+// Names and values of all members that two films of one estimate share, in the order in which they are compared.
+Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
+  Members members{{"the scene's hash", header.sceneHash},
+                  {"--size", render::extentText(header.size)},
+                  {"--spp", fmt::to_string(header.samplesPerPixel)},
+                  {"--seed", fmt::to_string(header.seed)}};
+  std::map<std::string, std::string> names = header.settings;
+  names.insert(other.settings.begin(), other.settings.end());
+  for (const auto& [name, value] : names) members.emplace_back("--" + name, settingOf(header, name));
+  return members;
+}
+
+Members membersOf(const Tracer& tracer) {
+  return {{"the device", tracer.device},
+          {"the driver", tracer.driver},
+          {"the platform", tracer.platform},
+          {"the hash of the kernels", tracer.kernels},
+          {"the program's version", tracer.program}};
+}
+
+std::vector<std::string> differences(const Members& inA, const Members& inB, const std::string& a,
+                                     const std::string& b) {
+  std::vector<std::string> clauses;
+  for (std::size_t i = 0; i < inA.size(); ++i) {
+    if (inA[i] != inB[i]) clauses.push_back(clause(inA[i].first, inA[i].second, inB[i].second, a, b));
+  }
+  return clauses;
+}
+
+}  // namespace
+
+bool FilmHeader::isComplete() const {
+  return covered == std::vector{SampleBox{render::windowOf(size), {0, samplesPerPixel}}};
+}
+
+void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first) {
+  const auto [min, max] = std::ranges::minmax(film.pixels(), {}, &image::FilmPixel::sampleCount);
+  header.covered = boxOf(header.window, first, first + min.sampleCount);
+  header.begun = boxOf(header.window, first + min.sampleCount, first + max.sampleCount);
+}
+
+std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header) {
+  if (header.covered.size() > 1 || header.begun.size() > 1) return std::nullopt;
+  const SampleBox* const covered = header.covered.empty() ? nullptr : &header.covered.front();
+  const SampleBox* const begun = header.begun.empty() ? nullptr : &header.begun.front();
+  if (covered != nullptr && covered->window != header.window) return std::nullopt;
+  if (begun != nullptr && begun->window != header.window) return std::nullopt;
+  if (covered != nullptr && begun != nullptr && covered->samples.end != begun->samples.first) return std::nullopt;
+  if (covered != nullptr) return covered->samples.first;
+  if (begun != nullptr) return begun->samples.first;
+  return std::nullopt;
+}
+
+std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
+                                             const std::string& b) {
+  return differences(estimateOf(inA, inB), estimateOf(inB, inA), a, b);
+}
+
+std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
+                                           const std::string& b) {
+  return differences(membersOf(inA), membersOf(inB), a, b);
+}
+
+}  // namespace candela::film

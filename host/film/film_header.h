@@ -1,0 +1,71 @@
+// What a film file says about its film: all that decides its bytes, and nothing else.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/film/sample_boxes.h"
+#include "host/image/film.h"
+
+namespace candela::film {
+
+/// A program and a device that traced samples. Films of equal tracers and equal samples have equal bytes. Nothing here
+/// names one machine: devices of one kind are equal.
+struct Tracer {
+  std::string device;    ///< name, or "cpu" for the reference
+  std::string driver;    ///< name and version; empty for the reference
+  std::string platform;  ///< render::RenderStatistics::platform
+  std::string kernels;   ///< render::RenderStatistics::kernels
+  std::string program;   ///< version of Candela
+
+  auto operator<=>(const Tracer&) const = default;
+};
+
+struct FilmHeader {
+  std::string sceneHash;              ///< 16 hexadecimal digits
+  render::Extent size;                ///< of the full image
+  std::uint32_t samplesPerPixel = 1;  ///< of the whole render, of which the film may hold a part
+  std::uint32_t seed = 0;
+  std::map<std::string, std::string> settings;  ///< other options that decide the image, by name without dashes
+  render::Window window;                        ///< pixels of the full image that the film has
+  std::vector<SampleBox> covered;               ///< samples that the film holds, as canonicalBoxes() lists them
+  /// Boxes that were interrupted: each of their pixels holds the first of these samples, some none, but no pixel all of
+  /// them. Disjoint from `covered`, in the same order.
+  std::vector<SampleBox> begun;
+  std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
+  std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
+
+  bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
+  /// Whether every pixel of the image has all samples.
+  bool isComplete() const;
+  bool operator==(const FilmHeader&) const = default;
+};
+
+/// Sets `covered` and `begun` of a film whose pixels hold consecutive samples from `first` on.
+void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first);
+
+/// The index of the first sample of each pixel of a film that a session can continue: all pixels of the window hold
+/// consecutive samples from that index on. Nothing for a film without samples and for one that was merged from parts
+/// which do not form such a film.
+std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header);
+
+/// The differences of two films, or of a film and a render, in scene, image and settings, each as a clause such as
+/// "--sampler is sobol in A and stratified in B". `a` and `b` are what the clauses call them.
+std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
+                                             const std::string& b);
+/// The differences of two tracers.
+std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
+                                           const std::string& b);
+
+/// `text` with every byte that is not UTF-8 replaced by U+FFFD, since names of devices may contain any bytes. All texts
+/// of a header are valid.
+std::string validText(const std::string& text);
+
+/// Canonical JSON: equal headers have equal texts.
+std::string toJson(const FilmHeader& header);
+/// Throws FileError for any text that toJson() does not write for a header that is possible.
+FilmHeader headerFromJson(const std::string& text);
+
+}  // namespace candela::film

@@ -1,0 +1,212 @@
+// The header of a film as JSON. Reading checks every value, since film files may come from anywhere.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/core/errors.h"
+#include "host/film/film_header.h"
+#include "host/image/image.h"
+
+namespace candela::film {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
+constexpr std::size_t kMaxBoxes = 10000;         // sets of boxes take time of the square of their number
+
+ordered_json boxesJson(const std::vector<SampleBox>& boxes) {
+  ordered_json json = ordered_json::array();
+  for (const auto& [window, samples] : boxes) {
+    json.push_back({window.x, window.y, window.width, window.height, samples.first, samples.end});
+  }
+  return json;
+}
+
+ordered_json tracersJson(const std::vector<Tracer>& tracers) {
+  ordered_json json = ordered_json::array();
+  for (const Tracer& tracer : tracers) {
+    json.push_back({{"device", tracer.device},
+                    {"driver", tracer.driver},
+                    {"platform", tracer.platform},
+                    {"kernels", tracer.kernels},
+                    {"program", tracer.program}});
+  }
+  return json;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw FileError("the description of the film has no valid " + what);
+}
+
+std::string textAt(const ordered_json& json, const char* key) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_string()) refuse(key);
+  return json[key];
+}
+
+const ordered_json& listAt(const ordered_json& json, const char* key) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_array()) refuse(key);
+  return json[key];
+}
+
+std::uint32_t number(const ordered_json& json, const char* what, std::uint32_t lowest, std::uint32_t highest) {
+  if (!json.is_number_unsigned()) refuse(what);
+  const auto value = json.get<std::uint64_t>();
+  if (value < lowest || value > highest) refuse(what);
+  return static_cast<std::uint32_t>(value);
+}
+
+std::uint32_t numberAt(const ordered_json& json, const char* key, std::uint32_t lowest, std::uint32_t highest) {
+  if (!json.contains(key)) refuse(key);
+  return number(json[key], key, lowest, highest);
+}
+
+render::Extent sizeAt(const ordered_json& json) {
+  const ordered_json& list = listAt(json, "size");
+  if (list.size() != 2) refuse("size");
+  const render::Extent size{number(list[0], "size", 1, image::kMaximumImageSide),
+                            number(list[1], "size", 1, image::kMaximumImageSide)};
+  if (std::uint64_t{size.width} * size.height > image::kMaximumImagePixels) refuse("size");
+  return size;
+}
+
+render::Window windowFrom(const ordered_json& list, const char* what, const render::Extent& size) {
+  const render::Window window{number(list[0], what, 0, size.width - 1), number(list[1], what, 0, size.height - 1),
+                              number(list[2], what, 1, size.width), number(list[3], what, 1, size.height)};
+  if (!isWithin(window, size)) refuse(what);
+  return window;
+}
+
+std::vector<SampleBox> boxesAt(const ordered_json& json, const char* key, const FilmHeader& header) {
+  const ordered_json& list = listAt(json, key);
+  if (list.size() > kMaxBoxes) refuse(key);
+  std::vector<SampleBox> boxes;
+  for (const ordered_json& entry : list) {
+    if (!entry.is_array() || entry.size() != 6) refuse(key);
+    const render::Window window = windowFrom(entry, key, header.size);
+    const std::uint32_t first = number(entry[4], key, 0, header.samplesPerPixel - 1);
+    boxes.push_back({window, {first, number(entry[5], key, first + 1, header.samplesPerPixel)}});
+  }
+  return boxes;
+}
+
+std::vector<Tracer> tracersAt(const ordered_json& json) {
+  std::vector<Tracer> tracers;
+  for (const ordered_json& entry : listAt(json, "tracers")) {
+    tracers.push_back({textAt(entry, "device"), textAt(entry, "driver"), textAt(entry, "platform"),
+                       textAt(entry, "kernels"), textAt(entry, "program")});
+  }
+  return tracers;
+}
+
+std::map<std::string, std::string> settingsAt(const ordered_json& json) {
+  if (!json.contains("settings") || !json["settings"].is_object()) refuse("settings");
+  std::map<std::string, std::string> settings;
+  for (const auto& [name, value] : json["settings"].items()) {
+    if (!value.is_string()) refuse("settings");
+    settings[name] = value;
+  }
+  return settings;
+}
+
+std::vector<std::string> mixedAt(const ordered_json& json) {
+  std::vector<std::string> lines;
+  for (const ordered_json& line : listAt(json, "mixed")) {
+    if (!line.is_string()) refuse("mixed");
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+template <class T>
+bool isSortedSet(const std::vector<T>& items) {
+  return std::ranges::adjacent_find(items, [](const T& a, const T& b) { return !(a < b); }) == items.end();
+}
+
+bool liesWithin(const render::Window& inner, const render::Window& outer) {
+  return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.width <= outer.x + outer.width &&
+         inner.y + inner.height <= outer.y + outer.height;
+}
+
+// The list is what canonicalBoxes() makes of it, and lies within the window.
+void checkBoxes(const std::vector<SampleBox>& boxes, const FilmHeader& header, const char* what) {
+  const auto isInside = [&](const SampleBox& box) { return liesWithin(box.window, header.window); };
+  if (!std::ranges::all_of(boxes, isInside)) refuse(what);
+  try {
+    if (canonicalBoxes(boxes) != boxes) refuse(what);
+  } catch (const UsageError&) {
+    refuse(what);
+  }
+}
+
+void check(const FilmHeader& header) {
+  const bool isHash = header.sceneHash.size() == 16 &&
+                      header.sceneHash.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!isHash) refuse("scene");
+  checkBoxes(header.covered, header, "covered");
+  checkBoxes(header.begun, header, "begun");
+  std::vector<SampleBox> all = header.covered;
+  all.insert(all.end(), header.begun.begin(), header.begun.end());
+  try {
+    canonicalBoxes(all);
+  } catch (const UsageError&) {
+    refuse("begun");
+  }
+  if (header.tracers.empty() || !isSortedSet(header.tracers)) refuse("tracers");
+  if (!isSortedSet(header.mixed)) refuse("mixed");
+}
+
+ordered_json parsed(const std::string& text) {
+  ordered_json json = ordered_json::parse(text, nullptr, false);
+  if (!json.is_object()) throw FileError("the description of the film is not JSON");
+  const std::uint32_t format = numberAt(json, "format", 0, 0xffffffffu);
+  if (format != kFormat) {
+    throw FileError(
+        fmt::format("the film file has version {} of the format, and this program reads version {}", format, kFormat));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string validText(const std::string& text) {
+  return ordered_json::parse(ordered_json(text).dump(-1, ' ', true, ordered_json::error_handler_t::replace));
+}
+
+std::string toJson(const FilmHeader& header) {
+  ordered_json json;
+  json["format"] = kFormat;
+  json["scene"] = header.sceneHash;
+  json["size"] = {header.size.width, header.size.height};
+  json["samplesPerPixel"] = header.samplesPerPixel;
+  json["seed"] = header.seed;
+  json["settings"] = header.settings;
+  json["window"] = {header.window.x, header.window.y, header.window.width, header.window.height};
+  json["covered"] = boxesJson(header.covered);
+  json["begun"] = boxesJson(header.begun);
+  json["tracers"] = tracersJson(header.tracers);
+  json["mixed"] = header.mixed;
+  return json.dump(-1, ' ', true);
+}
+
+FilmHeader headerFromJson(const std::string& text) {
+  const ordered_json json = parsed(text);
+  FilmHeader header;
+  header.sceneHash = textAt(json, "scene");
+  header.size = sizeAt(json);
+  header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, kMaxSamples);
+  header.seed = numberAt(json, "seed", 0, 0xffffffffu);
+  header.settings = settingsAt(json);
+  if (listAt(json, "window").size() != 4) refuse("window");
+  header.window = windowFrom(json["window"], "window", header.size);
+  header.covered = boxesAt(json, "covered", header);
+  header.begun = boxesAt(json, "begun", header);
+  header.tracers = tracersAt(json);
+  header.mixed = mixedAt(json);
+  check(header);
+  return header;
+}
+
+}  // namespace candela::film

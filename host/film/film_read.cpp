@@ -1,0 +1,171 @@
+// Reads film files. Every byte is covered by a checksum, and none reaches OpenEXR before its checksum is right.
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <optional>
+
+#include "host/core/errors.h"
+#include "host/film/exr_threads.h"
+#include "host/film/film_blocks.h"
+#include "host/film/film_channels.h"
+#include "host/film/film_file.h"
+#include "host/film/film_head.h"
+#include "host/film/film_memory.h"
+#include "host/film/film_stream.h"
+
+namespace candela::film {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+  throw FileError(fmt::format("{}: {}", file.string(), reason));
+}
+
+class FilmInput final : public Imf::IStream {
+ public:
+  explicit FilmInput(const FilmBytes& bytes) : Imf::IStream("film"), bytes_(bytes) {}
+
+  bool read(char* target, int count) override {
+    if (count < 0) throw Iex::InputExc("a negative size");
+    bytes_.read(position_, std::span(reinterpret_cast<std::byte*>(target), static_cast<std::size_t>(count)));
+    position_ += static_cast<std::uint64_t>(count);
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  const FilmBytes& bytes_;
+  std::uint64_t position_ = 0;
+};
+
+ExrBox exrBoxOf(const render::Window& window) {
+  return {static_cast<std::int32_t>(window.x), static_cast<std::int32_t>(window.y),
+          static_cast<std::int32_t>(window.x + window.width) - 1,
+          static_cast<std::int32_t>(window.y + window.height) - 1};
+}
+
+std::size_t rowsWithin(const SampleBox& box, std::uint32_t y) {
+  return y >= box.window.y && y - box.window.y < box.window.height ? 1 : 0;
+}
+
+// Throws unless every pixel of a row holds as many samples as the coverage says.
+void checkCounts(const FilmHeader& header, std::uint32_t y, std::span<const image::FilmPixel> row) {
+  std::vector<std::uint32_t> least(row.size()), most(row.size());
+  const auto count = [&](const std::vector<SampleBox>& boxes, bool certainly) {
+    for (const SampleBox& box : boxes) {
+      if (rowsWithin(box, y) == 0) continue;
+      const std::uint32_t left = box.window.x - header.window.x;
+      for (std::uint32_t x = left; x < left + box.window.width; ++x) {
+        most[x] += box.samples.end - box.samples.first;
+        if (certainly) least[x] = most[x];
+      }
+    }
+  };
+  count(header.covered, true);
+  count(header.begun, false);
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    if (row[x].sampleCount >= least[x] && row[x].sampleCount <= most[x]) continue;
+    throw FileError(fmt::format("pixel ({}, {}) holds {} samples, and the file says {} to {}", header.window.x + x, y,
+                                row[x].sampleCount, least[x], most[x]));
+  }
+}
+
+void checkRows(const FilmHeader& header, std::uint32_t first, std::span<const image::FilmPixel> pixels) {
+  const std::size_t width = header.window.width;
+  for (std::size_t row = 0; row * width < pixels.size(); ++row) {
+    checkCounts(header, header.window.y + first + static_cast<std::uint32_t>(row), pixels.subspan(row * width, width));
+  }
+}
+
+void requireOurs(const Imf::InputFile& input) {
+  const bool ours = input.header().compression() == Imf::ZIP_COMPRESSION &&
+                    input.header().lineOrder() == Imf::INCREASING_Y && input.header().channels() == filmChannels() &&
+                    input.isComplete();
+  if (!ours) throw FileError("the channels or the compression are not those of a film file");
+}
+
+// Deflate expands a byte to at most 1032.
+void requirePlausible(const render::Window& window, std::uint64_t fileBytes) {
+  constexpr std::uint64_t kMaxExpansion = 1032;
+  if (std::uint64_t{window.width} * window.height * kPixelBytes / kMaxExpansion > fileBytes) {
+    throw FileError("the file is truncated");
+  }
+}
+
+}  // namespace
+
+FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
+  try {
+    blocks_ = std::make_unique<FilmBlocks>(file);
+    const FilmBytes& bytes = blocks_->bytes();
+    const std::vector<std::byte> start = bytes.bytesAt(0, std::min<std::uint64_t>(bytes.size(), kMaxHeadBytes));
+    const FilmHead head = parseHead(start);
+    const std::span<const std::byte> table = checkedTable(start, head);
+    header_ = headerFromJson(head.description);
+    check_ = head.check;
+    const render::Window& window = header_.window;
+    const bool sameWindows = head.dataWindow == exrBoxOf(window) &&
+                             head.displayWindow == exrBoxOf(render::windowOf(header_.size));
+    if (!sameWindows) throw FileError("the windows of the picture are not those of the film");
+    if (table.size() / 8 != (window.height + kBlockRows - 1) / kBlockRows) throw FileError("blocks are missing");
+    requirePlausible(window, bytes.size());
+    blocks_->find(head, window, table);
+  } catch (const FileError& error) {
+    fail(file, error.what());
+  }
+}
+
+FilmReader::~FilmReader() = default;
+FilmReader::FilmReader(FilmReader&&) noexcept = default;
+
+void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<image::FilmPixel>)>& use) try {
+  std::optional<FilmInput> stream;
+  std::optional<Imf::InputFile> input;
+  const std::uint32_t threads = exrThreads();
+  const std::uint32_t rowsAtATime = std::min(kBlockRows * threads, header_.window.height);
+  std::vector<image::FilmPixel> pixels(std::size_t{rowsAtATime} * header_.window.width);
+  for (std::uint32_t first = 0; first < header_.window.height; first += rowsAtATime) {
+    const std::uint32_t rows = std::min(rowsAtATime, header_.window.height - first);
+    for (std::uint32_t row = first; row < first + rows; row += kBlockRows) {
+      blocks_->check(row / kBlockRows, header_.window);
+    }
+    if (!input) {
+      stream.emplace(blocks_->bytes());
+      input.emplace(*stream, static_cast<int>(threads));
+      requireOurs(*input);
+    }
+    const auto top = static_cast<int>(header_.window.y + first);
+    const auto left = static_cast<int>(header_.window.x);
+    const Imath::Box2i box({left, top},
+                           {left + static_cast<int>(header_.window.width) - 1, top + static_cast<int>(rows) - 1});
+    const std::span block = std::span(pixels).first(std::size_t{rows} * header_.window.width);
+    Imf::FrameBuffer buffer;
+    addWords(buffer, block.data(), box);
+    input->setFrameBuffer(buffer);
+    input->readPixels(box.min.y, box.max.y);
+    checkRows(header_, first, block);
+    use(first, block);
+  }
+} catch (const FileError& error) {
+  fail(file_, error.what());
+} catch (const Iex::BaseExc& error) {
+  fail(file_, fmt::format("not a valid EXR file: {}", error.what()));
+}
+
+image::Film readFilm(FilmReader& reader) try {
+  const render::Window& window = reader.header().window;
+  requireMemoryForFilm(window.extent());
+  image::Film film(window.width, window.height);
+  reader.forEachBlock(
+      [&](std::uint32_t first, std::span<image::FilmPixel> pixels) { std::ranges::copy(pixels, &film.at(0, first)); });
+  return film;
+} catch (const std::bad_alloc&) {
+  throw OutOfMemoryError(fmt::format("{}: the film does not fit into memory", reader.file().string()));
+}
+
+}  // namespace candela::film

@@ -1,0 +1,131 @@
+// The description of a film: JSON that says everything once, and of which nothing else is accepted.
+#include "host/film/film_header.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/core/errors.h"
+#include "tests/film/made_films.h"
+
+using namespace candela;
+using namespace candela::film;
+using nlohmann::ordered_json;
+
+namespace {
+
+FilmHeader fullHeader() {
+  FilmHeader header = madeHeader({64, 48}, 128);
+  header.window = {8, 4, 40, 30};
+  header.covered = {{{8, 4, 40, 30}, {0, 16}}};
+  header.begun = {{{8, 4, 40, 30}, {16, 20}}};
+  header.tracers.push_back({"b", "", "p", "reference", "1.0"});
+  header.mixed = {"--seed is 1 in an earlier part and 7 in a later part"};
+  return header;
+}
+
+}  // namespace
+
+TEST_CASE("a header is the same after a way through JSON") {
+  CHECK(headerFromJson(toJson(fullHeader())) == fullHeader());
+  const FilmHeader plain = madeHeader({1, 65535}, 1);
+  CHECK(headerFromJson(toJson(plain)) == plain);
+}
+
+TEST_CASE("names that are not ASCII survive as ASCII text, and bytes that are not UTF-8 do no harm") {
+  FilmHeader header = fullHeader();
+  header.tracers[0].device = "Gerät";
+  const std::string text = toJson(header);
+  CHECK(std::ranges::all_of(text, [](char c) { return c > 0; }));
+  CHECK(headerFromJson(text) == header);
+  CHECK(validText("Ger\xe4t") == "Ger\xef\xbf\xbdt");
+  CHECK(validText("Gerät") == "Gerät");
+}
+
+TEST_CASE("every member of a description that is impossible is refused by name") {
+  struct Edit {
+    const char* member;
+    const char* value;
+  };
+  for (const auto& [member, value] : std::vector<Edit>{{"scene", "\"0123\""},
+                                                       {"scene", "7"},
+                                                       {"scene", "\"0123456789ABCDEF\""},
+                                                       {"size", "[64]"},
+                                                       {"size", "[0,48]"},
+                                                       {"size", "[65536,48]"},
+                                                       {"size", "[65535,65535]"},
+                                                       {"size", "[64.5,48]"},
+                                                       {"size", "null"},
+                                                       {"samplesPerPixel", "0"},
+                                                       {"samplesPerPixel", "-1"},
+                                                       {"samplesPerPixel", "1073741825"},
+                                                       {"samplesPerPixel", "18446744073709551616"},
+                                                       {"seed", "4294967296"},
+                                                       {"settings", "[]"},
+                                                       {"settings", "{\"a\":1}"},
+                                                       {"window", "[8,4,40]"},
+                                                       {"window", "[8,4,57,30]"},
+                                                       {"window", "[4294967295,4,2,30]"},
+                                                       {"covered", "[[8,4,40,30,0]]"},
+                                                       {"covered", "[[8,4,40,30,3,3]]"},
+                                                       {"covered", "[[8,4,40,30,0,129]]"},
+                                                       {"covered", "[[7,4,40,30,0,16]]"},
+                                                       {"covered", "[[8,4,40,30,0,8],[8,4,40,30,8,16]]"},
+                                                       {"covered", "[[8,4,40,30,0,8],[8,4,40,30,7,16]]"},
+                                                       {"begun", "[[8,4,40,30,15,20]]"},
+                                                       {"begun", "{}"},
+                                                       {"tracers", "[]"},
+                                                       {"device", "[{}]"},
+                                                       {"mixed", "[\"b\",\"a\"]"},
+                                                       {"mixed", "[\"a\",\"a\"]"},
+                                                       {"mixed", "[1]"}}) {
+    ordered_json json = ordered_json::parse(toJson(fullHeader()));
+    json[member == std::string("device") ? "tracers" : member] = ordered_json::parse(value);
+    INFO(member << " " << value);
+    CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid " + std::string(member)));
+  }
+  CHECK_THROWS_WITH(headerFromJson("[]"), Catch::Contains("not JSON"));
+  CHECK_THROWS_WITH(headerFromJson(std::string(100000, '[')), Catch::Contains("not JSON"));
+}
+
+TEST_CASE("another version of the format is refused by its number") {
+  ordered_json json = ordered_json::parse(toJson(fullHeader()));
+  json["format"] = 2;
+  CHECK_THROWS_WITH(headerFromJson(json.dump()),
+                    Catch::Contains("has version 2") && Catch::Contains("reads version 1"));
+}
+
+TEST_CASE("the coverage of an interrupted film is what all pixels have, and what some have") {
+  FilmHeader header = madeHeader({2, 2}, 16);
+  image::Film film(2, 2);
+  CHECK_FALSE(firstSampleOf(header));
+  setCoverage(header, film, 3);
+  CHECK((header.covered.empty() && header.begun.empty()));
+  film.at(0, 0).sampleCount = 5;
+  setCoverage(header, film, 3);
+  CHECK(header.covered.empty());
+  CHECK(header.begun == std::vector{SampleBox{{0, 0, 2, 2}, {3, 8}}});
+  CHECK(firstSampleOf(header) == 3u);
+  for (image::FilmPixel& pixel : film.pixels()) pixel.sampleCount += 2;
+  setCoverage(header, film, 3);
+  CHECK(header.covered == std::vector{SampleBox{{0, 0, 2, 2}, {3, 5}}});
+  CHECK(header.begun == std::vector{SampleBox{{0, 0, 2, 2}, {5, 10}}});
+  CHECK(firstSampleOf(header) == 3u);
+  header.begun[0].samples.first = 6;
+  CHECK_FALSE(firstSampleOf(header));
+}
+
+TEST_CASE("differences of two films are named, the scene first") {
+  const FilmHeader a = fullHeader();
+  CHECK(estimateDifferences(a, a, "A", "B").empty());
+  FilmHeader b = a;
+  b.settings["sampler"] = "stratified";
+  b.settings.erase("integrator");
+  b.seed = 8;
+  b.sceneHash = "ffffffffffffffff";
+  CHECK(estimateDifferences(a, b, "A", "B") ==
+        std::vector<std::string>{"the scene's hash is 0123456789abcdef in A and ffffffffffffffff in B",
+                                 "--seed is 7 in A and 8 in B", "--integrator is path in A and absent in B",
+                                 "--sampler is sobol in A and stratified in B"});
+  CHECK(tracerDifferences(a.tracers[0], {"a device", "a driver", "a platform", "x", "1.0"}, "A", "B") ==
+        std::vector<std::string>{"the hash of the kernels is kernels in A and x in B"});
+}

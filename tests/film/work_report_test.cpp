@@ -1,0 +1,39 @@
+// Reports of work: what is written is read, and what is not a report counts as none.
+#include "host/film/work_report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/core/temporary_folder.h"
+#include "tests/film/made_films.h"
+
+using namespace candela;
+using namespace candela::film;
+
+TEST_CASE("a report of work is read for the film that it belongs to, and for no other") {
+  const TemporaryFolder folder;
+  render::RenderStatistics statistics;
+  statistics.samples = 5;
+  statistics.shadowRays = std::uint64_t{1} << 40;
+  statistics.treeRays = render::TreeRays{1, 2, 3};
+  statistics.seconds = {{"trace", 0.25}};
+  const WorkReport work = workOf(statistics);
+  CHECK(work.counts.at("reflectedRays") == 2);
+  writeWork(folder / "a.exr", "0a1b2c3d", work);
+  CHECK(toJson(readWork(folder / "a.exr", "0a1b2c3d")) == toJson(work));
+  CHECK(readWork(folder / "a.exr", "0a1b2c3e").runsNotCounted == 1);
+  CHECK(readWork(folder / "b.exr", "0a1b2c3d").runsNotCounted == 1);
+}
+
+TEST_CASE("a file that is no report counts as a run that is not counted") {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {"", "{", "[]", "{\"film\":\"x\"}", "{\"film\":\"x\",\"runs\":\"two\"}",
+        "{\"film\":\"x\",\"runs\":1,\"runsNotCounted\":0,\"hosts\":[1],\"counts\":{},\"seconds\":{}}"}) {
+    writeBytes(folder / "a.exr.json", text);
+    INFO(text);
+    const WorkReport work = readWork(folder / "a.exr", "x");
+    CHECK(work.runs == 0);
+    CHECK(work.runsNotCounted == 1);
+  }
+}
