@@ -13,9 +13,12 @@
 namespace candela::cli {
 namespace {
 
-// Members of the header of their own.
-bool hasOwnMember(const Option& option) {
-  return option.name() == "--size" || option.name() == "--spp" || option.name() == "--seed";
+// Size, samples and seed are members of the header. Where files may lie does not change what is read.
+bool isSetting(const Option& option) {
+  const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
+  const std::string name = option.name();
+  const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path";
+  return decides && !stated && option.isFor(Command::render);
 }
 
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
@@ -26,11 +29,10 @@ std::string structureText(const RenderJob& job, const render::RenderStatistics& 
 std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
   std::map<std::string, std::string> settings;
   for (const Option& option : optionTable()) {
-    if (option.group != OptionGroup::image || !option.isFor(Command::render) || hasOwnMember(option)) continue;
+    if (!isSetting(option)) continue;
     const std::vector<std::string> values = option.show(job.arguments);
-    settings[option.name().substr(2)] = values.empty() ? "off" : values.front();
+    settings[option.name().substr(2)] = film::validText(values.empty() ? "off" : values.front());
   }
-  settings["lenient"] = job.arguments.lenient ? "on" : "off";
   if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
   if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;
