@@ -2,13 +2,14 @@
 #include "host/cli/render_job.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 
+#include "host/cli/memory_check.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
+#include "host/core/physical_memory.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
 #include "host/formats/load_scene.h"
@@ -23,16 +24,6 @@ void requirePixelLimit(const render::Extent& size) {
   if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
   throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
                               image::kMaximumImagePixels));
-}
-
-// Requires that the film fits into memory: a larger one could be allocated, but would make the machine swap.
-void requireMemoryForFilm(const render::Extent& size) {
-  const double needed = static_cast<double>(size.width) * size.height * sizeof(image::FilmPixel);
-  const double present = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed <= present) return;
-  constexpr double kGiB = 1024.0 * 1024 * 1024;
-  throw OutOfMemoryError(fmt::format("an image of {}x{} pixels needs {:.1f} GiB; this machine has {:.1f} GiB",
-                                     size.width, size.height, needed / kGiB, present / kGiB));
 }
 
 // Options that have an effect only on some renders.
@@ -108,7 +99,7 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   device::requireKernel(arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
-  requireMemoryForFilm(arguments.settings.image.size);
+  requireMemory(scene, arguments.settings, physicalMemory());
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }
