@@ -98,6 +98,7 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
 
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   device::requireKernel(arguments.settings);
+  render::requireIntegrator(scene, arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
   requireMemory(scene, arguments.settings, physicalMemory());
   noteIdleOptions(arguments, log);
