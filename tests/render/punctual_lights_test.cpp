@@ -34,7 +34,7 @@ std::vector<scene::PunctualLight> punctualLights() {
            .intensity = {2, 9, 30},
            .cosInner = 0.96f,
            .cosOuter = 0.9599f},
-          {.kind = Kind::spot, .position = {0, 0, 5}, .direction = {0, 0, 1}, .intensity = {90, 90, 90}},
+          {.kind = Kind::spot, .position = {0, 0, 5}, .direction = {0, 0, 1}, .intensity = {5, 5, 5}},
           {.kind = Kind::point, .position = {-1.5f, 1.5f, 0.25f}, .intensity = {3, 0.5f, 0.25f}}};
 }
 
