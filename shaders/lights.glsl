@@ -63,7 +63,7 @@ LightSample samplePointLight(Light light, Surface from) {
 
 // The share of its intensity that a spot light sends along `wi`, which points towards it.
 float spotFactor(Light light, vec3 wi) {
-  vec4 cone = sceneRowFloat(constants.firstLightRow + uint(light.area));
+  vec4 cone = sceneRowFloat(lightRow(constants.lightCount) + uint(light.area));
   float share = clamp((-dot(cone.xyz, wi) - cone.w) * light.radius, 0.0, 1.0);
   return share * share;
 }

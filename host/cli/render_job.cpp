@@ -5,9 +5,11 @@
 
 #include <array>
 
+#include "host/cli/memory_check.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
+#include "host/core/physical_memory.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
 #include "host/film/film_memory.h"
@@ -103,9 +105,11 @@ void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log&
 
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   device::requireKernel(arguments.settings);
+  render::requireIntegrator(scene, arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
   requireCropWithin(arguments.settings.image);
   film::requireMemoryForFilm(arguments.settings.image.window().extent());
+  requireMemoryForScene(scene, physicalMemory());
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }

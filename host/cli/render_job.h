@@ -19,11 +19,12 @@ struct RenderJob {
 };
 
 /// Reads the first of `arguments.files`. Warnings about the file go to the log. Throws SceneError, FileError and
-/// OutOfMemoryError (if the film is larger than the machine's memory).
+/// OutOfMemoryError (if the render needs more than the machine's memory).
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
-/// Checks resolved arguments before a render. Throws FileError if the image exceeds the limits, and OutOfMemoryError if
-/// its film does not fit into memory. Logs notes about options without effect and about missing lights.
+/// Checks resolved arguments before a render. Throws UsageError if the integrator cannot render the scene, FileError if
+/// the image exceeds the limits, and OutOfMemoryError if film and scene do not fit into memory. Logs notes about
+/// options without effect and about missing lights.
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// Replaces empty options by the settings of the scene file or by the defaults of the integrator.

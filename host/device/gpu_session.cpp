@@ -13,6 +13,7 @@
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
 #include "host/flatten/flatten_hierarchy.h"
+#include "host/render/request.h"
 
 namespace candela::device {
 namespace {
@@ -39,6 +40,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
                        const render::RenderSettings& settings)
     : context_(std::move(context)), scene_(scene), settings_(settings) {
   const vulkan::DeviceInfo& info = context_->device.info();
+  render::requireIntegrator(scene_, settings_);
   requireWorkgroup(info, settings_.execution.workgroupInUse());
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   Stopwatch watch;

@@ -65,13 +65,13 @@ void appendPointLight(const scene::PointLight& light, const LightEntry& entry, R
   rows.push_back(row(glm::dvec3(light.position), 0.0));
 }
 
-// `coneRow`: the number of rows from the first light to the cone of a spot light.
-void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& entry, std::size_t coneRow, Rows& rows) {
+// `cone`: the index of a spot light's cone among all cones, which follow the last light.
+void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& entry, std::size_t cone, Rows& rows) {
   const bool isSpot = entry.kind == LightKind::spot;
   const glm::dvec3 place = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
                                                                 : glm::dvec3(light.position);
   rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
-  rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(coneRow) : 0.0));
+  rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(cone) : 0.0));
   rows.push_back(row(place, isSpot ? 1 / std::max(double{light.cosInner} - double{light.cosOuter}, 0.001) : 0.0));
 }
 
@@ -96,7 +96,7 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
       flat.features.pointLights = true;
     } else if (!entry.isEmitter()) {
       const scene::PunctualLight& light = scene.punctualLights[entry.index];
-      appendPunctualLight(light, entry, table.size() * gpu::kLightRows + cones.size(), flat.rows);
+      appendPunctualLight(light, entry, cones.size(), flat.rows);
       if (entry.kind == LightKind::spot) cones.push_back(row(glm::dvec3(light.direction), double{light.cosOuter}));
       flat.features.punctualLights = true;
     } else {

@@ -41,13 +41,14 @@ Lobes lobesOf(const scene::WhittedMaterial& material) {
 }  // namespace
 
 Lobes lobesFor(render::Integrator integrator, const scene::Material& material) {
-  return integrator == render::Integrator::whitted ? lobesOf(material.whitted) : lobesOf(material);
+  return integrator == render::Integrator::whitted ? lobesOf(material.whitted.value()) : lobesOf(material);
 }
 
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material) {
   const glm::dvec3 emission(material.emission);
   if (integrator != render::Integrator::whitted) return emission;
-  return emission + double{material.whitted.ka} * glm::dvec3(material.whitted.diffuse);
+  const scene::WhittedMaterial& whitted = material.whitted.value();
+  return emission + double{whitted.ka} * glm::dvec3(whitted.diffuse);
 }
 
 }  // namespace candela::flatten

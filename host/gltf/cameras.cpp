@@ -35,6 +35,10 @@ std::vector<PlacedCamera> placedCameras(const Value& root, const NodeTree& nodes
   return placed;
 }
 
+bool isOrthographic(const Value& root, const PlacedCamera& placed) {
+  return root.require("cameras")[placed.camera].require("type").text() == "orthographic";
+}
+
 std::string nameOf(const Value& root, const char* list, std::size_t index) {
   return root.require(list)[index].textOr("name", "");
 }
@@ -76,6 +80,8 @@ View viewOf(const Value& root, const NodeTree& nodes, const PlacedCamera& placed
           fmt::format("camera {}{} of the file", placed.camera, name.empty() ? "" : " " + scene::quote(name))};
 }
 
+View framingView(const std::optional<Box>& bounds) { return {framingCamera(bounds), "a view that frames the model"}; }
+
 }  // namespace
 
 scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds) {
@@ -116,12 +122,15 @@ scene::Camera framingCamera(const std::optional<Box>& bounds) {
 }
 
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds) {
+                const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
   const std::vector<PlacedCamera> all = placedCameras(root, nodes);
-  if (wish == "none" || (!wish && all.empty())) {
-    return {framingCamera(bounds), "a view that frames the model"};
+  if (wish == "none") return framingView(bounds);
+  if (!wish) {
+    const auto first = std::ranges::find_if_not(all, [&](const PlacedCamera& of) { return isOrthographic(root, of); });
+    if (first != all.end()) return viewOf(root, nodes, *first, bounds);
+    if (!all.empty()) log.warn("orthographic", {}, "orthographic cameras are not supported: a view frames the model");
+    return framingView(bounds);
   }
-  if (!wish) return viewOf(root, nodes, all.front(), bounds);
   const auto found = std::ranges::find_if(all,
                                           [&](const PlacedCamera& placed) { return answers(root, placed, *wish); });
   if (found == all.end()) {

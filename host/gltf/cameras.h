@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/gltf/nodes.h"
+#include "host/scene/diagnostic_log.h"
 #include "host/scene/scene.h"
 
 namespace candela::gltf {
@@ -18,11 +19,12 @@ struct View {
   std::string description;  ///< for reports
 };
 
-/// The camera that `wish` names (LoadOptions::camera); without a wish the first one that a visible node has. A view
-/// that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
-/// `bounds`. Throws PlaceError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
+/// The camera that `wish` names (LoadOptions::camera); without a wish the first perspective camera that a visible node
+/// has. A view that frames `bounds` if there is none, with a warning if all cameras are orthographic, or if the wish is
+/// "none". The target is as far away as the centre of `bounds`. Throws PlaceError for a wrong camera, and FileError,
+/// which lists the cameras, for a wish that fits none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds);
+                const std::optional<Box>& bounds, scene::DiagnosticLog& log);
 
 /// The camera's own view, from a perspective camera at a node.
 scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);

@@ -67,6 +67,9 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   const UsedExtensions used = checkAsset(root, log);
   Buffers buffers(root, container.binary, file, options);
   Accessors accessors(root, buffers);
+  if (options.time && root.sizeOf("animations") == 0) {
+    log.warn("time", {}, "--time has no effect: the file has no animation");
+  }
   const Pose pose = options.time ? poseAt(root, *options.time, accessors) : Pose{};
   const NodeTree nodes(root, pose);
   SceneAssembly assembly(root, nodes, pose, accessors, buffers, log);
@@ -75,7 +78,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   log.throwIfErrors();
   assembly.reportOmissions();
   scene::Scene& scene = assembly.scene();
-  const View view = chooseView(root, nodes, options.camera, assembly.bounds());
+  const View view = chooseView(root, nodes, options.camera, assembly.bounds(), log);
   scene.camera = view.camera;
   const std::string light = lightUp(scene);
   setReach(assembly.bounds(), scene);

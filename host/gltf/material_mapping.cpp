@@ -37,28 +37,6 @@ void addLobes(const GltfMaterial& source, scene::Material& material) {
   }
 }
 
-scene::WhittedMaterial whittedOf(const scene::Material& material) {
-  scene::WhittedMaterial whitted;
-  if (material.diffuse) {
-    whitted.diffuse = material.diffuse->colour;
-    whitted.kd = static_cast<float>(material.diffuse->weight);
-  }
-  if (material.glossy) {
-    whitted.specular = material.glossy->colour;
-    whitted.ks = static_cast<float>(material.glossy->weight);
-    whitted.shine = material.glossy->exponent;
-  }
-  if (material.mirror) {
-    whitted.kind = scene::WhittedKind::mirror;
-    whitted.ks = 1;
-  }
-  if (material.dielectric) {
-    whitted.kind = scene::WhittedKind::glass;
-    whitted.ior = material.dielectric->ior;
-  }
-  return whitted;
-}
-
 }  // namespace
 
 double exponentOf(double roughness) {
@@ -76,7 +54,6 @@ scene::Material fromGltf(const GltfMaterial& source) {
     if (!source.hasEmissiveTexture) material.emission = source.emission;
   }
   material.opaque = !source.isDoubleSided && !material.dielectric;
-  material.whitted = whittedOf(material);
   return material;
 }
 

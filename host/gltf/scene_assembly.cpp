@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
+#include "host/core/physical_memory.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
@@ -18,14 +18,10 @@ constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // what the a
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);
-  return mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +
+  return sizeof(scene::Mesh) + mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +
          (mesh.texCoords[0].size() + mesh.texCoords[1].size()) * sizeof(glm::vec2) +
          (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) +
          mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
-}
-
-std::uint64_t physicalMemory() {
-  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 template <class Vector>
@@ -124,27 +120,31 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
   if (skin && !geometry->influences.joints.empty()) {
     const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];
     placeSkinned(*geometry, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
-    addPlaced(primitive, std::move(geometry->mesh), material);
+    requireRoom(primitive, geometry->mesh, 1);
+    scene::addMesh(scene_, std::move(geometry->mesh), material);
     return;
   }
-  for (const glm::dmat4& instance : instancesOf(node)) {
+  const std::vector<glm::dmat4> instances = instancesOf(node);
+  requireRoom(node, geometry->mesh, instances.size());
+  for (const glm::dmat4& instance : instances) {
     scene::Mesh placed = geometry->mesh;
     place(placed, nodes_.world(index) * instance, node);
-    addPlaced(node, std::move(placed), material);
+    scene::addMesh(scene_, std::move(placed), material);
   }
 }
 
-void SceneAssembly::addPlaced(const Value& place, scene::Mesh mesh, std::uint32_t material) {
-  triangleCount_ += scene::triangleCount(mesh);
-  byteCount_ += bytesOf(mesh);
-  if (triangleCount_ > kMaxTriangles) {
+void SceneAssembly::requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies) {
+  const std::uint64_t triangles = scene::triangleCount(mesh);
+  const std::uint64_t bytes = bytesOf(mesh);
+  if (triangles > 0 && copies > (kMaxTriangles - triangleCount_) / triangles) {
     place.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
   }
-  if (byteCount_ > physicalMemory()) {
+  if (copies > (physicalMemory() - byteCount_) / bytes) {
     throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that this machine has",
                                        place.pointer(), physicalMemory() >> 20));
   }
-  scene::addMesh(scene_, std::move(mesh), material);
+  triangleCount_ += triangles * copies;
+  byteCount_ += bytes * copies;
 }
 
 std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {

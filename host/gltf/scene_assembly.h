@@ -37,7 +37,8 @@ class SceneAssembly {
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
   void addLight(const Value& node, std::size_t index);
-  void addPlaced(const Value& place, scene::Mesh mesh, std::uint32_t material);
+  /// Counts copies of a mesh that are about to be made, and throws PlaceError or OutOfMemoryError if they are too many.
+  void requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies);
   /// One transform relative to the node for each instance; the identity alone without EXT_mesh_gpu_instancing.
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;

@@ -12,6 +12,7 @@
 #include "host/reference/tile_job.h"
 #include "host/reference/views.h"
 #include "host/reference/whitted.h"
+#include "host/render/request.h"
 
 namespace candela::reference {
 namespace {
@@ -63,6 +64,7 @@ auto guarded(Work&& work) {
 
 ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings)
     : settings_(settings) {
+  render::requireIntegrator(scene, settings_);
   prepared_.device = "cpu";
   prepared_.kernel = "reference";
   prepared_.kernels = "reference";

@@ -9,7 +9,7 @@ struct SurfaceMaterial {
   Bsdf bsdf;
   dvec3 emission;  ///< radiance, on both sides
   bool emits;
-  scene::WhittedMaterial whitted;
+  std::optional<scene::WhittedMaterial> whitted;
 
   explicit SurfaceMaterial(const scene::Material& material)
       : bsdf(material), emission(material.emission), emits(isEmissive(material)), whitted(material.whitted) {}

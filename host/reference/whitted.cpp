@@ -83,7 +83,8 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   const Surface surface = rounding.surfaceAt(scene(), ray, hit);
   rounding.decide(surface.fromOutside);
   const SurfaceMaterial& material = materialAt(surface);
-  dvec3 sum = material.emission + double{material.whitted.ka} * dvec3(material.whitted.diffuse);
+  const scene::WhittedMaterial& whitted = material.whitted.value();
+  dvec3 sum = material.emission + double{whitted.ka} * dvec3(whitted.diffuse);
   sum += direct(node, surface, state, record);
   const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -ray.direction, rounding) : Branches{};
   rounding.decide(static_cast<std::uint64_t>(branches.lobe));
@@ -108,7 +109,7 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
                             render::VertexRecord& record) const {
-  const scene::WhittedMaterial& material = materialAt(surface).whitted;
+  const scene::WhittedMaterial& material = materialAt(surface).whitted.value();
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
   Rounding& rounding = state.rounding;
   dvec3 sum(0);
@@ -148,7 +149,7 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
 }
 
 WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const {
-  const scene::WhittedMaterial& material = materialAt(surface).whitted;
+  const scene::WhittedMaterial& material = materialAt(surface).whitted.value();
   if (material.kind == scene::WhittedKind::opaque) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);

@@ -1,6 +1,10 @@
 // Completes a request by the scene's settings and the defaults.
 #include "host/render/request.h"
 
+#include <algorithm>
+
+#include "host/core/errors.h"
+
 namespace candela::render {
 namespace {
 
@@ -28,6 +32,21 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.structure.accel = request.accel.value_or(accelOf(scene));
   settings.structure.accelIsPreference = !request.accel;
   return settings;
+}
+
+void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings) {
+  if (settings.image.integrator != Integrator::whitted) return;
+  const auto lacksCoefficients = [](const scene::Material& material) { return !material.whitted; };
+  if (std::ranges::any_of(scene.materials, lacksCoefficients)) {
+    throw UsageError("--integrator whitted: " + scene.name +
+                     ": the materials have no coefficients for Whitted ray tracing, which only NFF and P3F state; use "
+                     "--integrator path");
+  }
+  if (!scene.punctualLights.empty()) {
+    throw UsageError("--integrator whitted: " + scene.name +
+                     ": the scene has lights with fall-off, spot lights or directional lights, which Whitted ray "
+                     "tracing does not have; use --integrator path");
+  }
 }
 
 }  // namespace candela::render

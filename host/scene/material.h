@@ -43,7 +43,7 @@ struct MirrorLobe {
 /// The rays that the Whitted tracer spawns at a surface.
 enum class WhittedKind : std::uint8_t { opaque, mirror, glass };
 
-/// The coefficients of the Whitted tracer.
+/// The coefficients of the Whitted tracer. Only NFF and P3F state them.
 struct WhittedMaterial {
   WhittedKind kind = WhittedKind::opaque;
   glm::vec3 diffuse{1, 1, 1};
@@ -64,9 +64,9 @@ struct Material {
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
   std::optional<MirrorLobe> mirror;
-  glm::vec3 emission{0, 0, 0};  ///< radiance, W/(sr m^2) in arbitrary units, >= 0
-  bool opaque = true;           ///< with `--one-sided`, the backs of its triangles and planes are not hit
-  WhittedMaterial whitted;
+  glm::vec3 emission{0, 0, 0};             ///< radiance, W/(sr m^2) in arbitrary units, >= 0
+  bool opaque = true;                      ///< with `--one-sided`, the backs of its triangles and planes are not hit
+  std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
 
   bool operator==(const Material&) const = default;
 };

@@ -83,14 +83,14 @@ Material fromNff(const NffMaterial& line) {
   addLobes(line, material);
   material.emission = line.emission;
   material.opaque = line.t == 0;
-  material.whitted = {.kind = whittedKindOf(line),
-                      .diffuse = line.diffuse,
-                      .kd = line.kd,
-                      .ka = line.ka,
-                      .specular = line.specular,
-                      .ks = line.ks,
-                      .shine = line.shine,
-                      .ior = line.ior};
+  material.whitted = WhittedMaterial{.kind = whittedKindOf(line),
+                                     .diffuse = line.diffuse,
+                                     .kd = line.kd,
+                                     .ka = line.ka,
+                                     .specular = line.specular,
+                                     .ks = line.ks,
+                                     .shine = line.shine,
+                                     .ior = line.ior};
   return material;
 }
 

@@ -52,7 +52,7 @@ CANDELA_CONST uint kMaterialRows = 5u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
-// instead of the area, the number of records from the first light to one more record, which follows all lights:
+// instead of the area, the index of one more record among those that follow the last light:
 // (direction, cosine of the outer angle); and instead of the radius 1 / (difference of the cosines).
 CANDELA_CONST uint kLightRows = 3u;
 CANDELA_CONST uint kLightSphere = 0u;

@@ -115,6 +115,26 @@ TEST_CASE("the Whitted integrator reports rays by kind and options without effec
   CHECK(report["rays"]["bounce"] == report["rays"]["reflected"].get<int>() + report["rays"]["refracted"].get<int>());
 }
 
+// A triangle, with the accessors of a file without buffer: all of its vertices are at the origin.
+constexpr const char* kGltf = R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"componentType": 5126, "count": 3, "type": "VEC3"}]})";
+
+TEST_CASE("the Whitted integrator refuses glTF, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.gltf", kGltf);
+  const std::vector<std::string> render{scene, "-o", folder.path("a.png"), "--device", "cpu", "--size", "4x4"};
+  std::vector<std::string> whitted = render;
+  whitted.insert(whitted.end(), {"--integrator", "whitted"});
+  const ProgramResult refused = runCandela(whitted);
+  CHECK(refused.exitCode == 1);
+  CHECK(contains(refused.err,
+                 "--integrator whitted: a.gltf: the materials have no coefficients for Whitted ray tracing"));
+  CHECK(contains(refused.err, "use --integrator path"));
+  CHECK(folder.fileCount() == 1);
+  CHECK(runCandela(render).exitCode == 0);
+}
+
 TEST_CASE("the film does not depend on threads and structure, but on the seed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -58,6 +58,12 @@ TEST_CASE("weights of morph targets are animated") {
   CHECK(originAt(file, 2) == glm::vec3(2, 2, 0));
 }
 
+TEST_CASE("a time without an animation causes a warning") {
+  CHECK(warns(load(triangleFile(), {.time = 1}), "--time has no effect: the file has no animation"));
+  CHECK_FALSE(warns(load(triangleFile()), "--time"));
+  CHECK_FALSE(warns(load(animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR"), {.time = 1}), "--time"));
+}
+
 TEST_CASE("an animated node has no matrix, and channels without a node are skipped") {
   GltfFile file = animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR");
   file.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

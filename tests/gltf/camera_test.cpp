@@ -77,11 +77,25 @@ TEST_CASE("the view is stated") {
   CHECK(load(triangleFile()).facts.at(0).second == "a view that frames the model");
 }
 
-TEST_CASE("orthographic cameras are refused by name") {
+TEST_CASE("orthographic cameras are skipped, and refused by name") {
   GltfFile file = withCameras();
   file.root["cameras"][0]["type"] = "orthographic";
-  CHECK(errorsOf(file.text()).find("/cameras/0/type: only perspective cameras") != std::string::npos);
-  CHECK(errorsOf(file.text(), {.camera = "none"}).empty());
+  const scene::LoadedScene second = load(file);
+  CHECK(second.facts.at(0).second == "camera 1 of the file");
+  CHECK_FALSE(warns(second, "orthographic"));
+  CHECK(errorsOf(file.text(), {.camera = "near"}).find("/cameras/0/type: only perspective cameras") !=
+        std::string::npos);
+}
+
+TEST_CASE("a file whose cameras are all orthographic is framed, with a warning") {
+  GltfFile file = withCameras();
+  for (json& camera : file.root["cameras"]) camera["type"] = "orthographic";
+  const scene::LoadedScene framed = load(file);
+  CHECK(framed.facts.at(0).second == "a view that frames the model");
+  CHECK(framed.scene.camera->angle == 30);
+  CHECK(warns(framed, "orthographic cameras are not supported"));
+  CHECK_FALSE(warns(load(file, {.camera = "none"}), "orthographic"));
+  CHECK(errorsOf(file.text(), {.camera = "1"}).find("/cameras/1/type: only perspective cameras") != std::string::npos);
 }
 
 }  // namespace candela::gltf

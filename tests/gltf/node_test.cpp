@@ -66,4 +66,14 @@ TEST_CASE("each instance has its own translation, rotation and scale") {
   CHECK(glm::distance(scene.meshes[1].positions[1], glm::vec3(10, 1, 2)) < 1e-6f);
 }
 
+TEST_CASE("instances beyond the limit of triangles are refused before they are made") {
+  constexpr std::size_t kInstances = 1u << 15;
+  GltfFile file = triangleFile();
+  const std::size_t indices = file.accessor(std::vector<std::uint16_t>(3 << 12), kUnsignedShort, "SCALAR", 3 << 12);
+  file.primitive()["indices"] = indices;  // 4096 times the triangle of vertex 0 alone, as often as there are instances
+  const std::size_t places = file.positions(std::vector<float>(3 * kInstances));
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  CHECK(errorsOf(file.text()).find("/nodes/0: the scene has more than 134217727 triangles") != std::string::npos);
+}
+
 }  // namespace candela::gltf

@@ -1,6 +1,7 @@
 // The tree of rays: its order, its ends, and the rays that are not traced.
 #include <catch2/catch.hpp>
 
+#include "host/core/errors.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -56,7 +57,7 @@ TEST_CASE("the camera ray has depth 1, and nodes of the maximum depth spawn no r
 
 TEST_CASE("glass of index 1 reflects no ray") {
   SceneBuilder b = paneBetweenWalls();
-  b.scene.materials[0].whitted.ior = 1;
+  b.scene.materials[0].whitted->ior = 1;
   const render::RenderResult result = renderScene(b.scene, whittedSettings(4));
   CHECK(primitivesOf(result.paths.at(0)) == std::vector<std::uint32_t>{0, 1});
   CHECK(result.film.mean(0, 0).x == 2);
@@ -105,4 +106,15 @@ TEST_CASE("rays are jittered with several samples per pixel, but not with one") 
   for (settings.image.seed = 0; settings.image.seed < 2; ++settings.image.seed)
     seeds[settings.image.seed] = renderScene(b.scene, settings).film.hash();
   CHECK(seeds[0] != seeds[1]);
+}
+
+TEST_CASE("lights and materials that Whitted ray tracing does not have are refused") {
+  scene::Scene lit = paneBetweenWalls().scene;
+  lit.punctualLights.push_back({.position = {0, 0, 1}});
+  CHECK_THROWS_WITH(renderScene(lit, whittedSettings(4)), Catch::Contains("lights with fall-off, spot lights or"));
+  scene::Scene plain = paneBetweenWalls().scene;
+  plain.materials[1].whitted.reset();
+  CHECK_THROWS_AS(renderScene(plain, whittedSettings(4)), UsageError);
+  CHECK_THROWS_WITH(renderScene(plain, whittedSettings(4)), Catch::Contains("no coefficients for Whitted ray tracing"));
+  CHECK_NOTHROW(renderScene(plain, settingsOf(1, 1, 1)));
 }

@@ -47,6 +47,26 @@ TEST_CASE("point lights have probability 1/2 if there are emitters, and 1 otherw
   CHECK(pointsOnly[0].probability == 0.25f);
 }
 
+TEST_CASE("punctual lights are chosen by intensity, a directional one by irradiance times the square of its reach") {
+  using Kind = scene::PunctualLight::Kind;
+  scene::Scene scene = lamps();
+  scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}};
+  scene.punctualLights = {{.kind = Kind::directional, .intensity = {0.5f, 0.5f, 0.5f}, .reach = 2},
+                          {.kind = Kind::point, .intensity = {0, 0, 0}},
+                          {.kind = Kind::spot, .intensity = {5, 5, 5}}};
+  const auto table = flatten::buildLightTable(scene, true);
+  REQUIRE(table.size() == 6);
+  CHECK(table[2].isPoint());
+  CHECK(table[2].probability == 0.0625f);
+  CHECK(table[3].kind == flatten::LightKind::directional);
+  CHECK(table[3].probability == 0.125f);
+  CHECK(table[4].kind == flatten::LightKind::punctual);
+  CHECK(table[4].probability == 0);
+  CHECK(table[5].kind == flatten::LightKind::spot);
+  CHECK(table[5].probability == 0.3125f);
+  CHECK(flatten::buildLightTable(scene, false).size() == 4);
+}
+
 TEST_CASE("emitters that cannot be sampled by area are not in the table") {
   scene::Scene scene = lamps();
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});

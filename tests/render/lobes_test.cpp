@@ -40,7 +40,8 @@ TEST_CASE("the record of a mirror has its colour and no weights, and that of a b
 TEST_CASE("the Whitted tracer has its own coefficients, whatever the lobes are") {
   scene::Material material;
   material.diffuse = scene::DiffuseLobe{};
-  material.whitted = {.kind = scene::WhittedKind::glass, .kd = 0.125f, .ks = 0.5f, .shine = 7, .ior = 1.25f};
+  material.whitted = scene::WhittedMaterial{
+      .kind = scene::WhittedKind::glass, .kd = 0.125f, .ks = 0.5f, .shine = 7, .ior = 1.25f};
   const Lobes glass = lobesFor(Integrator::whitted, material);
   CHECK(glass.diffuse == 0.125);
   CHECK(glass.glossy == 0.5);
@@ -48,14 +49,14 @@ TEST_CASE("the Whitted tracer has its own coefficients, whatever the lobes are")
   CHECK(glass.exponent == 7);
   CHECK(glass.ior == 1.25);
   CHECK_FALSE(glass.mirror);
-  material.whitted.kind = scene::WhittedKind::mirror;
+  material.whitted->kind = scene::WhittedKind::mirror;
   CHECK(lobesFor(Integrator::whitted, material).mirror);
   CHECK(lobesFor(Integrator::whitted, material).dielectric == 0);
 }
 
 TEST_CASE("only the Whitted tracer has ambient light") {
   scene::Material material;
-  material.whitted = {.diffuse = {1, 0.5f, 0}, .ka = 0.5f};
+  material.whitted = scene::WhittedMaterial{.diffuse = {1, 0.5f, 0}, .ka = 0.5f};
   material.emission = {0, 0, 2};
   CHECK(flatten::ownRadiance(Integrator::path, material) == glm::dvec3(0, 0, 2));
   CHECK(flatten::ownRadiance(Integrator::whitted, material) == glm::dvec3(0.5, 0.25, 2));

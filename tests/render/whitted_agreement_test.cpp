@@ -1,6 +1,7 @@
 // Whitted's tracer on the device against the reference's: pixels, primitives and numbers of rays.
 #include <catch2/catch.hpp>
 
+#include "host/core/errors.h"
 #include "host/formats/load_scene.h"
 #include "host/verify/agreement.h"
 #include "tests/render/render_support.h"
@@ -56,7 +57,7 @@ scene::Scene loadDatabase(const char* file) {
 
 TEST_CASE("images of lights, mirrors, glass and every primitive agree with the reference") {
   scene::Scene scene = primitivesUnderLights();
-  scene.materials[2].whitted.ka = 0.2f;
+  scene.materials[2].whitted->ka = 0.2f;
   requireAgreement(scene, whittedSettings(256), kFlat);
 }
 
@@ -103,4 +104,13 @@ TEST_CASE("images of several samples, jittered around pixel corners, agree with 
   const render::RenderResult reference = renderOnReference(scene, settings);
   CHECK(meanLuminance(device.film) == Approx(meanLuminance(reference.film)).epsilon(1e-5));
   requireSameCount(device.statistics.shadowRays, reference.statistics.shadowRays);
+}
+
+TEST_CASE("the device refuses Whitted ray tracing of lights and materials that it does not have") {
+  scene::Scene lit = primitivesUnderLights();
+  lit.punctualLights.push_back({.position = {0, 0, 9}});
+  CHECK_THROWS_AS(renderOnDevice(lit, whittedSettings(8)), UsageError);
+  scene::Scene plain = primitivesUnderLights();
+  plain.materials[2].whitted.reset();
+  CHECK_THROWS_AS(renderOnDevice(plain, whittedSettings(8)), UsageError);
 }

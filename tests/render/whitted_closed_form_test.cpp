@@ -35,7 +35,7 @@ TEST_CASE("a plane shows diffuse, specular, ambient, emitted and mirrored light"
   // Seen from above; the light is at the angle of cosine 3/5, so that (N.H)^2 = (1 + 3/5) / 2, and Shine is 10.
   scene::Scene scene = sceneFromText("b 0.1 0.2 0.4\n" + view("0 0 5") +
                                      "l 4 0 3 1 2 3\nf 0.8 0.5 0.25 0.5 0.9 1 0.3 0.25 10 0 1\npl 0 0 0 1 0 0 0 1 0\n");
-  scene.materials[0].whitted.ka = 0.125f;
+  scene.materials[0].whitted->ka = 0.125f;
   scene.materials[0].emission = {0.5f, 0, 0.25f};
   const double highlight = std::pow(0.8, 5);
   const glm::dvec3 light(1, 2, 3), diffuse(0.8, 0.5, 0.25), specular(0.9, 1, 0.3);

@@ -214,7 +214,7 @@ TEST_CASE("lenient reading skips unknown statements and warns once of each kind"
   CHECK(warningWith(loaded, "not 10").line == 12);
   CHECK(warningWith(loaded, "radius must not be 0").line == 14);
   CHECK(loaded.scene.materials.at(1) == fromNff({.kd = .5f}));
-  CHECK(loaded.scene.materials.at(2).whitted.ka == .25f);
+  CHECK(loaded.scene.materials.at(2).whitted->ka == .25f);
 }
 
 TEST_CASE("lenient reading completes a short view") {

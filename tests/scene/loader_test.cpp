@@ -88,4 +88,19 @@ TEST_CASE("WorldToolKit's NFF is refused by name under any extension") {
   }
 }
 
+TEST_CASE("options of glTF cause a warning for NFF and P3F, which are read all the same") {
+  const std::string text = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\ns 0 0 0 1\n";
+  LoadOptions named;
+  named.camera = "left";
+  LoadOptions timed;
+  timed.time = 1;
+  for (const LoadOptions& options : {named, timed}) {
+    const LoadedScene loaded = parseScene(text, "test", ".", options);
+    warningWith(loaded, "--camera and --time have no effect: the format has one view and no animation");
+    CHECK(loaded.scene.camera->from == glm::vec3(0, 0, 5));
+  }
+  CHECK_FALSE(
+      std::ranges::any_of(load(text).warnings, [](const Diagnostic& d) { return contains(d.message, "--time"); }));
+}
+
 }  // namespace candela::scene

@@ -68,16 +68,16 @@ TEST_CASE("every lobe has its colour and its parameter") {
 }
 
 TEST_CASE("the Whitted tracer uses Kd and Ks unchanged, T = 0 with Ks as a mirror, and T with an index as glass") {
-  const WhittedMaterial opaque = material(1, 0.75f, 0, 0).whitted;
+  const WhittedMaterial opaque = material(1, 0.75f, 0, 0).whitted.value();
   CHECK(opaque.kd == 1);
   CHECK(opaque.ks == 0.75f);
   CHECK(opaque.kind == WhittedKind::mirror);
-  const WhittedMaterial glass = material(0.125f, 0.5f, 0.875f, 1.5f).whitted;
+  const WhittedMaterial glass = material(0.125f, 0.5f, 0.875f, 1.5f).whitted.value();
   CHECK(glass.kind == WhittedKind::glass);
   CHECK(glass.ks == 0.5f);
   CHECK(glass.ior == 1.5f);
-  CHECK(material(0, 0.5f, 1, 0).whitted.kind == WhittedKind::opaque);
-  CHECK(material(0.5f, 0, 0, 1).whitted.kind == WhittedKind::opaque);
+  CHECK(material(0, 0.5f, 1, 0).whitted->kind == WhittedKind::opaque);
+  CHECK(material(0.5f, 0, 0, 1).whitted->kind == WhittedKind::opaque);
 }
 
 }  // namespace candela::scene

@@ -88,7 +88,7 @@ TEST_CASE("the views and colours of a database file are read exactly") {
   CHECK(scene.background == glm::vec3(.078f, .361f, .753f));
   CHECK(scene.camera->from == glm::vec3(2.1f, 1.3f, 1.7f));
   CHECK(scene.pointLights.at(1).position == glm::vec3(1, -4, 4));
-  CHECK(scene.materials.at(0).whitted.shine == 100000);
+  CHECK(scene.materials.at(0).whitted->shine == 100000);
 }
 
 TEST_CASE("a million triangles load in seconds", "[slow]") {

@@ -1,0 +1,44 @@
+// Renders that need more memory than there is.
+#include "host/cli/memory_check.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/core/errors.h"
+#include "host/scene/memory.h"
+#include "host/scene/scene_builder.h"
+
+namespace candela::cli {
+namespace {
+
+/// A mesh of `count` triangles that share their vertices.
+scene::Scene heavyScene(std::size_t count) {
+  scene::Scene scene;
+  scene.name = "heavy.glb";
+  scene.materials.resize(1);
+  scene::Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  for (std::size_t i = 0; i < count; ++i) mesh.indices.insert(mesh.indices.end(), {0, 1, 2});
+  addMesh(scene, std::move(mesh), 0);
+  return scene;
+}
+
+std::string refusalOf(const scene::Scene& scene, std::uint64_t present) {
+  try {
+    requireMemoryForScene(scene, present);
+    return "";
+  } catch (const OutOfMemoryError& error) {
+    CHECK(error.code() == ExitCode::outOfMemory);
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a scene is refused if building its structure exceeds the memory, although the scene itself fits") {
+  const scene::Scene scene = heavyScene(100'000);
+  const std::uint64_t own = scene::memoryOf(scene).total;
+  CHECK(own < 3'000'000);
+  CHECK(refusalOf(scene, own + 30'000'000).empty());
+  CHECK(refusalOf(scene, own + 29'999'999).starts_with("heavy.glb: rendering 100000 primitives needs about"));
+}
+
+}  // namespace candela::cli
