@@ -173,8 +173,8 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
   return kNoHit;
 }
 
-// Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit` returns
-// true.
+// Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit`
+// returns true.
 template <class Visit>
 void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
   if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
