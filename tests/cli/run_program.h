@@ -17,10 +17,10 @@ struct ProgramResult {
 };
 
 struct Surroundings {
-  std::vector<std::string> environment;  ///< added, "NAME=value"
-  std::string standardOutput;            ///< a file to write to instead of catching it
+  std::vector<std::string> environment{};  ///< added, "NAME=value"
+  std::string standardOutput{};            ///< a file to write to instead of catching it
   /// After this time, `signal` (Ctrl-C) is sent.
-  std::optional<std::chrono::milliseconds> interruptAfter;
+  std::optional<std::chrono::milliseconds> interruptAfter{};
   int signal = SIGINT;
   /// SIGUSR1 is sent after each of these times, from `writeRequestsFrom` on.
   std::optional<std::chrono::milliseconds> writeRequestsEvery{};

@@ -99,5 +99,5 @@ TEST_CASE("punctual lights among all other kinds of light have the reference's m
   const scene::Scene scene = underAllLights();
   const render::RenderSettings settings = squareSettings(64, 64);
   const double device = meanLuminance(renderOnDevice(scene, settings).film);
-  CHECK(device == Approx(meanLuminance(renderOnReference(scene, settings).film)).epsilon(verify::kMeanTolerance));
+  CHECK(device == Approx(meanLuminance(renderOnReference(scene, settings).film)).epsilon(kMeanTolerance));
 }
