@@ -80,7 +80,8 @@ TEST_CASE("a wrong command line names the expected value and the help") {
   CHECK(messageFor({"devices", "--spp", "4"}) ==
         "--spp is not an option of candela devices\nsee candela devices --help");
   CHECK(messageFor({"a.p3f"}) ==
-        "no output given: write the image with -o FILE, or only measure with --stats or --json FILE\nsee candela "
+        "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with "
+        "--stats or --json FILE\nsee candela "
         "render --help");
   CHECK(messageFor({"a.p3f", "--stats", "--json", "-"}) ==
         "--stats and --json - both write to stdout\nsee candela render --help");

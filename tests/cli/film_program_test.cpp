@@ -124,7 +124,7 @@ TEST_CASE("a film file is not overwritten by a render that does not go on from i
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", folder.path("no/where.exr")}), Contains("no folder"));
 }
 
-TEST_CASE("--samples and --crop beyond the image are refused") {
+TEST_CASE("ranges of --samples and windows of --crop beyond the image are refused") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   CHECK(kReference.run(scene, {"--samples", "8:13", "--stats"}).exitCode == 1);
