@@ -175,6 +175,17 @@ TEST_CASE("candela film describes a film, and makes the pictures that the render
   }
 }
 
+TEST_CASE("a film names every option that decides the image or how the scene is read, but no path") {
+  const TemporaryFolder folder;
+  const std::string film = folder.path("film.exr");
+  kReference.film(folder.write("a.p3f", smallScene()), film);
+  const json settings = json::parse(runCandela({"film", film, "--json", "-"}).out)["settings"];
+  for (const char* name : {"integrator", "sampler", "max-depth", "one-sided", "lenient", "camera", "time"}) {
+    CHECK(settings.contains(name));
+  }
+  CHECK_FALSE(settings.contains("allow-path"));
+}
+
 TEST_CASE("two film files are compared as pictures with variance") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
