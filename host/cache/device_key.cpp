@@ -26,9 +26,7 @@ std::string toText(const DeviceKey& key) {
 }
 
 std::string fileNameOf(std::string_view kind, const DeviceKey& key, std::string_view extension) {
-  const std::string text = toText(key);
-  const std::uint64_t hash = scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  return fmt::format("{}-{}.{}", kind, hashText(hash), extension);
+  return fmt::format("{}-{}.{}", kind, hashText(scene::fnv1aOfText(toText(key))), extension);
 }
 
 }  // namespace candela::cache

@@ -10,10 +10,10 @@
 namespace candela::cli {
 
 CachedDevice::CachedDevice(const Arguments& arguments, const Log& log)
-    : log_(log), device_(vulkan::Device::open(arguments.device)) {
+    : log_(log), device_(vulkan::Device::open(arguments.device)), key_(cache::keyOf(device_.info())) {
   const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (arguments.noCache || !folder) return;
-  file_ = *folder / cache::fileNameOf("pipelines", cache::keyOf(device_.info()), "bin");
+  file_ = *folder / cache::fileNameOf("pipelines", key_, "bin");
   load();
 }
 
@@ -26,7 +26,7 @@ CachedDevice::~CachedDevice() {
 }
 
 void CachedDevice::load() {
-  cache::PipelineLookup found = cache::readPipelines(file_, cache::keyOf(device_.info()));
+  cache::PipelineLookup found = cache::readPipelines(file_, key_);
   if (!found.problem.empty()) log_.detail(fmt::format("{} is ignored: {}", file_.string(), found.problem));
   stored_ = std::move(found.data);
   if (stored_.empty()) return;
@@ -37,7 +37,7 @@ void CachedDevice::load() {
 void CachedDevice::store() {
   const std::vector<std::byte> data = device_.pipelineData();
   if (data == stored_) return;
-  cache::writePipelines(file_, cache::keyOf(device_.info()), data);
+  cache::writePipelines(file_, key_, data);
   log_.detail(fmt::format("compiled pipelines: {} bytes to {}", data.size(), file_.string()));
 }
 

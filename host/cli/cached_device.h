@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "host/cache/device_key.h"
 #include "host/cli/arguments.h"
 #include "host/core/log.h"
 #include "host/vulkan/device.h"
@@ -28,6 +29,7 @@ class CachedDevice {
 
   const Log& log_;
   vulkan::Device device_;
+  cache::DeviceKey key_;
   std::filesystem::path file_;     ///< empty: nothing is stored
   std::vector<std::byte> stored_;  ///< the data in the file; empty if it cannot be used
 };

@@ -42,18 +42,6 @@ std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
   return texts;
 }
 
-ordered_json tracersJson(const std::vector<film::Tracer>& tracers) {
-  ordered_json json = ordered_json::array();
-  for (const film::Tracer& tracer : tracers) {
-    json.push_back({{"device", tracer.device},
-                    {"driver", tracer.driver},
-                    {"platform", tracer.platform},
-                    {"kernels", tracer.kernels},
-                    {"program", tracer.program}});
-  }
-  return json;
-}
-
 }  // namespace
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work) {
@@ -108,7 +96,7 @@ ordered_json toJson(const FilmDescription& description) {
           {"missing", textsOf(description.missing)},
           {"samples", description.samples},
           {"badSamples", description.badSamples},
-          {"tracers", tracersJson(header.tracers)},
+          {"tracers", film::tracersJson(header.tracers)},
           {"isMixed", header.isMixed()},
           {"mixed", header.mixed},
           {"filmHash", description.filmHash},

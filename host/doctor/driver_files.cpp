@@ -2,19 +2,15 @@
 #include "host/doctor/driver_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 #include <system_error>
+
+#include "host/core/environment.h"
 
 namespace candela::doctor {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string variable(const char* name) {
-  const char* const value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
 
 std::vector<fs::path> splitList(const std::string& list) {
   std::vector<fs::path> paths;
@@ -32,14 +28,14 @@ void addFolders(std::vector<fs::path>& folders, const char* userVariable, const 
     const fs::path folder = base / "vulkan" / "icd.d";
     if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
   };
-  const std::string user = variable(userVariable);
-  const std::string home = variable("HOME");
+  const std::string user = environmentVariable(userVariable);
+  const std::string home = environmentVariable("HOME");
   if (!user.empty()) {
     add(user);
   } else if (!home.empty()) {
     add(fs::path(home) / userDefault);
   }
-  const std::string system = variable(systemVariable);
+  const std::string system = environmentVariable(systemVariable);
   for (const fs::path& base : splitList(system.empty() ? systemDefault : system)) add(base);
 }
 
@@ -78,15 +74,15 @@ void addList(const std::string& list, std::vector<DriverManifest>& manifests) {
 DriverFiles findDriverFiles() {
   DriverFiles found;
   for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) {
-    if (found.variable.empty() && !variable(name).empty()) found.variable = name;
+    if (found.variable.empty() && !environmentVariable(name).empty()) found.variable = name;
   }
   if (!found.variable.empty()) {
-    addList(variable(found.variable.c_str()), found.manifests);
+    addList(environmentVariable(found.variable.c_str()), found.manifests);
     return found;
   }
   found.folders = searchedFolders();
   for (const fs::path& folder : found.folders) addFolder(folder, found.manifests);
-  addList(variable("VK_ADD_DRIVER_FILES"), found.manifests);
+  addList(environmentVariable("VK_ADD_DRIVER_FILES"), found.manifests);
   return found;
 }
 

@@ -1,7 +1,8 @@
-// What a film file says about its film: all that decides its bytes, and nothing else.
+// The description of a film in its file: everything that decides its bytes, and nothing else.
 #pragma once
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,5 +68,7 @@ std::string validText(const std::string& text);
 std::string toJson(const FilmHeader& header);
 /// Throws FileError for any text that toJson() does not write for a header that is possible.
 FilmHeader headerFromJson(const std::string& text);
+/// Returns the member `tracers` of that text.
+nlohmann::ordered_json tracersJson(const std::vector<Tracer>& tracers);
 
 }  // namespace candela::film

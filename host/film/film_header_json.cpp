@@ -25,18 +25,6 @@ ordered_json boxesJson(const std::vector<SampleBox>& boxes) {
   return json;
 }
 
-ordered_json tracersJson(const std::vector<Tracer>& tracers) {
-  ordered_json json = ordered_json::array();
-  for (const Tracer& tracer : tracers) {
-    json.push_back({{"device", tracer.device},
-                    {"driver", tracer.driver},
-                    {"platform", tracer.platform},
-                    {"kernels", tracer.kernels},
-                    {"program", tracer.program}});
-  }
-  return json;
-}
-
 [[noreturn]] void refuse(const std::string& what) {
   throw FileError("the description of the film has no valid " + what);
 }
@@ -170,6 +158,18 @@ ordered_json parsed(const std::string& text) {
 }
 
 }  // namespace
+
+ordered_json tracersJson(const std::vector<Tracer>& tracers) {
+  ordered_json json = ordered_json::array();
+  for (const Tracer& tracer : tracers) {
+    json.push_back({{"device", tracer.device},
+                    {"driver", tracer.driver},
+                    {"platform", tracer.platform},
+                    {"kernels", tracer.kernels},
+                    {"program", tracer.program}});
+  }
+  return json;
+}
 
 std::string validText(const std::string& text) {
   return ordered_json::parse(ordered_json(text).dump(-1, ' ', true, ordered_json::error_handler_t::replace));

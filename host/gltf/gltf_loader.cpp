@@ -12,15 +12,11 @@
 namespace candela::gltf {
 namespace {
 
-std::uint64_t hashText(std::string_view text, std::uint64_t hash) {
-  return scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, hash);
-}
-
-/// Of everything that decides the scene: the file, its buffers, and the options.
+// Hash of everything that decides the scene: the file, its buffers, and the options.
 std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers) {
-  std::uint64_t hash = buffers.hashFiles(hashText(file.bytes, scene::fnv1a({})));
-  if (options.camera) hash = hashText("camera " + *options.camera, hash);
-  if (options.time) hash = hashText(fmt::format("time {}", *options.time), hash);
+  std::uint64_t hash = buffers.hashFiles(scene::fnv1aOfText(file.bytes));
+  if (options.camera) hash = scene::fnv1aOfText("camera " + *options.camera, hash);
+  if (options.time) hash = scene::fnv1aOfText(fmt::format("time {}", *options.time), hash);
   return hash;
 }
 

@@ -28,15 +28,11 @@ bool recognisesNff(std::string_view text) {
   return findKeyword(Tokenizer(text).peek().text) != nullptr || isWorldToolKit(text);
 }
 
-std::span<const std::uint8_t> bytesOf(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 std::uint64_t hashOf(std::string_view text, const Scene& scene) {
-  std::uint64_t hash = fnv1a(bytesOf(text));
+  std::uint64_t hash = fnv1aOfText(text);
   if (!scene.sky) return hash;
   for (const SkyFace& face : scene.sky->faces) {
-    hash = fnv1a(bytesOf(fmt::format("{}x{}", face.width, face.height)), hash);
+    hash = fnv1aOfText(fmt::format("{}x{}", face.width, face.height), hash);
     hash = fnv1a(face.rgb, hash);
   }
   return hash;

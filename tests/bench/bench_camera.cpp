@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "host/bench/measure.h"
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_renderer.h"
 #include "host/formats/load_scene.h"
@@ -16,11 +17,6 @@ using namespace candela;
 namespace {
 
 constexpr int kMoves = 51;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 void measure(render::Renderer& renderer, const std::string& file) {
   const scene::Scene scene = formats::loadScene(file).scene;
@@ -40,9 +36,10 @@ void measure(render::Renderer& renderer, const std::string& file) {
     session->setCamera(camera);
     seconds.push_back(watch.lap());
   }
-  const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
+  std::ranges::sort(seconds);
   fmt::print("{}: {} primitives; prepare {:.0f} ms, setCamera {:.2f} ms ({:.2f} to {:.2f})\n", file,
-             scene.primitives.size(), 1e3 * prepared, 1e3 * median(seconds), 1e3 * *least, 1e3 * *most);
+             scene.primitives.size(), 1e3 * prepared, 1e3 * bench::median(seconds), 1e3 * seconds.front(),
+             1e3 * seconds.back());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/doctor_report.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -23,14 +24,6 @@ ProgramResult runBeside(const std::string& manifest) {
 
 std::string manifestOf(const std::string& library) {
   return R"({"file_format_version": "1.0.0", "ICD": {"api_version": "1.2.0", "library_path": ")" + library + "\"}}";
-}
-
-json checkNamed(const json& report, const std::string& name) {
-  for (const json& check : report["checks"]) {
-    if (check["name"] == name) return check;
-  }
-  FAIL("no check " << name << " in " << report.dump());
-  return {};
 }
 
 }  // namespace

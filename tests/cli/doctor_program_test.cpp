@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/doctor_report.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -25,14 +26,6 @@ json reportWith(const std::string& manifest, const std::vector<std::string>& wor
     CHECK(check["remedy"].get<std::string>().empty() == (check["status"] == "ok"));
   }
   return report;
-}
-
-json checkNamed(const json& report, const std::string& name) {
-  for (const json& check : report["checks"]) {
-    if (check["name"] == name) return check;
-  }
-  FAIL("no check " << name << " in " << report.dump());
-  return {};
 }
 
 }  // namespace
