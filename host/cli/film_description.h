@@ -1,4 +1,4 @@
-// What `candela film` and `candela merge` report about a film file.
+// The report of `candela film` and `candela merge` about a film file.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// What a render's film file says about it, and whether a render can go on from a film file.
+// Describes a render in its film file, and decides whether a render can go on from a film file.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -15,7 +15,7 @@
 namespace candela::cli {
 namespace {
 
-/// What earlier runs left.
+// The state from which a render goes on: the first sample that it traces, and the work of earlier runs.
 struct Inheritance {
   std::uint32_t firstSample = 0;
   film::WorkReport work;

@@ -22,7 +22,7 @@ class FilmStream final : public Imf::OStream {
   std::uint64_t tellp() override { return position_; }
   void seekp(std::uint64_t position) override { position_ = position; }
 
-  /// What has been written so far is the head; all that comes behind it is blocks.
+  /// Declares that the bytes written so far are the head, and that only blocks follow.
   void endHead() { end_ = head_.size(); }
   /// Sets the checksums in the head, which OpenEXR has finished, and writes it. Returns the digits of kCheckAttribute,
   /// which stand for the whole file.

@@ -63,7 +63,7 @@ Ranges joined(Ranges ranges) {
   return result;
 }
 
-// What `ranges`, in rising order, leave of `whole`.
+// Returns the parts of `whole` that `ranges`, which are in ascending order, do not cover.
 Ranges complement(const Ranges& ranges, const SampleRange& whole) {
   Ranges result;
   std::uint32_t next = whole.first;

@@ -10,7 +10,7 @@
 
 namespace candela::gltf {
 
-/// What an animation sets of a node; the rest stays as the node has it.
+/// The properties of a node that an animation sets. The node keeps its own value of each empty member.
 struct NodePose {
   std::optional<glm::dvec3> translation;
   std::optional<glm::dquat> rotation;

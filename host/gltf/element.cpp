@@ -10,7 +10,8 @@
 namespace candela::gltf {
 namespace {
 
-/// Of accessors without a buffer view, whose elements take no bytes in the file. Others are limited by the bytes.
+// Maximum number of elements of an accessor without a buffer view. They take no bytes in the file, whose size limits
+// all others.
 constexpr std::uint64_t kMaxZeros = 1u << 24;
 constexpr std::uint64_t kMaxCount = 0xffffffffu;
 

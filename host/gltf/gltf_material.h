@@ -22,7 +22,7 @@ struct GltfMaterial {
   double ior = 1.5;         ///< KHR_materials_ior; 0 or at least 1
   double transmission = 0;  ///< KHR_materials_transmission
   double thickness = 0;     ///< KHR_materials_volume; 0: a thin wall
-  /// What the material has and this structure lacks: "base colour texture", "KHR_materials_sheen".
+  /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_sheen".
   std::set<std::string> unread;
 };
 

@@ -22,14 +22,14 @@ class SceneAssembly {
                 scene::DiagnosticLog& log);
 
   void addMaterials();
-  /// What the visible nodes show, in the order of NodeTree::visible(). After addMaterials().
+  /// Adds the meshes and lights of the visible nodes, in the order of NodeTree::visible(). Call addMaterials() first.
   void addNodes();
   /// Warnings about everything that was left out.
   void reportOmissions();
 
   scene::Scene& scene() { return scene_; }
   const scene::StatementCounts& counts() const { return counts_; }
-  /// Of all vertices of triangles; empty if there are none.
+  /// Returns the bounds of all vertices of triangles; nothing if there are none.
   std::optional<Box> bounds() const;
 
  private:
