@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "host/scene/surface_parameters.h"
+
 namespace candela::scene {
 
 /// Lambertian reflection.
@@ -57,9 +59,10 @@ struct WhittedMaterial {
   bool operator==(const WhittedMaterial&) const = default;
 };
 
-/// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
-/// for rounding. A mirror lobe is the only lobe of its material.
+/// Either `surface` or lobes, at most one of each kind; a material with neither is black. The lobes' weights sum to at
+/// most 1, except for rounding. A mirror lobe is the only lobe of its material.
 struct Material {
+  std::optional<SurfaceParameters> surface;
   std::optional<DiffuseLobe> diffuse;
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
@@ -76,8 +79,8 @@ inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }
 
-/// The name of a material with one lobe is that of the lobe.
-enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture };
+/// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface };
 
 MaterialKind kindOf(const Material& material);
 
