@@ -4,7 +4,29 @@
 #include "primitives.glsl"
 #include "scene_access.glsl"
 
+// The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
+struct SurfaceParameters {
+  vec3 baseColour;
+  float metalness;
+  vec3 specularColour;
+  float specularWeight;
+  float roughness;
+  float ior;
+};
+
+// The lobes of a surface as seen from one direction: section 5.4.
+struct SurfaceLobes {
+  vec3 diffuse;         // albedo
+  vec3 specular;        // factor of the microfacets at normal incidence
+  vec3 grazing;         // factor of (1 - wo.h)^5
+  float alpha;
+  float specularShare;  // probability of the specular lobe
+};
+
 struct Material {
+  bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
+  SurfaceParameters surface;
+  SurfaceLobes lobes;  // computed by prepareLobes()
   vec3 diffuse;
   float diffuseWeight;
   vec3 glossy;
@@ -17,10 +39,19 @@ struct Material {
   bool mirror;
 };
 
+SurfaceParameters loadSurface(uint index) {
+  uint row = constants.firstSurfaceRow + index * kSurfaceRows;
+  vec4 base = sceneRowFloat(row);
+  vec4 specular = sceneRowFloat(row + 1u);
+  vec4 shape = sceneRowFloat(row + 2u);
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y);
+}
+
 // Loads a material by its index in the scene.
 Material loadMaterial(uint index) {
   uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
+  material.isSurface = false;
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;
@@ -41,11 +72,15 @@ Material loadMaterial(uint index) {
   material.exponent = 0.0;
   material.ior = 1.0;
   material.mirror = false;
-  if (kHasGlossy || kHasMirror || kHasDielectric) {
-    vec4 last = sceneRowFloat(row + 3u);
-    material.exponent = last.x;
-    material.ior = last.y;
-    material.mirror = last.z != 0.0;
+  if (kHasGlossy || kHasMirror || kHasDielectric || kHasSurfaces) {
+    uvec4 last = sceneRow(row + 3u);
+    material.exponent = uintBitsToFloat(last.x);
+    material.ior = uintBitsToFloat(last.y);
+    material.mirror = uintBitsToFloat(last.z) != 0.0;
+    if (kHasSurfaces && last.w != 0u) {
+      material.isSurface = true;
+      material.surface = loadSurface(last.w - 1u);
+    }
   }
   material.specular = vec3(0.0);
   if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;

@@ -12,7 +12,8 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior"};
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior",
+                           "KHR_materials_specular"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -64,6 +65,18 @@ void readEmission(const Value& material, GltfMaterial& result) {
   if (result.hasEmissiveTexture && result.emission != glm::vec3(0)) result.unread.insert("emissive texture");
 }
 
+void readSpecular(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> specular = material.extension("KHR_materials_specular");
+  if (!specular) return;
+  result.specular = fraction(*specular, "specularFactor", 1);
+  result.specularColour = specular->vectorOr("specularColorFactor", glm::vec3(1));
+  for (int c = 0; c < 3; ++c) {
+    if (result.specularColour[c] < 0) specular->require("specularColorFactor").fail("a component is negative");
+  }
+  noteTexture(*specular, "specularTexture", "specular texture", result);
+  noteTexture(*specular, "specularColorTexture", "specular colour texture", result);
+}
+
 void readTransmission(const Value& material, GltfMaterial& result) {
   if (const std::optional<Value> ior = material.extension("KHR_materials_ior")) {
     result.ior = ior->numberOr("ior", 1.5);
@@ -99,6 +112,7 @@ GltfMaterial readMaterial(const Value& material) {
   GltfMaterial result;
   if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness")) readMetallicRoughness(*pbr, result);
   readEmission(material, result);
+  readSpecular(material, result);
   readTransmission(material, result);
   result.alphaMode = alphaModeOf(material);
   if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));

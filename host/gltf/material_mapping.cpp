@@ -37,6 +37,17 @@ void addLobes(const GltfMaterial& source, scene::Material& material) {
   }
 }
 
+scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
+  scene::SurfaceParameters surface;
+  surface.baseColour = glm::vec3(source.baseColour);
+  surface.metalness = static_cast<float>(source.metallic);
+  surface.roughness = static_cast<float>(source.roughness);
+  surface.specularWeight = static_cast<float>(source.specular);
+  surface.specularColour = source.specularColour;
+  surface.ior = static_cast<float>(source.ior);
+  return surface;
+}
+
 }  // namespace
 
 double exponentOf(double roughness) {
@@ -50,7 +61,10 @@ scene::Material fromGltf(const GltfMaterial& source) {
   if (source.isUnlit) {
     material.emission = glm::vec3(source.baseColour);
   } else {
-    addLobes(source, material);
+    if (source.transmission > 0)
+      addLobes(source, material);
+    else
+      material.surface = surfaceOf(source);
     if (!source.hasEmissiveTexture) material.emission = source.emission;
   }
   material.opaque = !source.isDoubleSided && !material.dielectric;

@@ -6,13 +6,20 @@
 namespace candela::reference {
 
 struct SurfaceMaterial {
-  Bsdf bsdf;
-  dvec3 emission;  ///< radiance, on both sides
+  Bsdf bsdf;                                        ///< of a material without surface parameters
+  std::optional<scene::SurfaceParameters> surface;  ///< the lobes follow from these at every hit
+  dvec3 emission;                                   ///< radiance, on both sides
   bool emits;
   std::optional<scene::WhittedMaterial> whitted;
 
+  dvec3 albedo() const { return surface ? dvec3(surface->baseColour) : bsdf.albedo(); }
+
   explicit SurfaceMaterial(const scene::Material& material)
-      : bsdf(material), emission(material.emission), emits(isEmissive(material)), whitted(material.whitted) {}
+      : bsdf(material),
+        surface(material.surface),
+        emission(material.emission),
+        emits(isEmissive(material)),
+        whitted(material.whitted) {}
 };
 
 }  // namespace candela::reference

@@ -45,10 +45,19 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 CANDELA_CONST uint kNormalRows = 3u;
 
 // Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
-// weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror
-// lobe, 0). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
+// weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, index of the surface parameters + 1, or 0)
+// (colour of the dielectric or mirror lobe, 0). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
 // term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
+
+// Surface parameters, five records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
+// transmission weight, 1 if thin-walled) (absorption, coat weight) (sheen colour, sheen roughness).
+CANDELA_CONST uint kSurfaceRows = 5u;
+
+// Energy tables, two records for every cell of the tables' nodes, in the order of the cells' lower nodes: the values at the
+// nodes (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1) of energy::kWhite, and those of energy::kTilt.
+CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
+CANDELA_CONST uint kEnergyRows = 2u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
