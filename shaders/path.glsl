@@ -9,6 +9,7 @@
 #include "normals.glsl"
 #include "trace.glsl"
 #include "traversal.glsl"
+#include "volumes.glsl"
 
 struct Path {
   Ray ray;
@@ -16,6 +17,7 @@ struct Path {
   vec3 throughput;
   vec3 radiance;
   uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
+  uint volume;      // number of the volume that the ray is in; 0: none
 };
 
 // Decisions of a segment, for comparison with another tracer.
@@ -40,6 +42,7 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   path.throughput = vec3(1.0);
   path.radiance = vec3(0.0);
   path.depth = 1u;
+  path.volume = 0u;
 }
 
 // A vertex in the local frame of its shading normal.
@@ -92,7 +95,7 @@ struct ShadowRay {
 };
 
 // Next-event estimation with one sample of the light table.
-void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface, Shading shading, Material material,
+void sampleDirectLight(inout ShadowRay shadow, Path path, Surface surface, Shading shading, Material material,
                        uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
@@ -106,7 +109,11 @@ void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface,
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
-  precise vec3 radiance = throughput * weighed;
+  if (kHasVolumes && lit.distance < kLargestFloat) {
+    weighed *= volumeTransmittance(transmitted ? volumeBeyond(material, shading.outside, path.volume) : path.volume,
+                                   lit.distance);
+  }
+  precise vec3 radiance = path.throughput * weighed;
   shadow = ShadowRay(true, rayFrom(surface, lit.wi), light.slot, lit.distance, radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -122,6 +129,10 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
+  if (kHasVolumes && next.lobe == kLobeRefract) {
+    countVolumeFault(material, shading.outside, path.volume);
+    path.volume = volumeBeyond(material, shading.outside, path.volume);
+  }
   noteScattering(next, direction);
   // A value that is not finite must not end a path silently: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {
@@ -149,11 +160,13 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
+    if (kHasVolumes && path.volume != 0u) volumeFaults += 1u;
     path.radiance += path.throughput * backgroundFound(path);
     return false;
   }
   counts.vertices += 1u;
   decisions.index = hit.index;
+  if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
   Material material = materialAt(surface);
@@ -161,13 +174,13 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
-  prepareLobes(material, shading.wo);
+  prepareLobes(material, shading.wo, shading.outside);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
-      sampleDirectLight(shadow, path.throughput, surface, shading, material, numbers, work);
+      sampleDirectLight(shadow, path, surface, shading, material, numbers, work);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;
