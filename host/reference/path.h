@@ -41,8 +41,8 @@ class PathTracer final : public PixelTracer {
              Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf) const;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf, PathNotes& notes,
-                 Rounding& rounding) const;
+  dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                 std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;

@@ -122,6 +122,7 @@ struct Scene {
   std::optional<Sky> sky;  ///< replaces the background
 
   std::vector<Material> materials;
+  std::vector<TextureImage> images;
   std::vector<Primitive> primitives;
   std::vector<Sphere> spheres;
   std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes

@@ -35,7 +35,7 @@ struct RenderConstants {
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstNormalRow;
+  uint firstAttributeRow;
   uint firstSkyRow;
   uint firstPlaneSlot;       // infinite planes come after all other primitives
   uint slotCount;
@@ -50,7 +50,7 @@ struct RenderConstants {
   uvec3 gridSides;           // cells along each axis
   uint firstItemRow;         // first record of the grid's items
   uvec3 gridStrides;         // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
-  uint unused4;
+  uint firstTextureRow;
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see

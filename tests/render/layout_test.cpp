@@ -97,7 +97,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstPrimitiveRow),
                                                        MEMBER(RenderConstants, firstMaterialRow),
                                                        MEMBER(RenderConstants, firstLightRow),
-                                                       MEMBER(RenderConstants, firstNormalRow),
+                                                       MEMBER(RenderConstants, firstAttributeRow),
                                                        MEMBER(RenderConstants, firstSkyRow),
                                                        MEMBER(RenderConstants, firstPlaneSlot),
                                                        MEMBER(RenderConstants, slotCount),
@@ -112,7 +112,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, gridSides),
                                                        MEMBER(RenderConstants, firstItemRow),
                                                        MEMBER(RenderConstants, gridStrides),
-                                                       MEMBER(RenderConstants, unused4)});
+                                                       MEMBER(RenderConstants, firstTextureRow)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
