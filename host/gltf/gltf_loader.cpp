@@ -42,8 +42,9 @@ bool statesLight(const scene::Scene& scene) {
 
 /// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
 /// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
-std::string lightUp(scene::Scene& scene) {
+std::string lightUp(scene::Scene& scene, const scene::LoadOptions& options) {
   if (statesLight(scene)) return "as in the file";
+  if (options.hasEnvironment()) return "none in the file";
   constexpr float kBackground = 0.25f;
   constexpr float kIrradiance = 2.25f;
   const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
@@ -89,9 +90,9 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   scene::Scene& scene = assembly.scene();
   const View view = chooseView(root, nodes, options.camera, assembly.bounds(), log);
   scene.camera = view.camera;
-  const std::string light = lightUp(scene);
+  const std::string light = lightUp(scene, options);
   setReach(assembly.bounds(), scene);
-  checkScene(scene, log);
+  checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();
   scene.hash = hashOf(file, options, buffers, assembly.textures());
   return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light)};

@@ -36,6 +36,15 @@ CANDELA_DIMENSION kDimensionTextureV = 0x80000005u;
 CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled point of a light
 CANDELA_DIMENSION kDimensionLightTextureV = 0x80000007u;
 
+// The environment's numbers of path vertex n start at kEnvironmentDimensions + (n - 1) * kEnvironmentDimensionCount:
+// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever.
+CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
+CANDELA_DIMENSION kDimensionTapX = 0u;
+CANDELA_DIMENSION kDimensionTapY = 1u;
+CANDELA_DIMENSION kDimensionPlaceX = 2u;
+CANDELA_DIMENSION kDimensionPlaceY = 3u;
+CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
+
 #undef CANDELA_DIMENSION
 #ifdef __cplusplus
 }  // namespace candela
