@@ -51,7 +51,7 @@ Material loadMaterial(uint index) {
     material.mirror = last.z != 0.0;
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric || (kHasTextures && kHasGlossy)) {
+  if (kHasMirror || kHasDielectric || ((kHasTextures || kHasColours) && kHasGlossy)) {
     vec4 specular = sceneRowFloat(row + 4u);
     material.specular = specular.xyz;
     material.untinted = specular.w;
@@ -80,6 +80,7 @@ void applyTextures(inout Material material, uint index, Surface surface) {
 Material materialAt(Surface surface) {
   uint index = surface.kind >> kMaterialShift;
   Material material = loadMaterial(index);
+  if (kHasColours) scaleBaseColour(material, surface.colour);
   if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
   return material;
 }

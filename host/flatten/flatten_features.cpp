@@ -25,6 +25,7 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
+    features.colours |= !meshOf(scene, primitive).colours.empty();
   }
 }
 
@@ -36,7 +37,8 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.mirror |= lobes.mirror;
   features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
-  features.textures |= isTextured(material);
+  features.transparency |= material.opacity.has_value();
+  features.textures |= isTextured(material) || material.opacity.has_value();
 }
 
 }  // namespace

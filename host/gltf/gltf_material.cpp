@@ -107,7 +107,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readEmission(material, readTexture, result);
   readTransmission(material, result);
   result.alphaMode = alphaModeOf(material);
-  if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));
+  result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
   noteTexture(material, "normalTexture", "normal texture", result);

@@ -21,6 +21,7 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> baseColourTexture{};
   std::optional<scene::TextureReference> emissionTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
+  double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;
   bool isUnlit = false;     ///< KHR_materials_unlit
   double ior = 1.5;         ///< KHR_materials_ior; 0 or at least 1

@@ -60,6 +60,10 @@ scene::Material fromGltf(const GltfMaterial& source) {
     material.emission = source.emission;
     if (isEmissive(material)) setTexture(scene::TextureSlot::emission, source.emissionTexture);
   }
+  if (source.alphaMode != AlphaMode::opaque) {
+    material.opacity = scene::Opacity{.factor = source.baseColour.w, .texture = source.baseColourTexture};
+    if (source.alphaMode == AlphaMode::mask) material.opacity->cutoff = static_cast<float>(source.alphaCutoff);
+  }
   material.opaque = !source.isDoubleSided && !material.dielectric;
   return material;
 }

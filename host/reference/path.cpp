@@ -22,13 +22,15 @@ double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
 struct PathTracer::VertexNumbers {
   SampleNumbers& numbers;
+  std::uint32_t depth;
   std::uint32_t block;
   std::uint32_t environmentBlock;
 
-  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t depth)
+  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t vertex)
       : numbers(pathNumbers),
-        block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount),
-        environmentBlock(kEnvironmentDimensions + (depth - 1) * kEnvironmentDimensionCount) {}
+        depth(vertex),
+        block(kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount),
+        environmentBlock(kEnvironmentDimensions + (vertex - 1) * kEnvironmentDimensionCount) {}
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
@@ -97,6 +99,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     rounding.startVertex(depth, ray);
+    ray.opacityKey = opacityKeyOf(numbers, depth, false);
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
     const VertexNumbers u(numbers, depth);
@@ -169,7 +172,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   notes.lightChoice(choice);
   std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
-  light->radiance *= emissionTexel(scene(), *light, vertex.surface.lightTextureJitter, rounding);
+  light->radiance *= emissionFactor(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
@@ -178,8 +181,9 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters,
-                                             rounding);
+  Ray shadowRay = vertex.rayTowards(light->wi);
+  shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
+  const bool occluded = tracing().isOccluded(shadowRay, light->distance, light->primitive, counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 

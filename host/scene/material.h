@@ -62,6 +62,16 @@ struct WhittedMaterial {
   bool operator==(const WhittedMaterial&) const = default;
 };
 
+/// How much of the light a surface stops, by the alpha at a point: the product of `factor`, of the texture's alpha and
+/// of the vertex colours' alpha. Rays that do not hit pass the surface as if it were not there.
+struct Opacity {
+  float factor = 1;                           ///< 0 to 1
+  std::optional<float> cutoff{};              ///< rays hit where alpha is at least this; empty: with probability alpha
+  std::optional<TextureReference> texture{};  ///< of which only alpha is used
+
+  bool operator==(const Opacity&) const = default;
+};
+
 /// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
 /// for rounding. A mirror lobe is the only lobe of its material.
 struct Material {
@@ -74,6 +84,7 @@ struct Material {
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
   /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
   std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
+  std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 
   bool operator==(const Material&) const = default;
 };

@@ -38,13 +38,16 @@ CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;  // sphere of negative radius
 CANDELA_CONST uint kFlagSmooth = 16u;     // triangle with vertex normals
 CANDELA_CONST uint kFlagOpaque = 32u;     // T = 0: --one-sided applies
+CANDELA_CONST uint kFlagColours = 8u;     // triangle with vertex colours; the same bit as kFlagInsideOnly
 CANDELA_CONST uint kFlagTexCoords = 64u;  // triangle with texture coordinates
+CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 CANDELA_CONST uint kMaterialShift = 8u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
-// (n0, light + 1) (n1, 0) (n2, 0); and both sets of texture coordinates, three records, one for each vertex, with
-// set 0 in x and y and set 1 in z and w, after (light + 1, 0, 0, 0) for triangles without normals.
+// (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of texture
+// coordinates, three records, one for each vertex, with set 0 in x and y and set 1 in z and w; and vertex colours, three
+// records with linear RGBA.
 CANDELA_CONST uint kNormalRows = 3u;
 CANDELA_CONST uint kTexCoordRows = 3u;
 
@@ -73,12 +76,14 @@ CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 CANDELA_CONST uint kPointLightRows = 4u;
 
 // Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material
-// kTextureSlotRows records with a word for each scene::TextureSlot, the first record of a reference counted from the
-// beginning of the textures, or 0 for none; then the references; then the texels of the images, four in a record,
+// a record with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
+// textures, or 0 for none, and a record of its opacity: (factor of alpha, cutoff or -1 for one that blends, reference, 0);
+// then the references; then the texels of the images, four in a record,
 // r | g << 8 | b << 16 | a << 24, each image beginning with a record. References have two records: (rowS, flags and first
 // record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
-CANDELA_CONST uint kTextureSlotRows = 1u;
+CANDELA_CONST uint kMaterialTextureRows = 2u;
+CANDELA_CONST uint kOpacityRow = 1u;  // of a material's records
 CANDELA_CONST uint kReferenceRows = 2u;
 CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
 CANDELA_CONST uint kTextureNearest = 2u;
