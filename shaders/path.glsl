@@ -172,6 +172,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
+  prepareLobes(material, shading.wo);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));

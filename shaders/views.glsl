@@ -6,6 +6,7 @@
 vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
 
 vec3 albedo(Material m) {
+  if (kHasSurfaces && m.isSurface) return m.surface.baseColour;
   if (kHasMirror && m.mirror) return m.specular;
   // If the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
   vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);

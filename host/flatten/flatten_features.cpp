@@ -35,7 +35,9 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.glossy |= lobes.glossy > 0;
   features.dielectric |= lobes.dielectric > 0;
   features.mirror |= lobes.mirror;
-  features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
+  features.surfaces |= material.surface.has_value();
+  features.mixtures |= material.surface.has_value() ||
+                       (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
   features.transparency |= material.opacity.has_value();
   features.textures |= isTextured(material) || material.opacity.has_value();

@@ -1,6 +1,8 @@
 // Stores images, and the references of materials to them, as 16-byte records.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "host/core/errors.h"
 #include "host/flatten/flatten_sections.h"
 #include "host/image/colour_transfer.h"
@@ -10,6 +12,9 @@ namespace {
 
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::baseColour) == gpu::kSlotBaseColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::emission) == gpu::kSlotEmission);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::metallicRoughness) == gpu::kSlotMetallicRoughness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specular) == gpu::kSlotSpecular);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specularColour) == gpu::kSlotSpecularColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
@@ -86,12 +91,12 @@ Rows textureRows(const scene::Scene& scene) {
     return first;
   };
   for (const scene::Material& material : scene.materials) {
-    gpu::uvec4 slots(0);
+    std::array<gpu::uvec4, gpu::kOpacityRow> slots{};
     for (std::size_t slot = 0; slot < scene::kTextureSlotCount; ++slot) {
-      slots[static_cast<int>(slot)] = add(material.textures[slot]);
+      slots[slot / 4][static_cast<int>(slot % 4)] = add(material.textures[slot]);
     }
     const scene::Opacity opacity = material.opacity.value_or(scene::Opacity{});
-    rows.push_back(slots);
+    rows.insert(rows.end(), slots.begin(), slots.end());
     rows.push_back({floatBits(double{opacity.factor}), floatBits(double{opacity.cutoff.value_or(-1.0f)}),
                     add(opacity.texture), 0});
   }

@@ -49,15 +49,31 @@ struct PathTracer::VertexNumbers {
 
 struct PathTracer::Vertex {
   const Surface& surface;
-  const Bsdf& bsdf;
+  Bsdf bsdf;
   Frame frame;
   dvec3 wo;  ///< in the local frame
 
-  Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection, Rounding& rounding)
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
       : surface(at),
-        bsdf(material),
+        bsdf(material.bsdf),
         frame(at.shadingNormal),
-        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {}
+        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+    if (material.surface) bsdf.setSurface(*material.surface, wo);
+  }
+
+  /// These apply the material's rounding to what the functions of `bsdf` return. Directions are in the local frame.
+  BsdfValue valueOf(const dvec3& wi, Rounding& rounding) const {
+    return rounding.bsdfValue(bsdf.evaluate(wo, wi), bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
+  }
+  render::Lobe chooseLobe(double u, Rounding& rounding) const {
+    const double bound = bsdf.surface() ? kRoundingBounds.surfaceChoice : kRoundingBounds.choice;
+    return bsdf.chooseLobe(rounding.absolute(u, bound));
+  }
+  dvec3 sampleSmooth(render::Lobe lobe, const dvec2& u, Rounding& rounding) const {
+    const dvec3 local = bsdf.sampleSmooth(lobe, wo, u);
+    const bool isRough = bsdf.surface() && lobe != render::Lobe::diffuse;
+    return isRough ? rounding.microfacetDirection(local, bsdf.surface()->alpha()) : rounding.sampledDirection(local);
+  }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
@@ -114,7 +130,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     radiance += beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, material.bsdf, ray.direction, rounding);
+    const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += beta * directLight(vertex, u, counters, notes, rounding);
     }
@@ -176,7 +192,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
+  const BsdfValue bsdf = vertex.valueOf(wi, rounding);
   if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
@@ -197,8 +213,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
   if (vertex.bsdf.isBlack()) return {};
   const bool mirror = vertex.bsdf.isMirror();
-  const render::Lobe lobe = mirror ? render::Lobe::mirror
-                                   : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
+  const render::Lobe lobe = mirror ? render::Lobe::mirror : vertex.chooseLobe(u.lobe(), rounding);
   if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u, rounding);
 
   const DeltaSample sample = mirror
@@ -212,9 +227,9 @@ PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u
 
 PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u,
                                                  Rounding& rounding) const {
-  const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
+  const dvec3 local = vertex.sampleSmooth(lobe, u.bsdf(), rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, local));
+  const BsdfValue bsdf = vertex.valueOf(local, rounding);
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
   return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
 }

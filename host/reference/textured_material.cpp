@@ -28,20 +28,42 @@ const std::optional<scene::TextureReference>& emissionTextureOf(const scene::Sce
   return textureOf(scene.materials[primitive.material], scene::TextureSlot::emission);
 }
 
+// The texels of a surface point's material.
+struct Texels {
+  const scene::Scene& scene;
+  const Surface& surface;
+  Rounding& rounding;
+
+  std::optional<std::uint32_t> of(scene::TextureSlot slot) const {
+    const auto& reference = textureOf(scene.materials[surface.material], slot);
+    if (!reference) return std::nullopt;
+    return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
+  }
+};
+
+void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters) {
+  if (const auto texel = texels.of(scene::TextureSlot::metallicRoughness)) {
+    parameters.roughness *= static_cast<float>(*texel / 256 % 256) / 255;
+    parameters.metalness *= static_cast<float>(*texel / 65536 % 256) / 255;
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::specular)) {
+    parameters.specularWeight *= static_cast<float>(alphaOf(*texel));
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::specularColour)) {
+    parameters.specularColour *= glm::vec3(linearColour(*texel));
+  }
+}
+
 }  // namespace
 
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
   if (scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return;
-  const scene::Material& source = scene.materials[surface.material];
   const bool hasColours = !meshOf(scene, scene.primitives[surface.primitive]).colours.empty();
-  if (hasColours) material.bsdf.scaleBaseColour(dvec3(surface.attributes.colour));
-  const auto texel = [&](const scene::TextureReference& reference) {
-    return linearColour(lookUp(scene, reference, surface.attributes, surface.textureJitter, rounding));
-  };
-  if (const auto& baseColour = textureOf(source, scene::TextureSlot::baseColour)) {
-    material.bsdf.scaleBaseColour(texel(*baseColour));
-  }
-  if (const auto& emission = textureOf(source, scene::TextureSlot::emission)) material.emission *= texel(*emission);
+  if (hasColours) material.scaleBaseColour(dvec3(surface.attributes.colour));
+  const Texels texels{scene, surface, rounding};
+  if (const auto texel = texels.of(scene::TextureSlot::baseColour)) material.scaleBaseColour(linearColour(*texel));
+  if (material.surface) scaleParameters(texels, *material.surface);
+  if (const auto texel = texels.of(scene::TextureSlot::emission)) material.emission *= linearColour(*texel);
 }
 
 dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding) {

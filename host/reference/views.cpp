@@ -66,7 +66,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return materialAt(surface, rounding).bsdf.albedo();
+      return materialAt(surface, rounding).albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:

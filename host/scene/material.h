@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "host/scene/surface_parameters.h"
 #include "host/scene/texture.h"
 
 namespace candela::scene {
@@ -72,9 +73,10 @@ struct Opacity {
   bool operator==(const Opacity&) const = default;
 };
 
-/// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
-/// for rounding. A mirror lobe is the only lobe of its material.
+/// Either `surface` or lobes, at most one of each kind; a material with neither is black. The lobes' weights sum to at
+/// most 1, except for rounding. A mirror lobe is the only lobe of its material.
 struct Material {
+  std::optional<SurfaceParameters> surface;
   std::optional<DiffuseLobe> diffuse;
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
@@ -102,8 +104,8 @@ inline bool isTextured(const Material& material) {
   return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
 }
 
-/// The name of a material with one lobe is that of the lobe.
-enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture };
+/// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface };
 
 MaterialKind kindOf(const Material& material);
 

@@ -52,10 +52,20 @@ CANDELA_CONST uint kNormalRows = 3u;
 CANDELA_CONST uint kTexCoordRows = 3u;
 
 // Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
-// weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror
-// lobe, the part of the glossy lobe's colour that base colour textures do not scale). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
+// weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, index of the surface parameters + 1, or 0)
+// (colour of the dielectric or mirror lobe, the part of the glossy lobe's colour that base colour textures do not scale).
+// The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
 // term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
+
+// Surface parameters, five records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
+// transmission weight, 1 if thin-walled) (absorption, coat weight) (sheen colour, sheen roughness).
+CANDELA_CONST uint kSurfaceRows = 5u;
+
+// Energy tables, two records for every cell of the tables' nodes, in the order of the cells' lower nodes: the values at the
+// nodes (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1) of energy::kWhite, and those of energy::kTilt.
+CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
+CANDELA_CONST uint kEnergyRows = 2u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
@@ -76,14 +86,14 @@ CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 CANDELA_CONST uint kPointLightRows = 4u;
 
 // Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material
-// a record with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
+// four records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, and a record of its opacity: (factor of alpha, cutoff or -1 for one that blends, reference, 0);
 // then the references; then the texels of the images, four in a record,
 // r | g << 8 | b << 16 | a << 24, each image beginning with a record. References have two records: (rowS, flags and first
 // record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
-CANDELA_CONST uint kMaterialTextureRows = 2u;
-CANDELA_CONST uint kOpacityRow = 1u;  // of a material's records
+CANDELA_CONST uint kMaterialTextureRows = 5u;
+CANDELA_CONST uint kOpacityRow = 4u;  // of a material's records
 CANDELA_CONST uint kReferenceRows = 2u;
 CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
 CANDELA_CONST uint kTextureNearest = 2u;
@@ -97,6 +107,9 @@ CANDELA_CONST uint kTextureRowShift = 6u;
 CANDELA_CONST uint kMaxTextureRows = 1u << 26;
 CANDELA_CONST uint kSlotBaseColour = 0u;    // as scene::TextureSlot
 CANDELA_CONST uint kSlotEmission = 1u;
+CANDELA_CONST uint kSlotMetallicRoughness = 2u;
+CANDELA_CONST uint kSlotSpecular = 3u;
+CANDELA_CONST uint kSlotSpecularColour = 4u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.
