@@ -35,7 +35,7 @@ struct RenderConstants {
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstNormalRow;
+  uint firstAttributeRow;
   uint firstSkyRow;
   uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
@@ -44,7 +44,7 @@ struct RenderConstants {
   vec3 gridHigh;    // upper corner
   float unused1;
   vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
-  float unused2;
+  uint firstTextureRow;
   vec3 gridWidth;  // size of a cell
   float unused3;
   uvec3 gridSides;               // cells along each axis
