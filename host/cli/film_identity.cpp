@@ -13,11 +13,13 @@
 namespace candela::cli {
 namespace {
 
-// Size, samples and seed are members of the header. Where files may lie does not change what is read.
+// Size, samples and seed are members of the header. Where files may lie does not change what is read, and the scene's
+// hash covers the environment.
 bool isSetting(const Option& option) {
   const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
   const std::string name = option.name();
-  const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path";
+  const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path" ||
+                      name == "--env";
   return decides && !stated && option.isFor(Command::render);
 }
 

@@ -23,6 +23,7 @@ constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
 constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
+constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune | kDoctor |
                                 kFilm | kMerge;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
@@ -106,6 +107,12 @@ std::vector<Option> sceneFileOptions() {
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
+    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
+           text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
+    valued({"--env-rotate", kSurrounding, kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
+           realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),
+    valued({"--env-scale", kSurrounding, kGroup, "factor of the environment's radiance"},
+           realNumber<double>("S", 0, 1e30), [](auto& a) -> auto& { return a.loadOptions.environment.scale; }),
     valued({"--camera", kReadingScenes, kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
            orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
     valued({"--time", kReadingScenes, kGroup, "for glTF: time in the first animation, in seconds"},

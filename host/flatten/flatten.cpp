@@ -26,6 +26,7 @@ static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
 static_assert(static_cast<std::uint32_t>(LightKind::punctual) == gpu::kLightPunctual);
 static_assert(static_cast<std::uint32_t>(LightKind::spot) == gpu::kLightSpot);
 static_assert(static_cast<std::uint32_t>(LightKind::directional) == gpu::kLightDirectional);
+static_assert(static_cast<std::uint32_t>(LightKind::environment) == gpu::kLightEnvironment);
 
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
@@ -75,6 +76,11 @@ void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& en
   rows.push_back(row(place, isSpot ? 1 / std::max(double{light.cosInner} - double{light.cosOuter}, 0.001) : 0.0));
 }
 
+void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightEnvironment, gpu::kNoSlot});
+  rows.insert(rows.end(), gpu::kLightRows - 1, gpu::uvec4(0));
+}
+
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
@@ -94,6 +100,10 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
       flat.features.pointLights = true;
+    } else if (entry.isEnvironment()) {
+      appendEnvironmentEntry(entry, flat.rows);
+      flat.constants.environmentProbability = entry.probability;
+      flat.features.environmentLight = true;
     } else if (!entry.isEmitter()) {
       const scene::PunctualLight& light = scene.punctualLights[entry.index];
       appendPunctualLight(light, entry, cones.size(), flat.rows);
@@ -106,6 +116,17 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
     }
   }
   flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());
+}
+
+void appendEnvironment(const scene::Environment& environment, FlatScene& flat) {
+  flat.constants.environmentX = environment.axes[0];
+  flat.constants.environmentY = environment.axes[1];
+  flat.constants.environmentZ = environment.axes[2];
+  flat.constants.environmentWidth = environment.width;
+  flat.constants.environmentHeight = environment.height;
+  flat.constants.firstEnvironmentRow = rowCount(flat.rows);
+  const Rows rows = environmentRows(environment);
+  flat.rows.insert(flat.rows.end(), rows.begin(), rows.end());
 }
 
 void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
@@ -220,6 +241,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
     const Rows sky = skyRows(*scene.sky);
     flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());
   }
+  if (scene.environment) appendEnvironment(*scene.environment, flat);
   return flat;
 }
 

@@ -51,6 +51,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
     if (used[i]) noteMaterial(scene.materials[i], integrator, features);
   }
   features.sky = scene.sky.has_value();
+  features.environment = scene.environment.has_value();
   return features;
 }
 

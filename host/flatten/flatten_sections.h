@@ -26,4 +26,7 @@ Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Came
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
 
+/// Returns the texels of the environment with their densities, and its alias table.
+Rows environmentRows(const scene::Environment& environment);
+
 }  // namespace candela::flatten

@@ -29,8 +29,9 @@ void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
 
 /// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
 /// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
-std::string lightUp(scene::Scene& scene) {
+std::string lightUp(scene::Scene& scene, const scene::LoadOptions& options) {
   if (hasLight(scene)) return "as in the file";
+  if (options.hasEnvironment()) return "none in the file";
   constexpr float kBackground = 0.25f;
   constexpr float kIrradiance = 2.25f;
   const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
@@ -76,9 +77,9 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   scene::Scene& scene = assembly.scene();
   const View view = chooseView(root, nodes, options.camera, assembly.bounds(), log);
   scene.camera = view.camera;
-  const std::string light = lightUp(scene);
+  const std::string light = lightUp(scene, options);
   setReach(assembly.bounds(), scene);
-  checkScene(scene, log);
+  checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();
   scene.hash = hashOf(file, options, buffers);
   return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light)};

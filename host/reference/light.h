@@ -21,7 +21,7 @@ struct LightSample {
   dvec3 wi;
   double distance;
   dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
-  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a light that rays never hit
+  std::optional<double> pdf;  ///< per solid angle, given the choice of the light; none: a light that rays never hit
   std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
 };
 
@@ -91,15 +91,21 @@ class PunctualLight {
   double reach_;
 };
 
-/// The radiance of rays that hit nothing. It is not sampled, and its power of 0 excludes it from the table.
-class BackgroundLight {
+/// The entry of the environment. Its samples and densities need other numbers than those of the other kinds:
+/// EnvironmentMap has them.
+class EnvironmentLight {
  public:
+  explicit EnvironmentLight(bool shines) : shines_(shines) {}
+
   std::optional<LightSample> sample(const Surface&, const dvec2&) const { return std::nullopt; }
   double pdf(const Ray&, double, double) const { return 0; }
-  double power() const { return 0; }
+  double power() const { return shines_ ? 1 : 0; }
+
+ private:
+  bool shines_;
 };
 
 /// Any kind of light.
-using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, BackgroundLight>;
+using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, EnvironmentLight>;
 
 }  // namespace candela::reference

@@ -23,12 +23,23 @@ double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 struct PathTracer::VertexNumbers {
   SampleNumbers& numbers;
   std::uint32_t block;
+  std::uint32_t environmentBlock;
 
   VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t depth)
-      : numbers(pathNumbers), block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount) {}
+      : numbers(pathNumbers),
+        block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount),
+        environmentBlock(kEnvironmentDimensions + (depth - 1) * kEnvironmentDimensionCount) {}
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
+  std::uint64_t lightWords() const {
+    return std::uint64_t{numbers.word(block + kDimensionLightU)} << 32 | numbers.word(block + kDimensionLightV);
+  }
+  dvec2 tap() const { return environmentPair(kDimensionTapX, kDimensionTapY); }
+  dvec2 environmentPlace() const { return environmentPair(kDimensionPlaceX, kDimensionPlaceY); }
+  dvec2 environmentPair(std::uint32_t x, std::uint32_t y) const {
+    return {numbers.unit(environmentBlock + x), numbers.unit(environmentBlock + y)};
+  }
   double lobe() const { return numbers.unit(block + kDimensionLobe); }
   dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
@@ -55,7 +66,9 @@ struct PathTracer::Vertex {
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
+    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
+  if (scene.environment) environment_.emplace(*scene.environment);
+}
 
 render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
   render::PathTrace trace;
@@ -86,7 +99,8 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.startVertex(depth, ray);
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
-    if (!hit) return radiance + beta * background(ray, pdf);
+    const VertexNumbers u(numbers, depth);
+    if (!hit) return radiance + beta * background(ray, pdf, u, rounding);
 
     ++counters.vertices;
     const Surface surface = rounding.surfaceAt(scene(), ray, hit);
@@ -96,7 +110,6 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     if (depth == settings_.image.maxDepth) return radiance;
 
     const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction, rounding);
-    const VertexNumbers u(numbers, depth);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += beta * directLight(vertex, u, counters, notes, rounding);
     }
@@ -122,9 +135,18 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   }
 }
 
-dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf) const {
-  const double weight = pdf ? powerHeuristic(*pdf, lights_.backgroundPdf(ray)) : 1;
-  return weight * background_.radiance(ray.direction);
+dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {
+  if (!environment_) return background_.radiance(ray.direction);
+  const dvec3 direction = rounding.turned(ray.direction, kRoundingBounds.mapDirection);
+  const EnvironmentMap::Tap tap = environment_->tap(direction, u.tap());
+  rounding.decide(tap.texel);
+  const double lightPdf = rounding.relative(lights_.environmentProbability() * tap.pdf, kRoundingBounds.pdf);
+  return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
+}
+
+std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
+  if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.environmentPlace());
+  return lights_.sample(entry, surface, u.light());
 }
 
 dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
@@ -144,8 +166,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
                               Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
-  const std::optional<LightSample> light = rounding.lightSample(
-      lights_.sample(choice.entry, vertex.surface, u.light()));
+  const std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);

@@ -30,6 +30,15 @@ CANDELA_DIMENSION kDimensionBsdfV = 5u;
 CANDELA_DIMENSION kDimensionRoulette = 6u;
 CANDELA_DIMENSION kVertexDimensionCount = 8u;
 
+// The environment's numbers of path vertex n start at kEnvironmentDimensions + (n - 1) * kEnvironmentDimensionCount:
+// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever.
+CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
+CANDELA_DIMENSION kDimensionTapX = 0u;
+CANDELA_DIMENSION kDimensionTapY = 1u;
+CANDELA_DIMENSION kDimensionPlaceX = 2u;
+CANDELA_DIMENSION kDimensionPlaceY = 3u;
+CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
+
 #undef CANDELA_DIMENSION
 #ifdef __cplusplus
 }  // namespace candela

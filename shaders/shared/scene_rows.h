@@ -61,6 +61,7 @@ CANDELA_CONST uint kLightPoint = 2u;
 CANDELA_CONST uint kLightPunctual = 3u;  // with fall-off
 CANDELA_CONST uint kLightSpot = 4u;
 CANDELA_CONST uint kLightDirectional = 5u;
+CANDELA_CONST uint kLightEnvironment = 6u;  // no emission, no position
 CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
@@ -71,6 +72,10 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // texels of all faces, four per record, each r | g << 8 | b << 16.
 CANDELA_CONST uint kSkyFaceCount = 6u;
 CANDELA_CONST uint kSkyTableRows = 64u;
+
+// Environment: a record for each texel, row by row from the top (radiance, weight times 2^-24 / (2 pi^2)), then the
+// bins of its alias table, two per record: (threshold, alias, threshold, alias).
+CANDELA_CONST uint kBinsPerRow = 2u;
 
 CANDELA_END
 #endif

@@ -112,7 +112,13 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, gridSides),
                                                        MEMBER(RenderConstants, firstItemRow),
                                                        MEMBER(RenderConstants, gridStrides),
-                                                       MEMBER(RenderConstants, unused4)});
+                                                       MEMBER(RenderConstants, environmentProbability),
+                                                       MEMBER(RenderConstants, environmentX),
+                                                       MEMBER(RenderConstants, environmentWidth),
+                                                       MEMBER(RenderConstants, environmentY),
+                                                       MEMBER(RenderConstants, environmentHeight),
+                                                       MEMBER(RenderConstants, environmentZ),
+                                                       MEMBER(RenderConstants, firstEnvironmentRow)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
