@@ -3,6 +3,7 @@
 #define CANDELA_MATERIAL_GLSL
 #include "primitives.glsl"
 #include "scene_access.glsl"
+#include "textures.glsl"
 
 // The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
 struct SurfaceParameters {
@@ -57,6 +58,7 @@ struct Material {
   float dielectricWeight;
   float exponent;
   float ior;
+  float untinted;  // the part of the glossy lobe's colour that the base colour's texture does not scale
   bool mirror;
 };
 
@@ -98,6 +100,7 @@ Material loadMaterial(uint index) {
   }
   material.exponent = 0.0;
   material.ior = 1.0;
+  material.untinted = 0.0;
   material.mirror = false;
   if (kHasGlossy || kHasMirror || kHasDielectric || kHasSurfaces) {
     uvec4 last = sceneRow(row + 3u);
@@ -110,11 +113,58 @@ Material loadMaterial(uint index) {
     }
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;
+  if (kHasMirror || kHasDielectric || ((kHasTextures || kHasColours) && kHasGlossy)) {
+    vec4 specular = sceneRowFloat(row + 4u);
+    material.specular = specular.xyz;
+    material.untinted = specular.w;
+  }
   return material;
 }
 
+void scaleBaseColour(inout Material material, vec3 scale) {
+  if (kHasSurfaces) material.surface.baseColour *= scale;
+  material.diffuse *= scale;
+  material.glossy = (material.glossy - material.untinted) * scale + material.untinted;
+  material.specular *= scale;
+}
+
+// Returns the texel of a slot, or `absent` if the material has no such texture.
+uint texelOf(uint material, uint slot, Surface surface, uint absent) {
+  uint reference = textureOf(material, slot);
+  return reference == 0u ? absent : textureTexel(reference, surface.texCoords, surface.jitter.xy);
+}
+
+void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
+  const uint white = 0xffffffffu;
+  uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
+  parameters.roughness *= float((metallicRoughness >> 8) & 255u) * (1.0 / 255.0);
+  parameters.metalness *= float((metallicRoughness >> 16) & 255u) * (1.0 / 255.0);
+  parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
+  uint specularColour = textureOf(index, kSlotSpecularColour);
+  if (specularColour != 0u) {
+    parameters.specularColour *= linearColour(textureTexel(specularColour, surface.texCoords, surface.jitter.xy));
+  }
+}
+
+void applyTextures(inout Material material, uint index, Surface surface) {
+  uint baseColour = textureOf(index, kSlotBaseColour);
+  if (baseColour != 0u) {
+    scaleBaseColour(material, linearColour(textureTexel(baseColour, surface.texCoords, surface.jitter.xy)));
+  }
+  if (kHasSurfaces && material.isSurface) scaleSurface(material.surface, index, surface);
+  uint emission = kHasEmission ? textureOf(index, kSlotEmission) : 0u;
+  if (emission != 0u) {
+    material.emission *= linearColour(textureTexel(emission, surface.texCoords, surface.jitter.xy));
+  }
+}
+
 // The only source of what integrators know about a material. It depends on nothing but the surface point.
-Material materialAt(Surface surface) { return loadMaterial(surface.kind >> kMaterialShift); }
+Material materialAt(Surface surface) {
+  uint index = surface.kind >> kMaterialShift;
+  Material material = loadMaterial(index);
+  if (kHasColours) scaleBaseColour(material, surface.colour);
+  if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
+  return material;
+}
 
 #endif

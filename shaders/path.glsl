@@ -5,6 +5,7 @@
 #include "background.glsl"
 #include "bsdf.glsl"
 #include "camera.glsl"
+#include "environment.glsl"
 #include "lights.glsl"
 #include "normals.glsl"
 #include "trace.glsl"
@@ -79,10 +80,11 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
 }
 
 // Returns the background's radiance, weighted against light sampling.
-vec3 backgroundFound(Path path) {
-  float otherPdf = backgroundPdf(path.ray.direction);
-  float weight = path.pdf > 0.0 && otherPdf > 0.0 ? powerHeuristic(path.pdf, otherPdf) : 1.0;
-  return backgroundRadiance(path.ray.direction) * weight;
+vec3 backgroundFound(Path path, SampleKey key) {
+  if (!kHasEnvironment) return backgroundRadiance(path.ray.direction);
+  EnvironmentTap tap = environmentTap(path.ray.direction, toUnit(sampleGroup(key, environmentGroup(path.depth)).xy));
+  bool weighted = kHasEnvironmentLight && path.pdf > 0.0 && tap.pdf > 0.0;
+  return tap.radiance * (weighted ? powerHeuristic(path.pdf, tap.pdf) : 1.0);
 }
 
 // A ray to a light sample, and its contribution to the path if it is unoccluded.
@@ -94,12 +96,20 @@ struct ShadowRay {
   vec3 radiance;  // the contribution, multiplied by the throughput
 };
 
+// Samples a light of any kind. `numbers` are those of the light choice and the three that follow.
+LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKey key, uint depth) {
+  if (kHasEnvironmentLight && light.kind == kLightEnvironment) {
+    return sampleEnvironment(numbers.yz, toUnit(sampleGroup(key, environmentGroup(depth)).zw));
+  }
+  return sampleLight(light, surface, toUnit(numbers).yz);
+}
+
 // Next-event estimation with one sample of the light table.
-void sampleDirectLight(inout ShadowRay shadow, Path path, Surface surface, Shading shading, Material material,
-                       uvec4 numbers, inout Work work) {
+void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading,
+                       Material material, uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
-  LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
+  LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
   vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
@@ -161,7 +171,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
     if (kHasVolumes && path.volume != 0u) volumeFaults += 1u;
-    path.radiance += path.throughput * backgroundFound(path);
+    path.radiance += path.throughput * backgroundFound(path, key);
     return false;
   }
   counts.vertices += 1u;
@@ -169,6 +179,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
@@ -180,7 +191,8 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
-      sampleDirectLight(shadow, path, surface, shading, material, numbers, work);
+      sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
+      if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;
@@ -202,6 +214,7 @@ uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
 
 // Traces the path's ray and computes everything up to the next ray. Returns true if the path continues.
 bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  if (kHasTransparency) path.ray.opacityKey = opacityKey(key, path.depth, false);
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;
   bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);

@@ -26,7 +26,11 @@ inline constexpr std::size_t kGlassCosines = 24, kGlassRoughnesses = 32, kGlassI
 inline constexpr double kMinVolumeIor = 1.01;
 using GlassTable = std::array<float, kGlassCosines * kGlassRoughnesses * kGlassIors>;
 
-/// Directional albedo of rough glass that reflects or transmits once, seen from outside and from inside.
+/// Glass would gain energy where interpolation falls short of the albedo, by at most 0.4 % for n = 1.5.
+inline constexpr double kGlassMargin = 1.004;
+
+/// Directional albedo of rough glass that reflects or transmits once, seen from outside and from inside, times the
+/// margin.
 extern const GlassTable kGlassOutside;
 extern const GlassTable kGlassInside;
 

@@ -51,7 +51,7 @@ double glassAt(std::size_t i, std::size_t j, std::size_t k, bool outside) {
   const double root = static_cast<double>(k) / 2 / (kGlassIors - 1);
   const double ior = std::max((1 + root) / (1 - root), kMinVolumeIor);
   const double alpha = alphaOf(j, kGlassRoughnesses);
-  return integrateGlass(cosineOf(i, kGlassCosines, alpha), alpha, ior, outside);
+  return kGlassMargin * integrateGlass(cosineOf(i, kGlassCosines, alpha), alpha, ior, outside);
 }
 
 std::string glassSourceOf(const char* name, bool outside) {

@@ -25,6 +25,7 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
+    features.colours |= !meshOf(scene, primitive).colours.empty();
   }
 }
 
@@ -45,6 +46,8 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.mixtures |= material.surface.has_value() ||
                        (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.transparency |= material.opacity.has_value();
+  features.textures |= isTextured(material) || material.opacity.has_value();
 }
 
 }  // namespace
@@ -60,6 +63,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
     if (used[i]) noteMaterial(scene.materials[i], integrator, features);
   }
   features.sky = scene.sky.has_value();
+  features.environment = scene.environment.has_value();
   return features;
 }
 

@@ -36,7 +36,17 @@ Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order);
 /// Returns the records of the energy tables, and of the glass tables if `hasVolumes`.
 Rows energyRows(bool hasVolumes);
 
+/// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
+Rows srgbTableRows();
+
+/// Returns the table of srgbTableRows(), the references of materials to images, and the images. Throws FileError beyond
+/// kMaxTextureRows records.
+Rows textureRows(const scene::Scene& scene);
+
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
+
+/// Returns the texels of the environment with their densities, and its alias table.
+Rows environmentRows(const scene::Environment& environment);
 
 }  // namespace candela::flatten

@@ -48,24 +48,29 @@ void noteTexture(const Value& object, const char* key, const char* name, GltfMat
   if (object.find(key)) result.unread.insert(name);
 }
 
-void readMetallicRoughness(const Value& pbr, GltfMaterial& result) {
+std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
+                                                 const TextureReader& readTexture) {
+  const std::optional<Value> info = object.find(key);
+  return info ? std::optional(readTexture(*info)) : std::nullopt;
+}
+
+void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, GltfMaterial& result) {
   result.baseColour = fractions(pbr, "baseColorFactor", glm::vec4(1));
   result.metallic = fraction(pbr, "metallicFactor", 1);
   result.roughness = fraction(pbr, "roughnessFactor", 1);
-  noteTexture(pbr, "baseColorTexture", "base colour texture", result);
-  noteTexture(pbr, "metallicRoughnessTexture", "metallic-roughness texture", result);
+  result.baseColourTexture = textureIn(pbr, "baseColorTexture", readTexture);
+  result.metallicRoughnessTexture = textureIn(pbr, "metallicRoughnessTexture", readTexture);
 }
 
-void readEmission(const Value& material, GltfMaterial& result) {
+void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.emission = fractions(material, "emissiveFactor", glm::vec3(0));
   if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
-  result.hasEmissiveTexture = material.find("emissiveTexture").has_value();
-  if (result.hasEmissiveTexture && result.emission != glm::vec3(0)) result.unread.insert("emissive texture");
+  result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
 }
 
-void readSpecular(const Value& material, GltfMaterial& result) {
+void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   const std::optional<Value> specular = material.extension("KHR_materials_specular");
   if (!specular) return;
   result.specular = fraction(*specular, "specularFactor", 1);
@@ -73,8 +78,8 @@ void readSpecular(const Value& material, GltfMaterial& result) {
   for (int c = 0; c < 3; ++c) {
     if (result.specularColour[c] < 0) specular->require("specularColorFactor").fail("a component is negative");
   }
-  noteTexture(*specular, "specularTexture", "specular texture", result);
-  noteTexture(*specular, "specularColorTexture", "specular colour texture", result);
+  result.specularTexture = textureIn(*specular, "specularTexture", readTexture);
+  result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
 }
 
 void readTransmission(const Value& material, GltfMaterial& result) {
@@ -120,15 +125,16 @@ void noteExtensions(const Value& material, GltfMaterial& result) {
 
 }  // namespace
 
-GltfMaterial readMaterial(const Value& material) {
+GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture) {
   GltfMaterial result;
-  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness")) readMetallicRoughness(*pbr, result);
-  readEmission(material, result);
-  readSpecular(material, result);
+  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
+    readMetallicRoughness(*pbr, readTexture, result);
+  readEmission(material, readTexture, result);
+  readSpecular(material, readTexture, result);
   readTransmission(material, result);
   readClearcoat(material, result);
   result.alphaMode = alphaModeOf(material);
-  if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));
+  result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
   noteTexture(material, "normalTexture", "normal texture", result);

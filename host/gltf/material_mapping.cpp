@@ -30,15 +30,34 @@ scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
   return surface;
 }
 
+/// Lobes have no roughness that a texture could scale.
+void addTextures(const GltfMaterial& source, scene::Material& material) {
+  const auto set = [&](scene::TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
+    material.textures[static_cast<std::size_t>(slot)] = texture;
+  };
+  set(scene::TextureSlot::baseColour, source.baseColourTexture);
+  if (isEmissive(material)) set(scene::TextureSlot::emission, source.emissionTexture);
+  if (!material.surface) return;
+  set(scene::TextureSlot::metallicRoughness, source.metallicRoughnessTexture);
+  set(scene::TextureSlot::specular, source.specularTexture);
+  set(scene::TextureSlot::specularColour, source.specularColourTexture);
+}
+
 }  // namespace
 
 scene::Material fromGltf(const GltfMaterial& source) {
   scene::Material material;
   if (source.isUnlit) {
     material.emission = glm::vec3(source.baseColour);
+    material.textures[static_cast<std::size_t>(scene::TextureSlot::emission)] = source.baseColourTexture;
   } else {
     material.surface = surfaceOf(source);
-    if (!source.hasEmissiveTexture) material.emission = source.emission;
+    material.emission = source.emission;
+    addTextures(source, material);
+  }
+  if (source.alphaMode != AlphaMode::opaque) {
+    material.opacity = scene::Opacity{.factor = source.baseColour.w, .texture = source.baseColourTexture};
+    if (source.alphaMode == AlphaMode::mask) material.opacity->cutoff = static_cast<float>(source.alphaCutoff);
   }
   material.opaque = !source.isDoubleSided && source.transmission == 0;
   return material;

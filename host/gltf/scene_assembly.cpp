@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "host/core/physical_memory.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
@@ -24,6 +26,12 @@ std::uint64_t bytesOf(const scene::Mesh& mesh) {
          mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
 }
 
+float leastAlphaOf(const scene::TextureImage& image) {
+  std::uint32_t least = 255;
+  for (const std::uint32_t texel : image.texels) least = std::min(least, texel >> 24);
+  return static_cast<float>(least) / 255;
+}
+
 template <class Vector>
 Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector& absent) {
   return values.empty() ? absent : values[i];
@@ -33,7 +41,13 @@ Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector&
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
                              Buffers& buffers, scene::DiagnosticLog& log)
-    : root_(root), nodes_(nodes), pose_(pose), accessors_(accessors), buffers_(buffers), log_(log) {}
+    : root_(root),
+      nodes_(nodes),
+      pose_(pose),
+      accessors_(accessors),
+      buffers_(buffers),
+      log_(log),
+      textures_(root, buffers) {}
 
 template <class Action>
 void SceneAssembly::attempt(const Action& action) {
@@ -50,12 +64,14 @@ void SceneAssembly::addMaterials() {
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     scene_.materials.emplace_back();
     attempt([&] {
-      const GltfMaterial material = readMaterial((*list)[i]);
+      const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
       scene_.materials.back() = fromGltf(material);
       unread_.insert(material.unread.begin(), material.unread.end());
     });
   }
+  scene_.images = textures_.takeImages();
   counts_["material"] = scene_.materials.size();
+  counts_["image"] = scene_.images.size();
 }
 
 void SceneAssembly::addNodes() {
@@ -113,8 +129,8 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     return;
   }
   ++counts_["primitive"];
-  if (!geometry->mesh.colours.empty()) unread_.insert("vertex colours");
   const std::uint32_t material = materialOf(primitive);
+  noteAlpha(geometry->mesh, material);
   dropUnusedVertices(*geometry);
   const std::optional<Value> skin = node.find("skin");
   if (skin && !geometry->influences.joints.empty()) {
@@ -130,6 +146,24 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     scene::Mesh placed = geometry->mesh;
     place(placed, nodes_.world(index) * instance, node);
     scene::addMesh(scene_, std::move(placed), material);
+  }
+}
+
+void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
+  float least = 1;
+  for (const glm::vec4& colour : mesh.colours) least = std::min(least, colour.w);
+  const auto [known, isNew] = leastAlpha_.emplace(material, least);
+  known->second = std::min(known->second, least);
+}
+
+void SceneAssembly::dropUselessOpacity() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    std::optional<scene::Opacity>& opacity = scene_.materials[i].opacity;
+    if (!opacity) continue;
+    const auto vertices = leastAlpha_.find(static_cast<std::uint32_t>(i));
+    float least = opacity->factor * (vertices == leastAlpha_.end() ? 1 : vertices->second);
+    if (opacity->texture) least *= leastAlphaOf(scene_.images[opacity->texture->image]);
+    if (least >= opacity->cutoff.value_or(1)) opacity.reset();
   }
 }
 

@@ -12,6 +12,11 @@ struct SurfaceMaterial {
   bool emits;
   std::optional<scene::WhittedMaterial> whitted;
 
+  /// Multiplies what follows from the base colour.
+  void scaleBaseColour(const dvec3& scale) {
+    if (surface) surface->baseColour = glm::vec3(dvec3(surface->baseColour) * scale);
+    bsdf.scaleBaseColour(scale);
+  }
   dvec3 albedo() const { return surface ? dvec3(surface->baseColour) : bsdf.albedo(); }
 
   explicit SurfaceMaterial(const scene::Material& material)

@@ -14,7 +14,8 @@ bool Volumes::cross(const Surface& surface) {
 }
 
 dvec3 Volumes::transmittance(double distance) const {
-  if (!material_ || distance == kNoHit) return dvec3(1);
+  constexpr double kInfinite = 1e38;  // lights at infinity are farther
+  if (!material_ || distance > kInfinite) return dvec3(1);
   return glm::exp(-distance * dvec3(scene_->materials[*material_].surface->absorption));
 }
 
