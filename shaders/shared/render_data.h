@@ -44,7 +44,7 @@ struct RenderConstants {
   vec3 gridHigh;    // upper corner
   float unused1;
   vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
-  float unused2;
+  float indirectLimit;       // maximum of a contribution of light that was scattered twice or more
   vec3 gridWidth;  // size of a cell
   float unused3;
   uvec3 gridSides;               // cells along each axis

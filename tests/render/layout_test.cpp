@@ -106,7 +106,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, gridHigh),
                                                        MEMBER(RenderConstants, unused1),
                                                        MEMBER(RenderConstants, gridScale),
-                                                       MEMBER(RenderConstants, unused2),
+                                                       MEMBER(RenderConstants, indirectLimit),
                                                        MEMBER(RenderConstants, gridWidth),
                                                        MEMBER(RenderConstants, unused3),
                                                        MEMBER(RenderConstants, gridSides),
