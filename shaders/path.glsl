@@ -174,6 +174,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
   if (kHasEmission) {
     vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);

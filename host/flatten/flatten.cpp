@@ -49,7 +49,7 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
     flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
-    flat.rows.push_back(row(lobes.specularColour, 0.0));
+    flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
   }
 }
 
@@ -148,13 +148,13 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
-  Rows normals;
+  Rows attributes;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
-    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, normals);
+    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, attributes);
   }
-  flat.constants.firstNormalRow = rowCount(flat.rows);
-  flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
+  flat.constants.firstAttributeRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
 }
 
 // Copies the records of slots to the uniform buffer.
@@ -236,6 +236,11 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
     flat.constants.stateRows = treeRows(flat.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, slotsOf(order), flat);
+  }
+  flat.constants.firstTextureRow = rowCount(flat.rows);
+  if (flat.features.textures) {
+    const Rows textures = textureRows(scene);
+    flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
   }
   flat.constants.firstSkyRow = rowCount(flat.rows);
   if (scene.sky) {

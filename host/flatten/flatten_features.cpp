@@ -36,6 +36,7 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.mirror |= lobes.mirror;
   features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.textures |= isTextured(material);
 }
 
 }  // namespace

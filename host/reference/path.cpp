@@ -103,13 +103,15 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
 
     ++counters.vertices;
-    const Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    jitterTextures(surface, numbers, depth);
     rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
-    radiance += limited(beta * emission(ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
+    const SurfaceMaterial material = materialAt(surface, rounding);
+    radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction, rounding);
+    const Vertex vertex(surface, material.bsdf, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += limited(beta * directLight(vertex, u, counters, notes, rounding), depth);
     }
@@ -155,9 +157,8 @@ std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Su
   return lights_.sample(entry, surface, u.light());
 }
 
-dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
-                           PathNotes& notes, Rounding& rounding) const {
-  const SurfaceMaterial& material = materialAt(surface);
+dvec3 PathTracer::emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                           std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const {
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
@@ -172,13 +173,14 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
                               Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
-  const std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
+  std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
+  light->radiance *= emissionTexel(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
   const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
-  if (bsdf.f == dvec3(0)) return dvec3(0);
+  if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);

@@ -46,8 +46,8 @@ class PathTracer final : public PixelTracer {
   dvec3 limited(const dvec3& contribution, std::uint32_t scatterings) const;
   /// Returns a sample of an entry of the light table as seen from a surface.
   std::optional<LightSample> sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf, PathNotes& notes,
-                 Rounding& rounding) const;
+  dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                 std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;

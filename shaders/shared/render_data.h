@@ -35,7 +35,7 @@ struct RenderConstants {
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstNormalRow;
+  uint firstAttributeRow;
   uint firstSkyRow;
   uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
@@ -44,9 +44,9 @@ struct RenderConstants {
   vec3 gridHigh;    // upper corner
   float unused1;
   vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
-  float indirectLimit;       // maximum of a contribution of light that was scattered twice or more
+  uint firstTextureRow;
   vec3 gridWidth;  // size of a cell
-  float unused3;
+  float indirectLimit;  // maximum of a contribution of light that was scattered twice or more
   uvec3 gridSides;               // cells along each axis
   uint firstItemRow;             // first record of the grid's items
   uvec3 gridStrides;             // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
