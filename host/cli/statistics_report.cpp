@@ -129,6 +129,7 @@ ordered_json toJson(const RenderReport& report) {
   const scene::SceneMemory memory = scene::memoryOf(report.job.scene);
   json["sceneBytes"] = memory.total;
   json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
+  json["textureBytes"] = memory.textures;
   json["samples"] = statistics.samples;
   json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;

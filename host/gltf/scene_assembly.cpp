@@ -12,6 +12,7 @@
 #include "host/gltf/skin.h"
 #include "host/gltf/transform.h"
 #include "host/scene/scene_builder.h"
+#include "host/scene/shrink_images.h"
 
 namespace candela::gltf {
 namespace {
@@ -70,6 +71,8 @@ void SceneAssembly::addMaterials() {
     });
   }
   scene_.images = textures_.takeImages();
+  const std::vector<std::string> shrunk = scene::shrinkImages(scene_.images);
+  if (!shrunk.empty()) log_.warn("images", {}, fmt::format("{}", fmt::join(shrunk, "; ")));
   counts_["material"] = scene_.materials.size();
   counts_["image"] = scene_.images.size();
 }

@@ -33,6 +33,7 @@ class Textures {
   std::vector<scene::TextureImage> images_{};
   std::map<std::size_t, std::uint32_t> indices_{};  ///< into images_, by index in the file
   std::vector<std::uint64_t> fileHashes_{};
+  std::uint64_t byteCount_ = 0;  ///< of images_
 };
 
 }  // namespace candela::gltf

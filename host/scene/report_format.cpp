@@ -39,9 +39,11 @@ std::string statementsText(const StatementCounts& counts) {
 }
 
 std::string memoryText(const SceneMemory& memory) {
-  const std::string total = fmt::format("{} bytes", memory.total);
-  const std::optional<double> perTriangle = memory.bytesPerTriangle();
-  return perTriangle ? fmt::format("{}; {:.1f} bytes per triangle", total, *perTriangle) : total;
+  std::string text = fmt::format("{} bytes", memory.total);
+  if (const auto perTriangle = memory.bytesPerTriangle())
+    text += fmt::format("; {:.1f} bytes per triangle", *perTriangle);
+  if (memory.textures > 0) text += fmt::format("; {} bytes of textures", memory.textures);
+  return text;
 }
 
 /// Spot and directional lights, which only some formats have, appear if there are any.
@@ -124,7 +126,10 @@ json toJson(const SceneReport& r) {
       {"skySide", orNull(r.skySide, same)},
       {"requestedAccel", orNull(r.requestedAccel, same)},
       {"requestedSamples", orNull(r.requestedSamples, same)},
-      {"memory", {{"bytes", r.memory.total}, {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)}}},
+      {"memory",
+       {{"bytes", r.memory.total},
+        {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)},
+        {"textures", r.memory.textures}}},
       {"warnings", r.warnings},
   };
 }

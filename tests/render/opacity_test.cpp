@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "host/image/image.h"
 #include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
