@@ -3,6 +3,7 @@
 #include <random>
 
 #include "host/image/colour_transfer.h"
+#include "host/image/image.h"
 #include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
