@@ -183,12 +183,14 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
+  prepareLobes(material, shading.wo);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
       sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
+      if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;
@@ -210,6 +212,7 @@ uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
 
 // Traces the path's ray and computes everything up to the next ray. Returns true if the path continues.
 bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  if (kHasTransparency) path.ray.opacityKey = opacityKey(key, path.depth, false);
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;
   bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);

@@ -111,6 +111,19 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   return header;
 }
 
+void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {
+  const film::Tracer& tracer = now.tracers.front();
+  const bool isKnown = std::ranges::find(film.tracers, tracer) != film.tracers.end();
+  if (!isKnown && !mayDiffer) {
+    throw DeviceLostError(fmt::format(
+        "after the failure, {}", tracerDifferences(film.tracers.front(), tracer, "the film", "the device").front()));
+  }
+  insertSorted(film.tracers, tracer);
+  for (const std::string& line : estimateDifferences(film, now, "an earlier part", "a later part")) {
+    insertSorted(film.mixed, line);
+  }
+}
+
 render::SampleRange samplesOf(const RenderJob& job) {
   const std::uint32_t total = job.settings.image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});

@@ -29,6 +29,8 @@ const char* materialWord(const scene::Material& material) {
       return "dielectric";
     case scene::MaterialKind::mirror:
       return "mirror";
+    case scene::MaterialKind::surface:
+      return "surface";
     case scene::MaterialKind::mixture:
       break;
   }

@@ -17,7 +17,7 @@ std::uint32_t texelAlong(double s, std::uint32_t count, scene::TextureWrap wrap)
   if (wrap == scene::TextureWrap::repeat) s -= std::floor(s);
   if (wrap == scene::TextureWrap::mirroredRepeat) s = 1 - std::abs(s - 2 * std::floor(s / 2) - 1);
   const double texel = std::floor(s * count);
-  return static_cast<std::uint32_t>(std::clamp(texel, 0.0, double{count} - 1));
+  return static_cast<std::uint32_t>(std::clamp(texel, 0.0, count - 1.0));
 }
 
 glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureReference& reference, const glm::dvec2& uv) {

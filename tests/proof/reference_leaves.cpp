@@ -5,6 +5,7 @@
 #include "host/reference/reference_renderer.h"
 #include "host/reference/sampling.h"
 #include "host/reference/surface.h"
+#include "host/reference/surface_material.h"
 #include "host/reference/tracing.h"
 #include "tests/proof/leaves.h"
 
@@ -32,11 +33,17 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct MaterialLeaves::Side {
-  std::vector<reference::Bsdf> bsdfs;
+  std::vector<reference::SurfaceMaterial> materials;
+
+  reference::Bsdf bsdfOf(std::uint32_t material, const dvec3& wo) const {
+    reference::Bsdf bsdf = materials[material].bsdf;
+    if (materials[material].surface) bsdf.setSurface(*materials[material].surface, wo);
+    return bsdf;
+  }
 
   // A path that continues from a vertex whose geometric and shading normals are equal.
   Scattered sample(const ScatterQuery& query) const {
-    const reference::Bsdf& bsdf = bsdfs[query.material];
+    const reference::Bsdf bsdf = bsdfOf(query.material, query.wo);
     if (bsdf.isBlack()) return {};
     const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
     if (lobe == render::Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
@@ -51,7 +58,7 @@ struct MaterialLeaves::Side {
 };
 
 MaterialLeaves::MaterialLeaves(const std::vector<scene::Material>& materials) : side_(std::make_unique<Side>()) {
-  for (const scene::Material& material : materials) side_->bsdfs.emplace_back(material);
+  for (const scene::Material& material : materials) side_->materials.emplace_back(material);
 }
 
 MaterialLeaves::~MaterialLeaves() = default;
@@ -65,7 +72,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
 std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
   std::vector<ScatterValue> values;
   for (const DirectionPair& pair : pairs) {
-    const reference::BsdfValue value = side_->bsdfs[pair.material].evaluate(pair.wo, pair.wi);
+    const reference::BsdfValue value = side_->bsdfOf(pair.material, pair.wo).evaluate(pair.wo, pair.wi);
     values.push_back({value.f, value.pdf});
   }
   return values;
