@@ -110,7 +110,7 @@ std::string groupText(const GroupTitle& title, std::optional<Command> command) {
 std::string kindsText() {
   std::string out = "\nKinds, with their ranges of sizes and default sizes:\n";
   for (const generate::Kind& kind : generate::kindTable()) {
-    const std::string head = fmt::format("{:<10}{} to {} ({})", kind.name, kind.minSize, kind.maxSize(),
+    const std::string head = fmt::format("{:<17}{} to {} ({})", kind.name, kind.minSize, kind.maxSize(),
                                          kind.defaultSize);
     out += twoColumns(head, std::string(kind.summary));
   }

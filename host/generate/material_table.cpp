@@ -18,15 +18,15 @@ struct BallRow {
   glm::dvec3 colour;
 };
 constexpr BallRow kTable[] = {{1, 0, 0, {1, 0.77, 0.34}},
-                          {0.5, 0, 0, {0.9, 0.45, 0.3}},
-                          {0, 0, 0, {0.75, 0.1, 0.1}},
-                          {0, 0.5, 0, {0.3, 0.6, 0.9}},
-                          {0, 1, 0, {0.85, 0.95, 0.9}}};
+                              {0.5, 0, 0, {0.9, 0.45, 0.3}},
+                              {0, 0, 0, {0.75, 0.1, 0.1}},
+                              {0, 0.5, 0, {0.3, 0.6, 0.9}},
+                              {0, 1, 0, {0.85, 0.95, 0.9}}};
 constexpr BallRow kFurnace[] = {{1, 0, 0, glm::dvec3(1)},
-                            {0, 0, 0, glm::dvec3(1)},
-                            {0, 1, 0, glm::dvec3(1)},
-                            {0.5, 0.5, 0, glm::dvec3(1)},
-                            {1, 0, 1, glm::dvec3(1)}};
+                                {0, 0, 0, glm::dvec3(1)},
+                                {0, 1, 0, glm::dvec3(1)},
+                                {0.5, 0.5, 0, glm::dvec3(1)},
+                                {1, 0, 1, glm::dvec3(1)}};
 
 void writeRows(std::span<const BallRow> rows, NffWriter& out, std::uint32_t size) {
   GltfDocument document;

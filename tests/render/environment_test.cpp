@@ -16,7 +16,7 @@ using test::SceneBuilder;
 
 namespace {
 
-scene::Environment noisyMap(std::uint32_t width, std::uint32_t height, const vec3& up) {
+scene::Environment environmentOfNoise(std::uint32_t width, std::uint32_t height, const vec3& up) {
   std::mt19937 random(7);
   scene::Environment map{.name = "noise", .width = width, .height = height, .texels = {}, .weights = {}};
   for (std::uint32_t i = 0; i < width * height; ++i) {
@@ -29,7 +29,7 @@ scene::Environment noisyMap(std::uint32_t width, std::uint32_t height, const vec
   return map;
 }
 
-SceneBuilder objects() {
+SceneBuilder objectsInEnvironment() {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(test::mixtureMaterial(0.5f, 0.4f, 30)).sphere({-0.5f, 0.5f, 0.75f}, 0.75f);
@@ -37,18 +37,18 @@ SceneBuilder objects() {
   b.material(diffuseMaterial({0.8f, 0.7f, 0.5f})).box({0.75f, 0, 0}, {1.75f, 1, 1.25f});
   b.view({0, -7, 4}, {0, 0, 0.75f}, {0, 0, 1}, 40);
   b.scene.name = "environment";
-  b.scene.environment = noisyMap(37, 19, {0, 0, 1});
+  b.scene.environment = environmentOfNoise(37, 19, {0, 0, 1});
   return b;
 }
 
-void addOtherLights(SceneBuilder& b) {
+void addLightsBesideEnvironment(SceneBuilder& b) {
   b.material(diffuseMaterial(vec3(0.5f), {6, 3, 1})).sphere({-2.5f, -1, 0.5f}, 0.25f);
   b.material(diffuseMaterial(vec3(0), {1, 4, 2})).triangle({-1, 1, 3.5f}, {0, 2, 3.5f}, {1, 1, 3.25f});
   b.pointLight({3, -3, 4}, {0.1f, 0.2f, 0.3f});
   b.scene.punctualLights = {{.position = {2.5f, -1, 1.5f}, .intensity = {1, 6, 3}}};
 }
 
-void requireSamePixels(const scene::Scene& scene, render::RenderSettings settings) {
+void requireEnvironmentPixels(const scene::Scene& scene, render::RenderSettings settings) {
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
                                                               renderOnReference(scene, settings));
@@ -62,14 +62,14 @@ void requireSamePixels(const scene::Scene& scene, render::RenderSettings setting
 
 TEST_CASE("an environment has the reference's pixels at equal seeds, alone and among all other kinds of light",
           "[swiftshader-slow]") {
-  SceneBuilder b = objects();
+  SceneBuilder b = objectsInEnvironment();
   for (const bool others : {false, true}) {
-    if (others) addOtherLights(b);
+    if (others) addLightsBesideEnvironment(b);
     for (const bool nextEventEstimation : {true, false}) {
       render::RenderSettings settings = squareSettings(96, 1);
       settings.image.nextEventEstimation = nextEventEstimation;
       settings.image.seed = others ? 1 : 2;
-      requireSamePixels(b.scene, settings);
+      requireEnvironmentPixels(b.scene, settings);
     }
   }
 }
@@ -79,7 +79,7 @@ TEST_CASE("an environment has the reference's pixels with every sampler", "[swif
        {render::SamplerKind::independent, render::SamplerKind::stratified, render::SamplerKind::sobol}) {
     render::RenderSettings settings = squareSettings(64, 4);
     settings.image.sampler = sampler;
-    const scene::Scene scene = objects().scene;
+    const scene::Scene scene = objectsInEnvironment().scene;
     const double device = meanLuminance(renderOnDevice(scene, settings).film);
     CHECK(device == Approx(meanLuminance(renderOnReference(scene, settings).film)).epsilon(2e-4));
   }
@@ -87,12 +87,12 @@ TEST_CASE("an environment has the reference's pixels with every sampler", "[swif
 
 TEST_CASE("limited indirect light has the reference's pixels, and is not brighter than unlimited light",
           "[swiftshader-slow]") {
-  SceneBuilder b = objects();
-  addOtherLights(b);
+  SceneBuilder b = objectsInEnvironment();
+  addLightsBesideEnvironment(b);
   render::RenderSettings settings = squareSettings(96, 1);
   const double unlimited = meanLuminance(renderOnDevice(b.scene, settings).film);
   settings.image.indirectLimit = 0.25f;
-  requireSamePixels(b.scene, settings);
+  requireEnvironmentPixels(b.scene, settings);
   const double limited = meanLuminance(renderOnDevice(b.scene, settings).film);
   CHECK(limited < 0.99 * unlimited);
   settings.image.maxDepth = 2;  // light that was scattered once has no limit
@@ -102,7 +102,7 @@ TEST_CASE("limited indirect light has the reference's pixels, and is not brighte
 }
 
 TEST_CASE("environments give the same film by every kernel and every type of load", "[swiftshader-slow]") {
-  const scene::Scene scene = objects().scene;
+  const scene::Scene scene = objectsInEnvironment().scene;
   render::RenderSettings settings = squareSettings(48, 4);
   const auto hash = renderOnDevice(scene, settings).film.hash();
   settings.execution.sceneLoads = render::SceneLoads::storage;
