@@ -84,6 +84,14 @@ vec3 backgroundFound(Path path, SampleKey key) {
   return tap.radiance * (weighted ? powerHeuristic(path.pdf, tap.pdf) : 1.0);
 }
 
+// Returns a contribution of light that was scattered `scatterings` times before it reached the camera, or with a limit for
+// indirect light at most the limit, in the same hue.
+vec3 limitedContribution(vec3 contribution, uint scatterings) {
+  if (!kLimitsIndirect || scatterings < 2u) return contribution;
+  float highest = largest(contribution);
+  return highest > constants.indirectLimit ? contribution * (constants.indirectLimit / highest) : contribution;
+}
+
 // A ray to a light sample, and its contribution to the path if it is unoccluded.
 struct ShadowRay {
   bool wanted;    // false: there is no shadow ray, and the other members are undefined
@@ -116,7 +124,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
-  precise vec3 radiance = path.throughput * weighed;
+  precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
   shadow = ShadowRay(true, rayFrom(surface, lit.wi), light.slot, lit.distance, radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -159,7 +167,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundFound(path, key);
+    path.radiance += limitedContribution(path.throughput * backgroundFound(path, key), path.depth - 1u);
     return false;
   }
   counts.vertices += 1u;
@@ -168,7 +176,10 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   noteSurface(path.ray, surface, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
-  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
+  if (kHasEmission) {
+    vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
+    path.radiance += limitedContribution(found, path.depth - 1u);
+  }
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);

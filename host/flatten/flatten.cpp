@@ -195,6 +195,7 @@ void setConstants(const scene::Scene& scene, const render::RenderSettings& setti
   constants.strataPerSide = strataPerSide(settings);
   constants.maxDepth = settings.image.maxDepth;
   constants.rouletteStart = settings.image.rouletteStart;
+  constants.indirectLimit = settings.image.indirectLimit.value_or(0);
 }
 
 // Returns whether the settings request a structure explicitly.

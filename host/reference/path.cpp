@@ -119,7 +119,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
     const VertexNumbers u(numbers, depth);
-    if (!hit) return radiance + beta * background(ray, pdf, u, rounding);
+    if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
 
     ++counters.vertices;
     Surface surface = rounding.surfaceAt(scene(), ray, hit);
@@ -127,12 +127,12 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
     const SurfaceMaterial material = materialAt(surface, rounding);
-    radiance += beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding);
+    radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
     const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += beta * directLight(vertex, u, counters, notes, rounding);
+      radiance += limited(beta * directLight(vertex, u, counters, notes, rounding), depth);
     }
     const Scattering next = scatter(vertex, u, rounding);
     rounding.decide(static_cast<std::uint64_t>(next.lobe));
@@ -163,6 +163,12 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNu
   rounding.decide(tap.texel);
   const double lightPdf = rounding.relative(lights_.environmentProbability() * tap.pdf, kRoundingBounds.pdf);
   return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
+}
+
+dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
+  if (!settings_.image.indirectLimit || scatterings < 2) return contribution;
+  const double limit = *settings_.image.indirectLimit;
+  return contribution * (limit / std::max(largestChannel(contribution), limit));
 }
 
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {

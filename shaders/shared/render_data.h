@@ -46,7 +46,7 @@ struct RenderConstants {
   vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
   uint firstTextureRow;
   vec3 gridWidth;  // size of a cell
-  float unused3;
+  float indirectLimit;  // maximum of a contribution of light that was scattered twice or more
   uvec3 gridSides;               // cells along each axis
   uint firstItemRow;             // first record of the grid's items
   uvec3 gridStrides;             // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))

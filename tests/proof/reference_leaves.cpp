@@ -1,5 +1,6 @@
 // The reference's side.
 #include "host/reference/bsdf.h"
+#include "host/reference/environment_map.h"
 #include "host/reference/lights.h"
 #include "host/reference/reference_renderer.h"
 #include "host/reference/sampling.h"
@@ -139,6 +140,41 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
   std::vector<FoundLight> found;
   for (const dvec3& direction : directions) found.push_back(side_->find(entry, from, direction));
   return found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct EnvironmentLeaves::Side {
+  scene::Scene scene;
+  reference::EnvironmentMap map;
+  double probability;
+
+  explicit Side(const scene::Scene& lights)
+      : scene(lights),
+        map(*scene.environment),
+        probability(reference::LightTable(scene, {}).environmentProbability()) {}
+};
+
+EnvironmentLeaves::EnvironmentLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+EnvironmentLeaves::~EnvironmentLeaves() = default;
+
+std::vector<LitPoint> EnvironmentLeaves::sample(std::span<const EnvironmentQuery> queries) const {
+  std::vector<LitPoint> points;
+  for (const EnvironmentQuery& query : queries) {
+    const auto lit = side_->map.sample(std::uint64_t{query.wordU} << 32 | query.wordV, dvec2(query.place));
+    points.push_back(lit ? LitPoint{lit->wi, 0, side_->probability * lit->pdf.value(), lit->radiance} : LitPoint{});
+  }
+  return points;
+}
+
+std::vector<EnvironmentTap> EnvironmentLeaves::tap(std::span<const dvec3> directions,
+                                                   std::span<const glm::vec3> jitter) const {
+  std::vector<EnvironmentTap> taps;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const reference::EnvironmentMap::Tap tap = side_->map.tap(directions[i], dvec2(jitter[i]));
+    taps.push_back({tap.radiance, side_->probability * tap.pdf});
+  }
+  return taps;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -108,7 +108,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, gridScale),
                                                        MEMBER(RenderConstants, firstTextureRow),
                                                        MEMBER(RenderConstants, gridWidth),
-                                                       MEMBER(RenderConstants, unused3),
+                                                       MEMBER(RenderConstants, indirectLimit),
                                                        MEMBER(RenderConstants, gridSides),
                                                        MEMBER(RenderConstants, firstItemRow),
                                                        MEMBER(RenderConstants, gridStrides),
