@@ -14,7 +14,7 @@ float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielec
 // Returns whether some lobe with a density scatters to this side of the surface. Light sampling can only contribute
 // there.
 bool scattersTo(Material m, bool transmitted) {
-  if (kHasSurfaces && m.isSurface) return !transmitted;
+  if (kHasSurfaces && m.isSurface) return !transmitted || (kHasTransmission && m.surface.transmissionWeight > 0.0);
   return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
 }
 
@@ -69,9 +69,10 @@ vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
   return f;
 }
 
-// Computes what depends on wo. Must be called before a material is evaluated or sampled.
-void prepareLobes(inout Material m, vec3 wo) {
-  if (kHasSurfaces && m.isSurface) m.lobes = lobesAt(m.surface, wo);
+// Computes what depends on wo. Must be called before a material is evaluated or sampled. `outside`: wo is on the side to
+// which the primitive's own normal points.
+void prepareLobes(inout Material m, vec3 wo, bool outside) {
+  if (kHasSurfaces && m.isSurface) m.lobes = lobesAt(m.surface, wo, outside);
 }
 
 BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {

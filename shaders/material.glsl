@@ -13,6 +13,20 @@ struct SurfaceParameters {
   float specularWeight;
   float roughness;
   float ior;
+  float transmissionWeight;
+  bool isThinWalled;
+  float coatWeight;
+  float coatRoughness;
+};
+
+// The part of a surface that reflects and transmits light: section 5.5.
+struct Glass {
+  bool isThin;
+  float eta;         // index of refraction beyond the surface, relative to wo's side
+  float all;         // factor of the microfacets with a reflectance of 1
+  vec3 transmitted;  // factor of the microfacets with a transmittance of 1
+  vec3 normal;       // reflectance at normal incidence, and its rise to grazing angles
+  vec3 grazing;
 };
 
 // The lobes of a surface as seen from one direction: section 5.4.
@@ -21,12 +35,19 @@ struct SurfaceLobes {
   vec3 specular;        // factor of the microfacets at normal incidence
   vec3 grazing;         // factor of (1 - wo.h)^5
   float alpha;
-  float specularShare;  // probability of the specular lobe
+  float diffuseShare;   // probabilities of the lobes
+  float specularShare;
+  float glassShare;
+  Glass glass;
+  float coat;           // factor of the coat's microfacets
+  float coatAlpha;
+  float coatShare;      // probability of the coat, and the light that it takes from the lobes below
 };
 
 struct Material {
   bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
   SurfaceParameters surface;
+  uint volume;         // number of the volume that the surface bounds; 0: none
   SurfaceLobes lobes;  // computed by prepareLobes()
   vec3 diffuse;
   float diffuseWeight;
@@ -41,12 +62,17 @@ struct Material {
   bool mirror;
 };
 
-SurfaceParameters loadSurface(uint index) {
-  uint row = constants.firstSurfaceRow + index * kSurfaceRows;
+uint surfaceRow(uint index) { return constants.firstSurfaceRow + index * kSurfaceRows; }
+
+SurfaceParameters loadSurface(uint index, out uint volume) {
+  uint row = surfaceRow(index);
   vec4 base = sceneRowFloat(row);
   vec4 specular = sceneRowFloat(row + 1u);
   vec4 shape = sceneRowFloat(row + 2u);
-  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y);
+  float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
+  volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y, shape.z, volume == 0u, coat,
+                           shape.w);
 }
 
 // Loads a material by its index in the scene.
@@ -54,6 +80,7 @@ Material loadMaterial(uint index) {
   uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
   material.isSurface = false;
+  material.volume = 0u;
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;
@@ -82,7 +109,7 @@ Material loadMaterial(uint index) {
     material.mirror = uintBitsToFloat(last.z) != 0.0;
     if (kHasSurfaces && last.w != 0u) {
       material.isSurface = true;
-      material.surface = loadSurface(last.w - 1u);
+      material.surface = loadSurface(last.w - 1u, material.volume);
     }
   }
   material.specular = vec3(0.0);

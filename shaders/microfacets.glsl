@@ -5,6 +5,7 @@
 #include "scene_access.glsl"
 
 const float kMinRoughness = 0.01;
+const uvec3 kGlassCells = uvec3(kGlassCosineCells, kGlassRoughnessCells, kGlassIorCells);
 
 // The length of w after its stretching by alpha.
 float stretchedLength(vec3 w, float alpha) { return sqrt(alpha * alpha * dot(w.xy, w.xy) + w.z * w.z); }

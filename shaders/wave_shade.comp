@@ -35,6 +35,7 @@ void main() {
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+  if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
   if (kRecordPaths || kHasTransparency) shadedDepthOf(waves[pixelIndex]) = depth;
   if (kRecordPaths) record(pixelIndex, depth, decisions);
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);

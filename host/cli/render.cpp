@@ -109,6 +109,9 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
   report.badSamples.add(result.film, job.settings.image);
   for (const std::string& line : badSampleLines(report.badSamples, job)) log.problem(line);
+  if (const std::uint64_t faults = result.statistics.volumeFaults; faults > 0) {
+    log.warning(fmt::format("{} rays found volumes that are open or overlap; absorption is wrong there", faults));
+  }
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));

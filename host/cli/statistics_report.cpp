@@ -137,6 +137,7 @@ ordered_json toJson(const RenderReport& report) {
   json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
   json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
+  json["volumeFaults"] = statistics.volumeFaults;
   json["badSamples"] = statistics.badSamples;
   json["badPixels"] = report.badSamples.pixels();
   json["firstBadPixels"] = firstPixelsJson(report.badSamples, report.job);

@@ -33,7 +33,43 @@ double weightOf(const dvec3& wo, const dvec3& wi, double alpha) {
   return wi.z * (wo.z + out) / (wi.z * out + wo.z * stretchedLength(wi, alpha));
 }
 
+// One side of a boundary between dielectrics.
+struct Boundary {
+  double eta;  ///< index of refraction on the side of wo divided by the other
+  double normalReflectance;
+
+  // Returns the cosine of the refracted direction; 0 if the reflection is total.
+  double refractedCosine(double cosine) const {
+    return std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cosine * cosine)));
+  }
+  double reflectance(double cosine) const {
+    const double refracted = refractedCosine(cosine);
+    if (refracted == 0) return 1;
+    return std::lerp(normalReflectance, 1, std::pow(1 - (eta < 1 ? cosine : refracted), 5));
+  }
+};
+
+double glassWeightOf(const dvec3& wo, const dvec3& h, double alpha, const Boundary& boundary) {
+  const double cosine = dot(wo, h), refracted = boundary.refractedCosine(cosine);
+  const double reflectance = boundary.reflectance(cosine);
+  const dvec3 below = boundary.eta * wo - (boundary.eta * cosine - refracted) * h;  // the opposite of the direction
+  return reflectance * weightOf(wo, 2 * cosine * h - wo, alpha) + (1 - reflectance) * weightOf(wo, below, alpha);
+}
+
 }  // namespace
+
+double integrateGlass(double cosine, double alpha, double ior, bool outside, int rings, int spokes) {
+  const dvec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);
+  const Boundary boundary{outside ? 1 / ior : ior, std::pow((ior - 1) / (ior + 1), 2)};
+  double sum = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const dvec3 h = visibleNormal(wo, alpha, (ring + 0.5) / rings, std::numbers::pi * (spoke + 0.5) / spokes);
+      sum += glassWeightOf(wo, h, alpha, boundary);
+    }
+  }
+  return sum / (double{1} * rings * spokes);
+}
 
 MicrofacetAlbedo integrateMicrofacets(double cosine, double alpha, int rings, int spokes) {
   const dvec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);

@@ -13,4 +13,8 @@ struct MicrofacetAlbedo {
 /// `alpha` in (0, 1]. With 256 by 128 points the error is below 1e-4.
 MicrofacetAlbedo integrateMicrofacets(double cosine, double alpha, int rings = 256, int spokes = 128);
 
+/// Returns the fraction of light that microfacets of glass, with Schlick's reflectance, reflect or transmit to the side
+/// where it belongs. `ior` > 1 is the index inside; `outside`: the light comes from outside.
+double integrateGlass(double cosine, double alpha, double ior, bool outside, int rings = 96, int spokes = 32);
+
 }  // namespace candela::energy

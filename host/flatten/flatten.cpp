@@ -43,24 +43,23 @@ void checkLimits(const scene::Scene& scene) {
 
 void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
   flat.constants.firstMaterialRow = rowCount(flat.rows);
-  Rows surfaces;
-  for (const scene::Material& material : scene.materials) {
+  const SurfaceOrder order = orderSurfaces(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const scene::Material& material = scene.materials[i];
     const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
     flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
-    flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
+    flat.rows.push_back(
+        {floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), order.numbers[i]});
     flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
-    if (!material.surface) continue;
-    const Rows rows = surfaceRows(*material.surface);
-    surfaces.insert(surfaces.end(), rows.begin(), rows.end());
-    flat.rows[flat.rows.size() - 2].w = rowCount(surfaces) / gpu::kSurfaceRows;
   }
+  const Rows surfaces = surfaceRows(scene, order);
   flat.constants.firstSurfaceRow = rowCount(flat.rows);
   flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
   flat.constants.firstEnergyRow = rowCount(flat.rows);
   if (surfaces.empty()) return;
-  const Rows energy = energyRows();
+  const Rows energy = energyRows(order.volumeCount > 0);
   flat.rows.insert(flat.rows.end(), energy.begin(), energy.end());
 }
 

@@ -29,13 +29,20 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   }
 }
 
+void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& features) {
+  features.surfaces = true;
+  features.transmission |= surface.transmissionWeight > 0;
+  features.volumes |= surface.hasVolume();
+  features.coats |= surface.coatWeight > 0;
+}
+
 void noteMaterial(const scene::Material& material, render::Integrator integrator, SceneFeatures& features) {
   const Lobes lobes = lobesFor(integrator, material);
   features.diffuse |= lobes.diffuse > 0;
   features.glossy |= lobes.glossy > 0;
   features.dielectric |= lobes.dielectric > 0;
   features.mirror |= lobes.mirror;
-  features.surfaces |= material.surface.has_value();
+  if (material.surface) noteSurface(*material.surface, features);
   features.mixtures |= material.surface.has_value() ||
                        (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);

@@ -147,7 +147,7 @@ void writeStillLife(NffWriter& out, std::uint32_t size) {
   const auto add = [&](const TriangleMesh& mesh, const GltfDocument::Json& material, const dvec3& place) {
     document.addNode(document.addShape(mesh), document.addMaterial(material), place);
   };
-  add(square(8, 8), textured({.roughness = 0.35}, tileTexture), {0, 0, 0});
+  add(square(12, 12), textured({.roughness = 0.35}, tileTexture), {0, 0, 0});
   add(lathe(vase(size), 2 * size),
       gltfMaterial({.colour = {0.02, 0.22, 0.24}, .roughness = 0.4, .clearcoat = 1, .clearcoatRoughness = 0.03}),
       {-1.1, 0, -0.55});
@@ -155,7 +155,7 @@ void writeStillLife(NffWriter& out, std::uint32_t size) {
       {1.6, 0, -1.3});
   add(lathe(bowl(size), 2 * size), textured({.roughness = 0.55}, ringTexture), {-1.35, 0, 0.95});
   addBalls(document, size);
-  document.addCamera({0.6, 2.1, 6.2}, {0.3, 0.62, 0}, 30, 1.5);
+  document.addCamera({0.6, 2.3, 7}, {0.25, 0.85, 0}, 31, 1.5);
   out.text(document.text());
 }
 

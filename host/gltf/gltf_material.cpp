@@ -13,7 +13,7 @@ namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
 constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior",
-                           "KHR_materials_specular"};
+                           "KHR_materials_specular", "KHR_materials_clearcoat"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -92,11 +92,23 @@ void readTransmission(const Value& material, GltfMaterial& result) {
   if (!transmission) return;
   result.transmission = fraction(*transmission, "transmissionFactor", 0);
   noteTexture(*transmission, "transmissionTexture", "transmission texture", result);
-  if (result.roughness > 0) result.unread.insert("rough transmission");
   const std::optional<Value> volume = material.extension("KHR_materials_volume");
   if (!volume) return;
   result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
-  if (volume->find("attenuationDistance")) result.unread.insert("attenuation in volumes");
+  result.attenuationColour = fractions(*volume, "attenuationColor", glm::vec3(1));
+  if (!volume->find("attenuationDistance")) return;
+  result.attenuationDistance = atLeastZero(*volume, "attenuationDistance", 0);
+  if (result.attenuationDistance == 0) volume->require("attenuationDistance").fail("0 is not positive");
+}
+
+void readClearcoat(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> coat = material.extension("KHR_materials_clearcoat");
+  if (!coat) return;
+  result.clearcoat = fraction(*coat, "clearcoatFactor", 0);
+  result.clearcoatRoughness = fraction(*coat, "clearcoatRoughnessFactor", 0);
+  noteTexture(*coat, "clearcoatTexture", "clearcoat texture", result);
+  noteTexture(*coat, "clearcoatRoughnessTexture", "clearcoat roughness texture", result);
+  noteTexture(*coat, "clearcoatNormalTexture", "clearcoat normal texture", result);
 }
 
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
@@ -120,6 +132,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readEmission(material, readTexture, result);
   readSpecular(material, readTexture, result);
   readTransmission(material, result);
+  readClearcoat(material, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);

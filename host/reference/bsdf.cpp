@@ -47,7 +47,6 @@ dvec3 Bsdf::albedo() const {
 }
 
 render::Lobe Bsdf::chooseLobe(double u) const {
-  if (surface_) return surface_->chooseLobe(u);
   if (u < diffuse_ / weightSum()) return render::Lobe::diffuse;
   if (u < (diffuse_ + glossy_) / weightSum()) return render::Lobe::glossy;
   return render::Lobe::refract;
@@ -78,7 +77,6 @@ void Bsdf::addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
 }
 
 dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const {
-  if (surface_) return surface_->sample(lobe, u);
   if (lobe == render::Lobe::diffuse) return sampleCosineHemisphere(u);
 
   const dvec2 p = sampleDisc(u);

@@ -32,8 +32,10 @@ class Bsdf {
  public:
   explicit Bsdf(const scene::Material& material);
 
-  /// Replaces the lobes by those of a surface as seen from `wo`.
-  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo) { surface_.emplace(surface, wo); }
+  /// Replaces the lobes by those of a surface as seen from `wo`. `outside`: wo is on the side to which it is oriented.
+  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside) {
+    surface_.emplace(surface, wo, outside);
+  }
 
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !surface_ && !mirror_ && weightSum() == 0; }
@@ -42,7 +44,10 @@ class Bsdf {
   /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
   /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
-  bool scattersTo(Side side) const { return side == Side::reflection && (surface_ || diffuse_ > 0 || glossy_ > 0); }
+  bool scattersTo(Side side) const {
+    if (surface_) return side == Side::reflection || surface_->transmits();
+    return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0);
+  }
   bool hasSmoothLobe() const { return scattersTo(Side::reflection) || scattersTo(Side::transmission); }
 
   /// Returns diffuse, glossy, or `refract` for the dielectric lobe. Not for mirrors and black surfaces.

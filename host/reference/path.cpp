@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/reference/sampling.h"
+#include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
 
 namespace candela::reference {
@@ -58,21 +59,12 @@ struct PathTracer::Vertex {
         bsdf(material.bsdf),
         frame(at.shadingNormal),
         wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
-    if (material.surface) bsdf.setSurface(*material.surface, wo);
+    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside);
   }
 
-  /// These apply the material's rounding to what the functions of `bsdf` return. Directions are in the local frame.
+  /// `wi` is in the local frame.
   BsdfValue valueOf(const dvec3& wi, Rounding& rounding) const {
     return rounding.bsdfValue(bsdf.evaluate(wo, wi), bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
-  }
-  render::Lobe chooseLobe(double u, Rounding& rounding) const {
-    const double bound = bsdf.surface() ? kRoundingBounds.surfaceChoice : kRoundingBounds.choice;
-    return bsdf.chooseLobe(rounding.absolute(u, bound));
-  }
-  dvec3 sampleSmooth(render::Lobe lobe, const dvec2& u, Rounding& rounding) const {
-    const dvec3 local = bsdf.sampleSmooth(lobe, wo, u);
-    const bool isRough = bsdf.surface() && lobe != render::Lobe::diffuse;
-    return isRough ? rounding.microfacetDirection(local, bsdf.surface()->alpha()) : rounding.sampledDirection(local);
   }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
@@ -112,6 +104,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   dvec3 radiance(0);
   dvec3 beta(1);
   std::optional<double> pdf;
+  Volumes volumes(scene());
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     rounding.startVertex(depth, ray);
@@ -119,7 +112,9 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
     const VertexNumbers u(numbers, depth);
+    if (!hit) counters.volumeFaults += volumes.isInside() ? 1 : 0;
     if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
+    beta *= volumes.transmittance(hit.distance);
 
     ++counters.vertices;
     Surface surface = rounding.surfaceAt(scene(), ray, hit);
@@ -132,7 +127,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
 
     const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += limited(beta * directLight(vertex, u, counters, notes, rounding), depth);
+      radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
     }
     const Scattering next = scatter(vertex, u, rounding);
     rounding.decide(static_cast<std::uint64_t>(next.lobe));
@@ -150,6 +145,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
       if (!survives) return radiance;
       beta /= survival;
     }
+    if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
     ray = vertex.rayTowards(next.wi);
     pdf = next.pdf;
     ++counters.bounceRays;
@@ -188,8 +184,8 @@ dvec3 PathTracer::emission(const SurfaceMaterial& material, const Ray& ray, doub
   return found;
 }
 
-dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
-                              Rounding& rounding) const {
+dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters,
+                              PathNotes& notes, Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
   std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
@@ -210,7 +206,10 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
-  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
+  Volumes beyond = volumes;
+  if (side == Side::transmission) beyond.cross(vertex.surface);
+  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf *
+                         beyond.transmittance(light->distance);
   notes.lit(weight, arriving);
   rounding.decideLit(arriving);
   return arriving;
@@ -218,8 +217,10 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
   if (vertex.bsdf.isBlack()) return {};
+  if (vertex.bsdf.surface()) return scatterSurface(vertex, u, rounding);
   const bool mirror = vertex.bsdf.isMirror();
-  const render::Lobe lobe = mirror ? render::Lobe::mirror : vertex.chooseLobe(u.lobe(), rounding);
+  const render::Lobe lobe = mirror ? render::Lobe::mirror
+                                   : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
   if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u, rounding);
 
   const DeltaSample sample = mirror
@@ -233,11 +234,24 @@ PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u
 
 PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u,
                                                  Rounding& rounding) const {
-  const dvec3 local = vertex.sampleSmooth(lobe, u.bsdf(), rounding);
+  const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
   const BsdfValue bsdf = vertex.valueOf(local, rounding);
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
   return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
+}
+
+PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
+  const double choice = rounding.absolute(u.lobe(), kRoundingBounds.surfaceChoice);
+  SurfaceSample sample = vertex.bsdf.surface()->sample(choice, u.bsdf());
+  sample.wi = sample.alpha > 0 ? rounding.microfacetDirection(sample.wi, sample.alpha)
+                               : rounding.sampledDirection(sample.wi);
+  if (!sample.isOnItsSide()) return {};
+  const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
+  const BsdfValue bsdf = vertex.valueOf(sample.wi, rounding);
+  if (bsdf.pdf == 0) return {};
+  if (!vertex.isOn(sideOf(sample.wi), wi)) return {.lobe = sample.lobe, .pdf = 0.0};
+  return {sample.lobe, wi, bsdf.f * std::abs(sample.wi.z) / bsdf.pdf, bsdf.pdf};
 }
 
 }  // namespace candela::reference

@@ -14,6 +14,8 @@
 
 namespace candela::reference {
 
+class Volumes;
+
 class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
@@ -48,9 +50,10 @@ class PathTracer final : public PixelTracer {
   std::optional<LightSample> sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const;
   dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
                  std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const;
-  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
+  dvec3 directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
+  Scattering scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
   Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u, Rounding& rounding) const;
 
   render::RenderSettings settings_;

@@ -61,6 +61,7 @@ Counters& Counters::operator+=(const Counters& other) {
   refractedRays += other.refractedRays;
   shadowRays += other.shadowRays;
   vertices += other.vertices;
+  volumeFaults += other.volumeFaults;
   traversalSteps += other.traversalSteps;
   return *this;
 }

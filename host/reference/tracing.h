@@ -23,6 +23,7 @@ struct Counters {
   std::uint64_t refractedRays = 0;
   std::uint64_t shadowRays = 0;
   std::uint64_t vertices = 0;
+  std::uint64_t volumeFaults = 0;    ///< rays whose volumes are not nested or not closed
   std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
 
   Counters& operator+=(const Counters& other);

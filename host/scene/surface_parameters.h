@@ -23,6 +23,9 @@ struct SurfaceParameters {
   float anisotropy = 0;          ///< alpha along the tangent is mix(alpha, 1, anisotropy^2)
   float anisotropyRotation = 0;  ///< of that direction from the tangent, counter-clockwise, in radians
 
+  /// The surface bounds a volume, which light enters and leaves by refraction.
+  bool hasVolume() const { return !isThinWalled && transmissionWeight > 0; }
+
   bool operator==(const SurfaceParameters&) const = default;
 };
 

@@ -96,10 +96,12 @@ struct PathCounts {
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
   uvec4 directionLeaving;  // ray direction, leaving (slot of the origin primitive | kLeavingInward, or kNoSlot)
-  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started)
+  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started) | volume << kVolumeShift
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
 };
+
+CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 
 // A path of the wavefront, and the data that its stages pass on: 144 bytes.
 struct WaveState {
@@ -175,7 +177,7 @@ struct Counters {
   uint finishedPixels;   // invocations that reached the end of their sample range
   uint truncated;        // loops that ended before their work was done
   uint finishedSamples;  // wraps: the host adds up differences
-  uint unused;
+  uint volumeFaults;     // docs/light-transport.md section 5.6
 };
 
 CANDELA_CONST uint kLeavingInward = 0x80000000u;

@@ -59,13 +59,22 @@ CANDELA_CONST uint kTexCoordRows = 3u;
 CANDELA_CONST uint kMaterialRows = 5u;
 
 // Surface parameters, five records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, 1 if thin-walled) (absorption, coat weight) (sheen colour, sheen roughness).
+// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word).
+// The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
 CANDELA_CONST uint kSurfaceRows = 5u;
+CANDELA_CONST uint kMaxVolumeCount = 2047u;
 
 // Energy tables, two records for every cell of the tables' nodes, in the order of the cells' lower nodes: the values at
 // the nodes (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1) of energy::kWhite, and those of energy::kTilt.
 CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
 CANDELA_CONST uint kEnergyRows = 2u;
+
+// Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of the
+// cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
+// energy::kGlassInside.
+CANDELA_CONST uint kGlassCosineCells = 23u;
+CANDELA_CONST uint kGlassRoughnessCells = 31u;
+CANDELA_CONST uint kGlassIorCells = 15u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,

@@ -56,16 +56,6 @@ TEST_CASE("textures of a surface are those of its slots") {
   CHECK(textureOf(surface, scene::TextureSlot::specularColour)->image == 10);
 }
 
-TEST_CASE("the base colour of glass scales all colours but that of its highlights") {
-  json material = metallicRoughness(0.5, 0.5);
-  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
-  material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.5;
-  const scene::Material half = mapped(material);
-  CHECK(textureOf(half, scene::TextureSlot::baseColour) == kTexture7);
-  CHECK(half.glossy->untinted == Approx(0.01 / 0.51));
-  CHECK(half.glossy->colour.x == Approx((0.5 * kBase.x + 0.01) / 0.51));
-}
-
 TEST_CASE("alpha modes decide the opacity of triangles") {
   json material{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}, {"baseColorTexture", {{"index", 7}}}}}};
   CHECK_FALSE(mapped(material).opacity);
@@ -77,28 +67,37 @@ TEST_CASE("alpha modes decide the opacity of triangles") {
   CHECK(mapped(material).opacity->cutoff == 0.125f);
 }
 
-TEST_CASE("weights of all mixtures sum to 1") {
-  for (const double metallic : {0.0, 0.3, 1.0}) {
-    for (const double transmission : {0.6, 1.0}) {
-      json material = metallicRoughness(metallic, 0.3);
-      material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = transmission;
-      const scene::Material m = mapped(material);
-      const double sum = (m.diffuse ? m.diffuse->weight : 0) + (m.glossy ? m.glossy->weight : 0) +
-                         (m.dielectric ? m.dielectric->weight : 0);
-      CHECK(sum == Approx(1));
-    }
-  }
+TEST_CASE("what transmits bounds a volume if it has a thickness, and is a thin wall if it has none") {
+  json material = metallicRoughness(0, 0);
+  material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.75;
+  CHECK(mapped(material).surface->transmissionWeight == 0.75f);
+  CHECK_FALSE(mapped(material).surface->hasVolume());
+  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 0.1}};
+  CHECK(mapped(material).surface->hasVolume());
+  CHECK(mapped(material).surface->absorption == glm::vec3(0));
+  CHECK_FALSE(mapped(material).opaque);
+  material["extensions"]["KHR_materials_ior"]["ior"] = 0;
+  CHECK(mapped(material).surface->transmissionWeight == 0);
 }
 
-TEST_CASE("what transmits refracts if it has a thickness, and lets light pass straight if it has none") {
+TEST_CASE("the attenuation colour remains of light at the attenuation distance") {
   json material = metallicRoughness(0, 0);
   material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 1;
-  CHECK(mapped(material).dielectric == scene::DielectricLobe{1, kBase, 1});
-  material["extensions"]["KHR_materials_volume"]["thicknessFactor"] = 0.1;
-  CHECK(mapped(material).dielectric == scene::DielectricLobe{1, kBase, 1.5f});
-  material["extensions"]["KHR_materials_ior"]["ior"] = 2;
-  CHECK(mapped(material).dielectric->ior == 2);
-  CHECK_FALSE(mapped(material).opaque);
+  json& volume = material["extensions"]["KHR_materials_volume"];
+  volume = {{"thicknessFactor", 1}, {"attenuationColor", {0.25, 1, 0}}, {"attenuationDistance", 2}};
+  const glm::vec3 absorption = mapped(material).surface->absorption;
+  CHECK(std::exp(-2 * absorption.x) == Approx(0.25));
+  CHECK(absorption.y == 0);
+  CHECK(std::exp(-2 * absorption.z) < 1e-37f);
+  volume["attenuationDistance"] = 0;
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+}
+
+TEST_CASE("a clearcoat is the coat of a surface") {
+  json material;
+  material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}};
+  CHECK(mapped(material).surface->coatWeight == 0.5f);
+  CHECK(mapped(material).surface->coatRoughness == 0.25f);
 }
 
 TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {

@@ -88,7 +88,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
   std::vector<vec4> inputs;
   for (const DirectionPair& pair : pairs) {
     inputs.emplace_back(vec3(pair.wo), number(pair.material));
-    inputs.emplace_back(vec3(pair.wi), 0.0f);
+    inputs.emplace_back(vec3(pair.wi), pair.outside ? 1.0f : 0.0f);
   }
   const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), pairs.size(), 1);
   std::vector<ScatterValue> values;

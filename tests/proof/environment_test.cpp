@@ -42,7 +42,7 @@ const scene::Environment& wildMap() {
     std::vector<vec3> texels;
     for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
       const float bright = std::exp2(static_cast<float>(random() % 1024) / 100.0f - 5.0f);
-      texels.push_back(i % 7 == 3 ? vec3(0) : bright * vec3(1, 0.5f, 0.25f));
+      texels.push_back(i % 7 == 3 ? vec3(0) : bright * vec3(1, 0.5f, 0.25f + static_cast<float>(i) / 1000));
     }
     return prepared(kWidth, kHeight, texels, {0, 0, 1}, 35);
   }();

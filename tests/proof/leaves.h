@@ -47,6 +47,7 @@ struct DirectionPair {
   std::uint32_t material = 0;
   dvec3 wo{0, 0, 1};
   dvec3 wi{0, 0, 1};
+  bool outside = true;
 };
 struct ScatterValue {
   dvec3 f{0};

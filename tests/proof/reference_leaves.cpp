@@ -35,16 +35,17 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 struct MaterialLeaves::Side {
   std::vector<reference::SurfaceMaterial> materials;
 
-  reference::Bsdf bsdfOf(std::uint32_t material, const dvec3& wo) const {
+  reference::Bsdf bsdfOf(std::uint32_t material, const dvec3& wo, bool outside) const {
     reference::Bsdf bsdf = materials[material].bsdf;
-    if (materials[material].surface) bsdf.setSurface(*materials[material].surface, wo);
+    if (materials[material].surface) bsdf.setSurface(*materials[material].surface, wo, outside);
     return bsdf;
   }
 
   // A path that continues from a vertex whose geometric and shading normals are equal.
   Scattered sample(const ScatterQuery& query) const {
-    const reference::Bsdf bsdf = bsdfOf(query.material, query.wo);
+    const reference::Bsdf bsdf = bsdfOf(query.material, query.wo, query.outside);
     if (bsdf.isBlack()) return {};
+    if (bsdf.surface()) return ofSurface(bsdf, query);
     const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
     if (lobe == render::Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
     if (lobe == render::Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
@@ -52,6 +53,13 @@ struct MaterialLeaves::Side {
     const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
     if (value.pdf == 0) return {};
     return {lobe, wi, value.f * wi.z / value.pdf, value.pdf};
+  }
+
+  static Scattered ofSurface(const reference::Bsdf& bsdf, const ScatterQuery& query) {
+    const auto [lobe, wi, alpha] = bsdf.surface()->sample(query.numbers.x, {query.numbers.y, query.numbers.z});
+    const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
+    if (value.pdf == 0 || (lobe == render::Lobe::refract) != (wi.z < 0)) return {};
+    return {lobe, wi, value.f * std::abs(wi.z) / value.pdf, value.pdf};
   }
 
   static Scattered ofDelta(const reference::DeltaSample& sample) { return {sample.lobe, sample.wi, sample.weight, 0}; }
@@ -72,7 +80,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
 std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
   std::vector<ScatterValue> values;
   for (const DirectionPair& pair : pairs) {
-    const reference::BsdfValue value = side_->bsdfOf(pair.material, pair.wo).evaluate(pair.wo, pair.wi);
+    const reference::BsdfValue value = side_->bsdfOf(pair.material, pair.wo, pair.outside).evaluate(pair.wo, pair.wi);
     values.push_back({value.f, value.pdf});
   }
   return values;

@@ -135,7 +135,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
                                                 MEMBER(FilmRows, luminanceSquared)});
   CHECK(module.offsetsOf("Counters") == Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated),
-                                                MEMBER(Counters, finishedSamples), MEMBER(Counters, unused)});
+                                                MEMBER(Counters, finishedSamples), MEMBER(Counters, volumeFaults)});
 }
 
 TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin like the megakernel's") {
