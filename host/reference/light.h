@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "host/reference/geometry.h"
+#include "host/reference/light_margin.h"
 #include "host/reference/surface.h"
 
 namespace candela::reference {
@@ -20,9 +21,13 @@ namespace candela::reference {
 struct LightSample {
   dvec3 wi;
   double distance;
-  dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
-  std::optional<double> pdf;  ///< per solid angle, given the choice; none: a light that rays never hit
-  std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
+  dvec3 radiance;              ///< pi times the colour of a point light; the irradiance of a punctual light
+  std::optional<double> pdf;   ///< per solid angle, given the choice; none: a light that rays never hit
+  std::uint32_t primitive;     ///< kNoPrimitive for a light that is not a primitive
+  std::optional<dvec3> point;  ///< the sampled point, or the position; none of a sphere or a directional light
+
+  /// The end of the shadow ray.
+  RayEnd end() const { return {distance, primitive, point}; }
 };
 
 /// Emits outwards and inwards; only inwards with a negative radius.

@@ -155,8 +155,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters,
-                                             rounding);
+  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->end(), counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 

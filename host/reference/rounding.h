@@ -40,6 +40,7 @@ struct RoundingBounds {
   double sampledDirection = 6;  ///< relative, per local axis: roots of the warps
   double lightDirection = 3;    ///< of a unit vector, per axis
   double lightDistance = 7;     ///< relative: a square root
+  double lightDepth = 12;       ///< of the largest coordinate: distance of a light from a surface that it may touch
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
   double choice = 6;            ///< of a probability that a random number is compared with
