@@ -21,7 +21,7 @@ float openness(Surface surface, Normals normals, SampleKey key, inout Work work,
   precise vec3 direction = unit(frameAround(normals.shading) * sampleCosineHemisphere(numbers));
   if (dot(direction, normals.geometric) <= 0.0) return 0.0;
   counts.shadow += 1u;
-  bool blocked = traceAny(rayFrom(surface, direction), kNoSlot, constants.aoDistance, work);
+  bool blocked = traceAny(rayFrom(surface, direction), RayEnd(constants.aoDistance, kNoSlot, kNoPoint), work);
   decisions.shadow = blocked ? kShadowOccluded : kShadowVisible;
   return blocked ? 0.0 : 1.0;
 }

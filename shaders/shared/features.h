@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids from 30 to 39 are free.
+// use are compiled out. Other ids are in specialization.h; ids from 31 to 39 are free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \
@@ -25,6 +25,7 @@
   X(triangleLights, kHasTriangleLights, 14)                                                      \
   X(pointLights, kHasPointLights, 15)                                                            \
   X(punctualLights, kHasPunctualLights, 29) /* point with fall-off, spot, directional */         \
+  X(touched, kHasTouched, 30) /* some primitive may contain a light */                           \
   X(insideOnly, kHasInsideOnly, 26) /* some sphere has a negative radius */                      \
   X(sky, kHasSky, 16)                                                                            \
   X(mixtures, kHasMixtures, 25) /* some material has more than one lobe */

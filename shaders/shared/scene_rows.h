@@ -38,6 +38,7 @@ CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;  // sphere of negative radius
 CANDELA_CONST uint kFlagSmooth = 16u;     // triangle with vertex normals
 CANDELA_CONST uint kFlagOpaque = 32u;     // T = 0: --one-sided applies
+CANDELA_CONST uint kFlagTouched = 64u;    // the surface may contain a light: occlusion.glsl
 CANDELA_CONST uint kMaterialShift = 8u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 
