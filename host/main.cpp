@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
@@ -10,6 +11,7 @@
 #include "host/cli/help.h"
 #include "host/core/log.h"
 #include "host/core/version.h"
+#include "host/vulkan/unfinished_work.h"
 #include "host/vulkan/validation.h"
 
 namespace candela {
@@ -63,5 +65,8 @@ ExitCode run(const std::vector<std::string>& words) {
 }  // namespace candela
 
 int main(int argc, char** argv) {
-  return static_cast<int>(candela::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)));
+  const int code = static_cast<int>(candela::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)));
+  // Threads of a driver that are still at work must not see libraries being unloaded.
+  if (candela::vulkan::hasUnfinishedWork()) std::_Exit(code);
+  return code;
 }

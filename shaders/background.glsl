@@ -50,8 +50,4 @@ vec3 backgroundRadiance(vec3 direction) {
   return constants.background;
 }
 
-// Returns the pdf with which light sampling chooses this direction of the background, including the choice of the
-// light. It is 0 because the background has no entry in the light table.
-float backgroundPdf(vec3 direction) { return 0.0; }
-
 #endif

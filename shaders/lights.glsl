@@ -8,6 +8,7 @@
 #include "primitives.glsl"
 #include "sampling.glsl"
 #include "scene_access.glsl"
+#include "textures.glsl"
 
 struct LightSample {
   vec3 wi;
@@ -40,6 +41,16 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
 }
 
+// Returns the texel of the emission at a point of the triangle in a slot, whose records begin at `row`; 1 if it has none.
+vec3 emissionTexel(uint row, vec2 weights, vec2 jitter) {
+  uint kind = sceneRow(row + 2u).w;
+  if ((kind & kFlagTexCoords) == 0u) return vec3(1.0);
+  uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
+  if (reference == 0u) return vec3(1.0);
+  vec4 texCoords = texCoordsAt(constants.firstAttributeRow + sceneRow(row).w, kind, weights);
+  return linearColour(textureTexel(reference, texCoords, jitter));
+}
+
 LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   if (from.slot == light.slot) return kNoLight;
   uint row = primitiveRow(light.slot);
@@ -54,8 +65,10 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   vec3 wi = toPoint / distance;
   float cosine = -dot(triangleNormal(edge1, edge2), wi);
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
+  vec3 emission = light.emission;
+  if (kHasTextures) emission *= emissionTexel(row, weights, from.jitter.zw);
   float pdf = light.probability * distanceSquared / (light.area * abs(cosine));
-  return LightSample(wi, light.emission, distance, pdf, false, p0 + fromCorner);
+  return LightSample(wi, emission, distance, pdf, false, p0 + fromCorner);
 }
 
 LightSample samplePointLight(Light light, Surface from) {

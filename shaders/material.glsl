@@ -3,6 +3,7 @@
 #define CANDELA_MATERIAL_GLSL
 #include "primitives.glsl"
 #include "scene_access.glsl"
+#include "textures.glsl"
 
 struct Material {
   vec3 diffuse;
@@ -14,6 +15,7 @@ struct Material {
   float dielectricWeight;
   float exponent;
   float ior;
+  float untinted;  // the part of the glossy lobe's colour that the base colour's texture does not scale
   bool mirror;
 };
 
@@ -40,6 +42,7 @@ Material loadMaterial(uint index) {
   }
   material.exponent = 0.0;
   material.ior = 1.0;
+  material.untinted = 0.0;
   material.mirror = false;
   if (kHasGlossy || kHasMirror || kHasDielectric) {
     vec4 last = sceneRowFloat(row + 3u);
@@ -48,11 +51,37 @@ Material loadMaterial(uint index) {
     material.mirror = last.z != 0.0;
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;
+  if (kHasMirror || kHasDielectric || (kHasTextures && kHasGlossy)) {
+    vec4 specular = sceneRowFloat(row + 4u);
+    material.specular = specular.xyz;
+    material.untinted = specular.w;
+  }
   return material;
 }
 
+void scaleBaseColour(inout Material material, vec3 scale) {
+  material.diffuse *= scale;
+  material.glossy = (material.glossy - material.untinted) * scale + material.untinted;
+  material.specular *= scale;
+}
+
+void applyTextures(inout Material material, uint index, Surface surface) {
+  uint baseColour = textureOf(index, kSlotBaseColour);
+  if (baseColour != 0u) {
+    scaleBaseColour(material, linearColour(textureTexel(baseColour, surface.texCoords, surface.jitter.xy)));
+  }
+  uint emission = kHasEmission ? textureOf(index, kSlotEmission) : 0u;
+  if (emission != 0u) {
+    material.emission *= linearColour(textureTexel(emission, surface.texCoords, surface.jitter.xy));
+  }
+}
+
 // The only source of what integrators know about a material. It depends on nothing but the surface point.
-Material materialAt(Surface surface) { return loadMaterial(surface.kind >> kMaterialShift); }
+Material materialAt(Surface surface) {
+  uint index = surface.kind >> kMaterialShift;
+  Material material = loadMaterial(index);
+  if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
+  return material;
+}
 
 #endif

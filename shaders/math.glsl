@@ -22,6 +22,33 @@ vec2 cosSin(float x) {
   return vec2(c, s);
 }
 
+// (cos, sin) of `turns` times 2 pi, for |turns| < 2^20.
+vec2 cosSinOfTurns(float turns) {
+  float quarters = floor(4.0 * turns + 0.5);
+  vec2 cs = cosSin((2.0 * kPi) * (turns - 0.25 * quarters));
+  uint quadrant = uint(int(quarters)) & 3u;
+  vec2 turned = (quadrant & 1u) != 0u ? vec2(-cs.y, cs.x) : cs;
+  return (quadrant & 2u) != 0u ? -turned : turned;
+}
+
+// Returns the angle of a vector (cosine, sine) of any length in turns, in [-1/2, 1/2]; 0 for the zero vector. The arc tangent of
+// [0, 1] is reduced to |a| <= tan(pi/8), where the polynomial, which interpolates atan(a)/a at Chebyshev nodes in a^2, has
+// a relative error of 2e-8.
+float turnsOf(vec2 v) {
+  vec2 size = abs(v);
+  float low = min(size.x, size.y);
+  float high = max(size.x, size.y);
+  if (high == 0.0) return 0.0;
+  bool wide = low > 0.41421356 * high;
+  float a = wide ? (low - high) / (low + high) : low / high;
+  float a2 = a * a;
+  float series = a * (0.99999998 + a2 * (-0.33332784 + a2 * (0.19974013 + a2 * (-0.13847735 + a2 * 0.079737912))));
+  float turns = (0.5 / kPi) * series + (wide ? 0.125 : 0.0);
+  turns = size.y > size.x ? 0.25 - turns : turns;
+  turns = v.x < 0.0 ? 0.5 - turns : turns;
+  return v.y < 0.0 ? -turns : turns;
+}
+
 // Returns log(1 - q) for q in [0, 1) without cancellation at small q. 1 - q = m 2^e with m in [1/sqrt 2, sqrt 2); log
 // m = 2 atanh((m-1)/(m+1)), whose series needs five terms in this interval.
 float logOneMinus(float q) {

@@ -45,6 +45,6 @@ const uint kOnlyKind = kKindCount != 1u ? kManyKinds : CANDELA_PRIMITIVE_KINDS(C
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;
-const bool kHasLights = kHasSampledEmitters || kHasPointLights || kHasPunctualLights;
+const bool kHasLights = kHasSampledEmitters || kHasPointLights || kHasPunctualLights || kHasEnvironmentLight;
 
 #endif

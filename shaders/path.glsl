@@ -5,6 +5,7 @@
 #include "background.glsl"
 #include "bsdf.glsl"
 #include "camera.glsl"
+#include "environment.glsl"
 #include "lights.glsl"
 #include "normals.glsl"
 #include "trace.glsl"
@@ -76,10 +77,11 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
 }
 
 // Returns the background's radiance, weighted against light sampling.
-vec3 backgroundFound(Path path) {
-  float otherPdf = backgroundPdf(path.ray.direction);
-  float weight = path.pdf > 0.0 && otherPdf > 0.0 ? powerHeuristic(path.pdf, otherPdf) : 1.0;
-  return backgroundRadiance(path.ray.direction) * weight;
+vec3 backgroundFound(Path path, SampleKey key) {
+  if (!kHasEnvironment) return backgroundRadiance(path.ray.direction);
+  EnvironmentTap tap = environmentTap(path.ray.direction, toUnit(sampleGroup(key, environmentGroup(path.depth)).xy));
+  bool weighted = kHasEnvironmentLight && path.pdf > 0.0 && tap.pdf > 0.0;
+  return tap.radiance * (weighted ? powerHeuristic(path.pdf, tap.pdf) : 1.0);
 }
 
 // A ray to a light sample, and its contribution to the path if it is unoccluded.
@@ -90,12 +92,20 @@ struct ShadowRay {
   vec3 radiance;  // the contribution, multiplied by the throughput
 };
 
+// Samples a light of any kind. `numbers` are those of the light choice and the three that follow.
+LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKey key, uint depth) {
+  if (kHasEnvironmentLight && light.kind == kLightEnvironment) {
+    return sampleEnvironment(numbers.yz, toUnit(sampleGroup(key, environmentGroup(depth)).zw));
+  }
+  return sampleLight(light, surface, toUnit(numbers).yz);
+}
+
 // Next-event estimation with one sample of the light table.
-void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface, Shading shading, Material material,
-                       uvec4 numbers, inout Work work) {
+void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading,
+                       Material material, uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
-  LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
+  LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
   vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
@@ -105,7 +115,7 @@ void sampleDirectLight(inout ShadowRay shadow, vec3 throughput, Surface surface,
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
-  precise vec3 radiance = throughput * weighed;
+  precise vec3 radiance = path.throughput * weighed;
   shadow = ShadowRay(true, rayFrom(surface, lit.wi), RayEnd(lit.distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -148,13 +158,14 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundFound(path);
+    path.radiance += path.throughput * backgroundFound(path, key);
     return false;
   }
   counts.vertices += 1u;
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
   if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
@@ -165,7 +176,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
-      sampleDirectLight(shadow, path.throughput, surface, shading, material, numbers, work);
+      sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;

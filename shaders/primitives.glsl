@@ -68,6 +68,8 @@ struct Surface {
   uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
   bool flatSurface; // the origin of rays that start here is offset
+  vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
+  vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
 
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
@@ -82,6 +84,15 @@ void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
   surface.light = first.w;
 }
 
+// Returns both sets of texture coordinates at a point of a triangle whose attributes begin at `row`.
+vec4 texCoordsAt(uint row, uint kind, vec2 weights) {
+  uint first = row + ((kind & kFlagSmooth) != 0u ? kNormalRows : 1u);
+  vec4 coords0 = sceneRowFloat(first);
+  vec4 coords1 = sceneRowFloat(first + 1u);
+  vec4 coords2 = sceneRowFloat(first + 2u);
+  return (1.0 - weights.x - weights.y) * coords0 + weights.x * coords1 + weights.y * coords2;
+}
+
 void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
   vec2 weights = barycentrics(surface.position, p0, p1, p2);
   precise vec3 onPlane = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
@@ -89,7 +100,13 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
   surface.light = extra;
-  if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.firstNormalRow + extra, weights);
+  uint row = constants.firstAttributeRow + extra;
+  bool hasNormals = kHasSmooth && (surface.kind & kFlagSmooth) != 0u;
+  if (hasNormals) smoothTriangle(surface, row, weights);
+  if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) {
+    if (!hasNormals) surface.light = sceneRow(row).x;
+    surface.texCoords = texCoordsAt(row, surface.kind, weights);
+  }
 }
 
 // Returns the surface point of a slot at distance t along a ray that hits it.
@@ -110,6 +127,8 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.light = 0u;
   surface.outward = vec3(0.0, 0.0, 1.0);
   surface.flatSurface = true;
+  surface.texCoords = vec4(0.0);
+  surface.jitter = vec4(0.0);
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
     surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);
     if ((surface.kind & kFlagInsideOnly) != 0u) surface.outward = -surface.outward;

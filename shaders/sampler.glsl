@@ -17,6 +17,7 @@ const uint kScrambleSeed = 0x5f356495u;
 const uint kGroupSize = 4u;
 
 float toUnit(uint word) { return float(word >> 8) * (1.0 / 16777216.0); }
+vec2 toUnit(uvec2 words) { return vec2(words >> 8) * (1.0 / 16777216.0); }
 vec4 toUnit(uvec4 words) { return vec4(words >> 8) * (1.0 / 16777216.0); }
 
 // The hash pcg4d of Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
@@ -121,14 +122,15 @@ uint stratifySingle(SampleKey key, uint strata, uint permutationKey, uint jitter
 }
 
 // Returns a group of stratified numbers. Groups differ in which dimensions form pairs: the first group of a vertex is
-// (1, 2, 1), all others are (2, 2) or (2, 1, 1).
+// (1, 2, 1), those of the environment are (2, 2), all others are (2, 2) or (2, 1, 1).
 uvec4 stratifiedGroup(SampleKey key, uint group) {
   uvec4 jitter = pcg4d(uvec4(key.pixel, key.sampleIndex, group, key.seed));
   uint n = key.strata;
   if (n < 2u || key.sampleIndex >= n * n) return jitter;
   uvec4 keys = pcg4d(uvec4(key.pixel, 1u, group, key.seed ^ kScrambleSeed));
   const uint firstVertexGroup = kCameraDimensionCount / kGroupSize;
-  if (group >= firstVertexGroup && (group - firstVertexGroup) % 2u == 0u) {
+  bool isEnvironment = kHasEnvironment && group >= kEnvironmentDimensions / kGroupSize;
+  if (!isEnvironment && group >= firstVertexGroup && (group - firstVertexGroup) % 2u == 0u) {
     uint first = stratifySingle(key, n, keys.x, jitter.x);
     uvec2 middle = stratifyPair(key, n, keys.y, jitter.yz);
     return uvec4(first, middle, stratifySingle(key, n, keys.w, jitter.w));
@@ -138,7 +140,7 @@ uvec4 stratifiedGroup(SampleKey key, uint group) {
                  stratifySingle(key, n, keys.z, jitter.z), stratifySingle(key, n, keys.w, jitter.w));
   }
   uvec2 first = stratifyPair(key, n, keys.x, jitter.xy);
-  if (group == 0u) return uvec4(first, stratifyPair(key, n, keys.z, jitter.zw));
+  if (group == 0u || isEnvironment) return uvec4(first, stratifyPair(key, n, keys.z, jitter.zw));
   return uvec4(first, stratifySingle(key, n, keys.z, jitter.z), stratifySingle(key, n, keys.w, jitter.w));
 }
 
@@ -152,6 +154,11 @@ uvec4 sampleGroup(SampleKey key, uint group) {
 // Returns the group of a vertex's dimension. depth counts from 1.
 uint vertexGroup(uint depth, uint dimension) {
   return (kCameraDimensionCount + (depth - 1u) * kVertexDimensionCount + dimension) / kGroupSize;
+}
+
+// Returns the group of a vertex's numbers for the environment: tap x, y and place x, y.
+uint environmentGroup(uint depth) {
+  return (kEnvironmentDimensions + (depth - 1u) * kEnvironmentDimensionCount) / kGroupSize;
 }
 
 #endif

@@ -30,6 +30,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kView == kViewDepth) return vec3(hit.t);
   if (kView == kViewId) return indexColour(hit.index);
   Surface surface = surfaceAt(ray, hit.slot, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, 1u);
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));

@@ -31,6 +31,9 @@ enum class Command : unsigned {
   merge = 4096
 };
 
+/// What finishes a render after its device has failed for good.
+enum class Fallback { none, reference };
+
 struct PixelPlace {
   std::uint32_t x = 0;  ///< from the left
   std::uint32_t y = 0;  ///< from the top
@@ -63,7 +66,9 @@ struct Arguments {
   double checkpointEvery = 60;                 ///< minimum time between two writes in seconds
   std::filesystem::path resume;                ///< film file; empty for none
   bool resumeAnyway = false;
-  std::optional<double> timeLimit;   ///< of a render, in seconds
+  std::optional<double> timeLimit;    ///< of a render, in seconds
+  std::optional<double> hangTimeout;  ///< vulkan::DeviceOptions::hangTimeout
+  Fallback fallback = Fallback::none;
   std::filesystem::path mergedFilm;  ///< film file that `merge` writes
   bool mixedDevices = false;         ///< for `merge`
   bool partial = false;              ///< for `merge`

@@ -10,7 +10,9 @@
 namespace candela::cli {
 
 CachedDevice::CachedDevice(const Arguments& arguments, const Log& log)
-    : log_(log), device_(vulkan::Device::open(arguments.device)), key_(cache::keyOf(device_.info())) {
+    : log_(log),
+      device_(vulkan::Device::open(arguments.device, {.hangTimeout = arguments.hangTimeout})),
+      key_(cache::keyOf(device_.info())) {
   const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (arguments.noCache || !folder) return;
   file_ = *folder / cache::fileNameOf("pipelines", key_, "bin");
@@ -19,7 +21,7 @@ CachedDevice::CachedDevice(const Arguments& arguments, const Log& log)
 
 CachedDevice::~CachedDevice() {
   try {
-    if (!file_.empty()) store();
+    if (!file_.empty() && !device_.hasFailed()) store();
   } catch (const std::exception& error) {
     log_.detail(fmt::format("compiled pipelines are not stored: {}", error.what()));
   }

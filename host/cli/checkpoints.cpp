@@ -30,6 +30,11 @@ void Checkpoints::writeFiles(const image::Film& film, const render::RenderStatis
   film::writeWork(file_, check, work_);
 }
 
+void Checkpoints::goOn(film::FilmHeader header, const film::WorkReport& lost) {
+  header_ = std::move(header);
+  before_.add(lost);
+}
+
 bool Checkpoints::write(const image::Film& film, const render::RenderStatistics& statistics, double start) {
   constexpr double kMinTimesItsCost = 100;
   bool written = true;

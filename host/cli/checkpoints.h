@@ -20,6 +20,9 @@ class Checkpoints {
   /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
   /// that fails; then the file has its old content.
   bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
+  /// Goes on after a failure of the device: `header` is that of the film from now on, and `lost` the work of the
+  /// session that failed.
+  void goOn(film::FilmHeader header, const film::WorkReport& lost);
   /// When the film is to be written again, a time of monotonicSeconds(): so that all writes together take at most 1 %
   /// of the time if the next one takes as long as the last. The cost of the first is not known before.
   double nextWrite() const { return nextWrite_; }

@@ -13,11 +13,13 @@
 namespace candela::cli {
 namespace {
 
-// Size, samples and seed are members of the header. Where files may lie does not change what is read.
+// Size, samples and seed are members of the header. Where files may lie does not change what is read, and the scene's
+// hash covers the environment.
 bool isSetting(const Option& option) {
   const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
   const std::string name = option.name();
-  const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path";
+  const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path" ||
+                      name == "--env";
   return decides && !stated && option.isFor(Command::render);
 }
 
@@ -107,6 +109,19 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
   return header;
+}
+
+void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {
+  const film::Tracer& tracer = now.tracers.front();
+  const bool isKnown = std::ranges::find(film.tracers, tracer) != film.tracers.end();
+  if (!isKnown && !mayDiffer) {
+    throw DeviceLostError(fmt::format(
+        "after the failure, {}", tracerDifferences(film.tracers.front(), tracer, "the film", "the device").front()));
+  }
+  insertSorted(film.tracers, tracer);
+  for (const std::string& line : estimateDifferences(film, now, "an earlier part", "a later part")) {
+    insertSorted(film.mixed, line);
+  }
 }
 
 render::SampleRange samplesOf(const RenderJob& job) {

@@ -11,6 +11,11 @@ namespace candela::cli {
 /// The header of the film of a job, without samples. `statistics` are those of the prepared session.
 film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics);
 
+/// Adapts the header of a film to another session that goes on with it after the device failed: `now` is that of the
+/// session. Throws DeviceLostError if the session's device or driver is another one, unless `mayDiffer`; then the film
+/// is marked as mixed.
+void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer);
+
 /// The samples of each pixel that a job renders. Throws UsageError if --samples goes beyond --spp.
 render::SampleRange samplesOf(const RenderJob& job);
 

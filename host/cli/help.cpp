@@ -47,7 +47,7 @@ constexpr std::array kExitCodeTexts{
     ExitCodeText{ExitCode::file, "invalid scene, image or file, or a size beyond the limits"},
     ExitCodeText{ExitCode::differ, "the images differ, the device failed the test, or --strict found bad samples"},
     ExitCodeText{ExitCode::noDevice, "no usable device"},
-    ExitCodeText{ExitCode::deviceLost, "the device was lost"},
+    ExitCodeText{ExitCode::deviceLost, "the device was lost or hung"},
     ExitCodeText{ExitCode::outOfMemory, "out of memory"},
     ExitCodeText{ExitCode::interrupted, "interrupted; the samples rendered so far are written"},
     ExitCodeText{ExitCode::internal, "internal error"},

@@ -23,6 +23,7 @@ constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
 constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
 constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
+constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune | kDoctor |
                                 kFilm | kMerge;
 constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
@@ -106,6 +107,12 @@ std::vector<Option> sceneFileOptions() {
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
+    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
+           text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
+    valued({"--env-rotate", kSurrounding, kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
+           realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),
+    valued({"--env-scale", kSurrounding, kGroup, "factor of the environment's radiance"},
+           realNumber<double>("S", 0, 1e30), [](auto& a) -> auto& { return a.loadOptions.environment.scale; }),
     valued({"--camera", kReadingScenes, kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
            orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
     valued({"--time", kReadingScenes, kGroup, "for glTF: time in the first animation, in seconds"},
@@ -138,6 +145,10 @@ std::vector<Option> executionOptions() {
            orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.settings.execution.tile; }),
     valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.settings.execution.segmentsPerDispatch; }),
+    valued({"--hang-timeout", kTracing | kTune, kGroup, "time after which a device that has not finished its work counts as hung; 0s: never; `auto`: 50 times the longest dispatch and at least 10 s, or never on devices in software"},
+           orAbsent(duration(0), "auto"), [](auto& a) -> auto& { return a.hangTimeout; }),
+    valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails for good: `cpu` for the reference tracer, which marks the film as mixed"},
+           choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
     flag({"--no-cache", kTracing | kTune, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},
          [](auto& a) -> auto& { return a.noCache; }),

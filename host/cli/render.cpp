@@ -110,6 +110,10 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
+  if (traced.failure) {
+    log.problem(traced.failure->message);
+    return traced.failure->code;
+  }
   if (traced.isFilmLost) return ExitCode::file;
   const ExitCode code = result.interrupted ? ExitCode::interrupted : ExitCode::done;
   return strictly(code, result.statistics.badSamples, arguments, log);

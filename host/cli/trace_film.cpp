@@ -1,4 +1,4 @@
-// The loop around a session: advance until something is to be done, do it, go on.
+// The loop around a session: advance until something is to be done, do it, go on. A device that fails is opened again.
 #include "host/cli/trace_film.h"
 
 #include <fmt/format.h>
@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <new>
 
 #include "host/cli/checkpoints.h"
+#include "host/cli/device_failures.h"
 #include "host/cli/film_identity.h"
 #include "host/cli/option_table.h"
 #include "host/cli/render_watch.h"
+#include "host/cli/rescue_file.h"
 
 namespace candela::cli {
 namespace {
@@ -25,15 +28,6 @@ struct Inheritance {
 std::optional<film::FilmReader> openFilm(const RenderJob& job) {
   if (job.arguments.resume.empty()) return std::nullopt;
   return film::FilmReader(job.arguments.resume);
-}
-
-Inheritance inherit(const RenderJob& job, std::optional<film::FilmReader>& reader, render::Session& session,
-                    film::FilmHeader& header, const Log& log) {
-  Inheritance inheritance{samplesOf(job).first, {}};
-  if (!reader) return inheritance;
-  inheritance.work = film::readWork(reader->file(), reader->check());
-  if (adoptFilm(job, *reader, header, log)) session.load(film::readFilm(*reader), inheritance.firstSample);
-  return inheritance;
 }
 
 std::uint64_t sampleCount(const image::Film& film) {
@@ -68,14 +62,6 @@ class FilmProgress {
   std::uint64_t earlier_ = 0, current_ = 0;
 };
 
-// Work that was truncated must not reach a film file.
-void writeDuring(render::Session& session, Checkpoints& checkpoints) {
-  const double start = monotonicSeconds();
-  const render::RenderStatistics statistics = session.statistics();
-  requireComplete(statistics);
-  checkpoints.write(session.film(), statistics, start);
-}
-
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
   if (watch.isTimeUp()) log.note("--time-limit: the time is up");
   if (job.arguments.checkpoint.empty()) return;
@@ -87,46 +73,239 @@ double deadlineOf(const RenderJob& job, double start) {
   return start + job.arguments.timeLimit.value_or(std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+/// One render on one device after the other, as long as devices fail.
+class FilmTrace {
+ public:
+  FilmTrace(const RenderJob& job, double start, const Log& log)
+      : job_(job),
+        log_(log),
+        range_(samplesOf(job)),
+        settings_(job.settings),
+        usesReference_(job.arguments.device == "cpu"),
+        reader_(openFilm(job)),
+        watch_(deadlineOf(job, start), !job.arguments.checkpoint.empty()),
+        failures_(job, log) {}
 
-TracedFilm traceFilm(const RenderJob& job, double start, const Log& log) {
-  const render::SampleRange range = samplesOf(job);
-  const std::filesystem::path& checkpoint = job.arguments.checkpoint;
-  std::optional<film::FilmReader> reader = openFilm(job);
-  RenderWatch watch(deadlineOf(job, start), !checkpoint.empty());
-  const std::unique_ptr<render::Renderer> renderer = makeRenderer(job.arguments, log);
-  const std::unique_ptr<render::Session> session = renderer->prepare(job.scene, job.settings);
-  film::FilmHeader header = filmHeaderOf(job, session->statistics());
-  const Inheritance inheritance = inherit(job, reader, *session, header, log);
-  Checkpoints checkpoints(checkpoint, job.arguments.checkpointEvery, header, inheritance.firstSample, inheritance.work,
-                          log);
-  if (!checkpoint.empty()) watch.writeAt(checkpoints.nextWrite());
+  TracedFilm run();
 
-  Progress progress(std::cerr, progressStyle(log.verbosity()));
-  FilmProgress filmProgress(job, range, reader ? sampleCount(session->film()) : 0, progress);
-  const render::RenderControl control{&watch.stop(),
-                                      [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
-  TracedFilm traced;
-  while (!session->advance(range, control)) {
-    traced.result.interrupted = watch.mustEnd();
-    if (traced.result.interrupted) break;
-    filmProgress.endOfCall();
-    watch.goOn();
-    writeDuring(*session, checkpoints);
-    watch.writeAt(checkpoints.nextWrite());
+ private:
+  bool hasFile() const { return !job_.arguments.checkpoint.empty(); }
+  TracedFilm attempt();
+  void begin();
+  void load(const image::Film& film);
+  void inherit();
+  void goOn();
+  void advance();
+  void pause();
+  void scheduleWrite(double start);
+  TracedFilm end();
+  std::optional<TracedFilm> handle(const Error& error);
+  void salvage();
+  bool fallBack(const Error& error);
+  TracedFilm giveUp(const Error& error);
+  bool rescue(std::filesystem::path& file);
+  Checkpoints checkpointsAt(const std::filesystem::path& file) const;
+
+  const RenderJob& job_;
+  const Log& log_;
+  render::SampleRange range_;
+  render::RenderSettings settings_;
+  bool usesReference_;
+  std::optional<film::FilmReader> reader_;
+  RenderWatch watch_;
+  DeviceFailures failures_;
+
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Session> session_;
+  bool isReady_ = false;  ///< the session has the film so far
+  film::FilmHeader header_;
+  Inheritance inheritance_;
+  std::optional<Checkpoints> checkpoints_;  ///< with --checkpoint, from the first session on
+  std::optional<render::Salvage> kept_;     ///< of the last session that failed
+  film::WorkReport lost_;                   ///< of all sessions that failed
+  std::uint64_t samplesBefore_ = 0;         ///< in the film that the session went on from
+  bool isInterrupted_ = false;
+};
+
+Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
+  film::WorkReport before = inheritance_.work;
+  before.add(lost_);
+  return {file, job_.arguments.checkpointEvery, header_, inheritance_.firstSample, before, log_};
+}
+
+void FilmTrace::load(const image::Film& film) {
+  session_->load(film, inheritance_.firstSample);
+  samplesBefore_ = sampleCount(film);
+}
+
+// The first session goes on from the film file, if there is one.
+void FilmTrace::inherit() {
+  header_ = filmHeaderOf(job_, session_->statistics());
+  inheritance_ = {range_.first, {}};
+  if (reader_) {
+    inheritance_.work = film::readWork(reader_->file(), reader_->check());
+    if (adoptFilm(job_, *reader_, header_, log_)) load(film::readFilm(*reader_));
   }
-  traced.result.film = session->film();
-  traced.result.statistics = session->statistics();
+  if (hasFile()) checkpoints_.emplace(checkpointsAt(job_.arguments.checkpoint));
+}
+
+// Later sessions go on from the film of the one before.
+void FilmTrace::goOn() {
+  const film::FilmHeader now = filmHeaderOf(job_, session_->statistics());
+  if (sampleCount(kept_->film) == 0) {
+    header_.tracers = now.tracers;
+  } else {
+    goOnWith(header_, now, usesReference_);
+    load(kept_->film);
+  }
+  film::WorkReport work = film::workOf(kept_->statistics);
+  work.runs = 0;
+  lost_.add(work);
+  if (checkpoints_) checkpoints_->goOn(header_, work);
+  kept_.reset();
+}
+
+void FilmTrace::begin() {
+  isReady_ = false;
+  settings_.execution.maxBandBytes = failures_.maxBandBytes();
+  Arguments arguments = job_.arguments;
+  if (usesReference_) arguments.device = "cpu";
+  renderer_ = makeRenderer(arguments, log_);
+  session_ = renderer_->prepare(job_.scene, settings_);
+  if (kept_) {
+    goOn();
+  } else {
+    inherit();
+  }
+  isReady_ = true;
+}
+
+// The film reaches the host when it is written; without a file, it is read from time to time, so that less is lost if
+// the device fails. Reading takes at most 1 % of the time.
+void FilmTrace::scheduleWrite(double start) {
+  constexpr double kMinSeconds = 10, kMinTimesItsCost = 100;
+  const double now = monotonicSeconds();
+  if (hasFile()) {
+    watch_.writeAt(checkpoints_->nextWrite());
+  } else if (!usesReference_) {
+    watch_.writeAt(now + std::max(kMinSeconds, kMinTimesItsCost * (now - start)));
+  }
+}
+
+// Work that was truncated must not reach a film file.
+void FilmTrace::pause() {
+  const double start = monotonicSeconds();
+  const render::RenderStatistics statistics = session_->statistics();
+  requireComplete(statistics);
+  if (hasFile()) checkpoints_->write(session_->film(), statistics, start);
+  scheduleWrite(start);
+}
+
+void FilmTrace::advance() {
+  Progress progress(std::cerr, progressStyle(log_.verbosity()));
+  FilmProgress filmProgress(job_, range_, samplesBefore_, progress);
+  const render::RenderControl control{&watch_.stop(),
+                                      [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
+  scheduleWrite(monotonicSeconds());
+  while (!session_->advance(range_, control)) {
+    isInterrupted_ = watch_.mustEnd();
+    if (isInterrupted_) return;
+    filmProgress.endOfCall();
+    watch_.goOn();
+    pause();
+  }
+}
+
+TracedFilm FilmTrace::end() {
+  TracedFilm traced;
+  traced.result.interrupted = isInterrupted_;
+  traced.result.film = session_->film();
+  traced.result.statistics = session_->statistics();
   requireComplete(traced.result.statistics);
-  if (!checkpoint.empty()) {
-    traced.isFilmLost = !checkpoints.write(traced.result.film, traced.result.statistics, monotonicSeconds());
-    traced.work = checkpoints.work();
-  } else if (reader) {
-    traced.work = inheritance.work;
+  if (checkpoints_) {
+    traced.isFilmLost = !checkpoints_->write(traced.result.film, traced.result.statistics, monotonicSeconds());
+    traced.work = checkpoints_->work();
+  } else if (reader_ || failures_.count() > 0) {
+    traced.work = inheritance_.work;
+    traced.work->add(lost_);
     traced.work->add(film::workOf(traced.result.statistics));
   }
-  if (traced.result.interrupted) noteStop(job, watch, log);
+  if (isInterrupted_) noteStop(job_, watch_, log_);
   return traced;
 }
+
+TracedFilm FilmTrace::attempt() {
+  begin();
+  advance();
+  return end();
+}
+
+// Destroys the session after taking its film.
+void FilmTrace::salvage() {
+  if (isReady_) kept_ = session_->salvage();
+  session_.reset();
+  renderer_.reset();
+  isReady_ = false;
+  if (kept_) requireComplete(kept_->statistics);
+  if (!kept_ && reader_) reader_.emplace(job_.arguments.resume);
+}
+
+bool FilmTrace::fallBack(const Error& error) {
+  if (job_.arguments.fallback != Fallback::reference || usesReference_) return false;
+  log_.warning(fmt::format("{}; --fallback cpu: the reference tracer finishes the render", error.what()));
+  usesReference_ = true;
+  return true;
+}
+
+// Writes the film to --checkpoint, or else to a file beside the output. Returns whether `file` has it.
+bool FilmTrace::rescue(std::filesystem::path& file) {
+  file = hasFile() ? job_.arguments.checkpoint : rescueFile(job_.arguments);
+  if (file.empty()) return false;
+  if (!checkpoints_) checkpoints_.emplace(checkpointsAt(file));
+  return checkpoints_->write(kept_->film, kept_->statistics, monotonicSeconds());
+}
+
+TracedFilm FilmTrace::giveUp(const Error& error) {
+  std::filesystem::path file;
+  const bool hasSamples = kept_ && sampleCount(kept_->film) > 0;
+  if (hasSamples && !rescue(file)) file.clear();
+  DeviceFailure failure{DeviceFailures::codeOf(error), failures_.explain(error, file.string())};
+  if (!hasSamples) throw Error(failure.code, failure.message);
+  TracedFilm traced;
+  traced.result.interrupted = true;
+  traced.result.film = std::move(kept_->film);
+  traced.result.statistics = std::move(kept_->statistics);
+  if (checkpoints_) traced.work = checkpoints_->work();
+  traced.isFilmLost = file.empty();
+  traced.failure = std::move(failure);
+  return traced;
+}
+
+// Returns nothing if the render goes on.
+std::optional<TracedFilm> FilmTrace::handle(const Error& error) {
+  salvage();
+  if (failures_.mayTryAgain(error) || fallBack(error)) return std::nullopt;
+  return giveUp(error);
+}
+
+TracedFilm FilmTrace::run() {
+  std::optional<TracedFilm> ended;
+  while (!ended) {
+    try {
+      return attempt();
+    } catch (const std::bad_alloc&) {
+      if (usesReference_) throw;
+      ended = handle(OutOfMemoryError("out of host memory"));
+    } catch (const Error& error) {
+      if (usesReference_ || !failures_.isOne(error)) throw;
+      ended = handle(error);
+    }
+  }
+  return std::move(*ended);
+}
+
+}  // namespace
+
+TracedFilm traceFilm(const RenderJob& job, double start, const Log& log) { return FilmTrace(job, start, log).run(); }
 
 }  // namespace candela::cli

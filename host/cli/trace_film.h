@@ -3,15 +3,23 @@
 #include <optional>
 
 #include "host/cli/render_job.h"
+#include "host/core/errors.h"
 #include "host/film/work_report.h"
 
 namespace candela::cli {
+
+struct DeviceFailure {
+  ExitCode code = ExitCode::deviceLost;
+  std::string message;
+};
 
 struct TracedFilm {
   render::RenderResult result;
   /// The work of all runs that made the film; nothing if it neither came from a film file nor went to one.
   std::optional<film::WorkReport> work;
   bool isFilmLost = false;  ///< the film could not be written in the end
+  /// The device failed for good: the result has the samples before that.
+  std::optional<DeviceFailure> failure{};
 };
 
 /// `start` is the time of monotonicSeconds() from which --time-limit counts. Throws as render::Renderer::prepare() and

@@ -12,7 +12,7 @@ enum class ExitCode : int {
   file = 2,        ///< invalid scene, image or file, or a size beyond the limits
   differ = 3,      ///< the compared images differ, or a verification failed
   noDevice = 4,    ///< no usable Vulkan device
-  deviceLost = 5,  ///< the device was lost
+  deviceLost = 5,  ///< the device was lost, hung, or its driver failed
   outOfMemory = 6,
   interrupted = 7,  ///< interrupted; the samples rendered so far are written
   internal = 70,
@@ -40,8 +40,16 @@ struct NoDeviceError : Error {
 struct DeviceLostError : Error {
   explicit DeviceLostError(const std::string& message) : Error(ExitCode::deviceLost, message) {}
 };
+/// The device did not finish its work in time. It may still be at work, so that it cannot be opened again.
+struct DeviceHungError : DeviceLostError {
+  using DeviceLostError::DeviceLostError;
+};
 struct OutOfMemoryError : Error {
   explicit OutOfMemoryError(const std::string& message) : Error(ExitCode::outOfMemory, message) {}
+};
+/// Memory beyond a fixed limit of the device was requested: another attempt would fail, too.
+struct DeviceLimitError : OutOfMemoryError {
+  using OutOfMemoryError::OutOfMemoryError;
 };
 /// Work was interrupted whose partial result is useless.
 struct InterruptedError : Error {

@@ -142,7 +142,8 @@ void Band::clearCounters() {
   samplesSeen_ = 0;
 }
 
-double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget) {
+double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget,
+                      vulkan::Patience patience) {
   const render::Window window = settings_.image.window();
   const std::uint32_t firstRow = window.y + rows_.first;
   const gpu::DispatchConstants constants{.regionOrigin = {window.x + region.x, firstRow + region.y},
@@ -156,7 +157,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
                                          .firstColumn = window.x};
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
-  return device_.run([&](vulkan::CommandRecorder& recorder) {
+  const auto record = [&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
       const std::uint64_t longestPixel = std::uint64_t{sampleEnd} * settings_.image.maxDepth;
       const auto rounds = static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, longestPixel));
@@ -165,7 +166,8 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
       recorder.dispatch(pipelines_.front(), bindings_, std::as_bytes(std::span(&constants, 1)), count);
     }
     recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
-  });
+  };
+  return device_.run(record, patience);
 }
 
 std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
@@ -184,7 +186,7 @@ std::uint64_t Band::takeFinishedSamples() {
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const render::Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
-  dispatch({0, 0, corner.width, corner.height}, 1, sampleEnd, budget);
+  dispatch({0, 0, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
@@ -234,7 +236,7 @@ void Band::addCounts(render::RenderStatistics& statistics) const {
     for (std::uint64_t at = 0; at < states.size(); at += size) kernel_.addCounts(states.subspan(at, size), statistics);
   }
   statistics.cameraRays -= samplesBefore_;
-  statistics.truncated += truncatedBefore_ + counters().truncated;
+  statistics.truncated += truncated();
 }
 
 void Band::readRecords(render::PathRecords& paths) const {

@@ -56,13 +56,16 @@ class Band {
 
   /// Copies the band's film. `film` has as many pixels as the band.
   void readFilm(std::span<image::FilmPixel> film) const;
+  /// Returns RenderStatistics::truncated of all work since load() without using the device.
+  std::uint64_t truncated() const { return truncatedBefore_ + counters().truncated; }
   /// Adds the counts of all work since load().
   void addCounts(render::RenderStatistics& statistics) const;
   void readRecords(render::PathRecords& paths) const;
 
  private:
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
-  double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget);
+  double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget,
+                  vulkan::Patience patience = vulkan::Patience::normal);
   void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample);
   void clearCounters();
   /// Offset of the path records in results_.

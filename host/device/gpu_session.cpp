@@ -60,7 +60,8 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   prepared_.seconds["upload"] = watch.lap();
   describe();
 
-  bandHeight_ = bandHeight(info, kernel_, settings_, context_->maxBandBytes);
+  bandHeight_ = bandHeight(info, kernel_, settings_,
+                           std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
   film_ = image::Film(settings_.image.window().width, settings_.image.window().height);
   startCounting();
@@ -156,18 +157,28 @@ void GpuSession::fetchFilm() {
   statistics_.seconds["readBack"] += watch.lap();
 }
 
+// Returns null if device memory has no room for a band of this height and a smaller one is possible.
+std::unique_ptr<Band> GpuSession::tryBand() {
+  try {
+    return std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,
+                                  bandHeight_);
+  } catch (const OutOfMemoryError& error) {
+    if (bandHeight_ == 1) throw;
+    statistics_.warnings.push_back(fmt::format("bands of {} rows are tried: {}", (bandHeight_ + 1) / 2, error.what()));
+    return nullptr;
+  }
+}
+
 // Not called during preparation, because a session that only replays samples needs no band.
 void GpuSession::makeBand() {
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
-  band_ = std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,
-                                 bandHeight_);
+  while ((band_ = tryBand()) == nullptr) bandHeight_ = (bandHeight_ + 1) / 2;
   prepared_.deviceBytes += context_->device.memoryUse().currentBytes - bytesBefore;
   statistics_.deviceBytes = prepared_.deviceBytes;
 }
 
 void GpuSession::makeResident(std::uint32_t index) {
   if (resident_ == index) return;
-  if (!band_) makeBand();
   if (resident_) {
     fetchFilm();
     band_->addCounts(statistics_);
@@ -187,9 +198,10 @@ std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) 
 
 bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
                              const std::function<void(std::uint64_t)>& samplesFinished) {
+  Stopwatch watch;
+  if (!band_) makeBand();  // first, since it decides the height of all bands
   const std::uint64_t lacking = pixelsLacking(bandAt(index), sampleEnd);
   if (lacking == 0) return true;
-  Stopwatch watch;
   makeResident(index);
   if (!warm_) {
     band_->warmUp(sampleEnd, budget_);
@@ -236,13 +248,25 @@ render::RenderStatistics GpuSession::statistics() {
   fetchFilm();
   render::RenderStatistics result = statistics_;
   if (resident_) band_->addCounts(result);
-  for (const image::FilmPixel& pixel : film_.pixels()) {
-    result.samples += pixel.sampleCount;
-    result.badSamples += pixel.badCount;
-  }
-  result.samples -= samplesLoaded_;
-  result.badSamples -= badSamplesLoaded_;
+  countSamples(result);
   return result;
+}
+
+void GpuSession::countSamples(render::RenderStatistics& statistics) const {
+  for (const image::FilmPixel& pixel : film_.pixels()) {
+    statistics.samples += pixel.sampleCount;
+    statistics.badSamples += pixel.badCount;
+  }
+  statistics.samples -= samplesLoaded_;
+  statistics.badSamples -= badSamplesLoaded_;
+}
+
+render::Salvage GpuSession::salvage() {
+  render::Salvage salvage{{}, statistics_};
+  if (resident_) salvage.statistics.truncated += band_->truncated();
+  countSamples(salvage.statistics);
+  salvage.film = std::move(film_);
+  return salvage;
 }
 
 render::PathRecords GpuSession::paths() {

@@ -26,6 +26,7 @@ class GpuSession final : public render::Session {
   void setCamera(const scene::Camera& camera) override;
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
+  render::Salvage salvage() override;
   render::PathRecords paths() override;
   render::Replay replay(const render::PixelSample& sample) override;
 
@@ -38,6 +39,8 @@ class GpuSession final : public render::Session {
   BandRows bandAt(std::uint32_t index) const;
   std::uint32_t bandCount() const;
   std::span<image::FilmPixel> filmOf(BandRows rows);
+  void countSamples(render::RenderStatistics& statistics) const;
+  std::unique_ptr<Band> tryBand();
   void makeBand();
   void makeResident(std::uint32_t index);
   void fetchFilm();

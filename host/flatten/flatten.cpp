@@ -27,6 +27,7 @@ static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
 static_assert(static_cast<std::uint32_t>(LightKind::punctual) == gpu::kLightPunctual);
 static_assert(static_cast<std::uint32_t>(LightKind::spot) == gpu::kLightSpot);
 static_assert(static_cast<std::uint32_t>(LightKind::directional) == gpu::kLightDirectional);
+static_assert(static_cast<std::uint32_t>(LightKind::environment) == gpu::kLightEnvironment);
 
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
@@ -49,7 +50,7 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
     flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
-    flat.rows.push_back(row(lobes.specularColour, 0.0));
+    flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
   }
 }
 
@@ -76,6 +77,11 @@ void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& en
   rows.push_back(row(place, isSpot ? 1 / std::max(double{light.cosInner} - double{light.cosOuter}, 0.001) : 0.0));
 }
 
+void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightEnvironment, gpu::kNoSlot});
+  rows.insert(rows.end(), gpu::kLightRows - 1, gpu::uvec4(0));
+}
+
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
@@ -95,6 +101,10 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
       flat.features.pointLights = true;
+    } else if (entry.isEnvironment()) {
+      appendEnvironmentEntry(entry, flat.rows);
+      flat.constants.environmentProbability = entry.probability;
+      flat.features.environmentLight = true;
     } else if (!entry.isEmitter()) {
       const scene::PunctualLight& light = scene.punctualLights[entry.index];
       appendPunctualLight(light, entry, cones.size(), flat.rows);
@@ -107,6 +117,17 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
     }
   }
   flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());
+}
+
+void appendEnvironment(const scene::Environment& environment, FlatScene& flat) {
+  flat.constants.environmentX = environment.axes[0];
+  flat.constants.environmentY = environment.axes[1];
+  flat.constants.environmentZ = environment.axes[2];
+  flat.constants.environmentWidth = environment.width;
+  flat.constants.environmentHeight = environment.height;
+  flat.constants.firstEnvironmentRow = rowCount(flat.rows);
+  const Rows rows = environmentRows(environment);
+  flat.rows.insert(flat.rows.end(), rows.begin(), rows.end());
 }
 
 void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
@@ -130,14 +151,14 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
-  Rows normals;
+  Rows attributes;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
     const PrimitiveContext context{.primitive = primitive, .light = lightOf[primitive], .touched = touched[primitive]};
-    appendPrimitive(scene, context, flat.rows, normals);
+    appendPrimitive(scene, context, flat.rows, attributes);
   }
-  flat.constants.firstNormalRow = rowCount(flat.rows);
-  flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
+  flat.constants.firstAttributeRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
 }
 
 // Copies the records of slots to the uniform buffer.
@@ -219,11 +240,17 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   } else {
     appendLights(scene, table, slotsOf(order), flat);
   }
+  flat.constants.firstTextureRow = rowCount(flat.rows);
+  if (flat.features.textures) {
+    const Rows textures = textureRows(scene);
+    flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
+  }
   flat.constants.firstSkyRow = rowCount(flat.rows);
   if (scene.sky) {
     const Rows sky = skyRows(*scene.sky);
     flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());
   }
+  if (scene.environment) appendEnvironment(*scene.environment, flat);
   return flat;
 }
 

@@ -36,6 +36,7 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.mirror |= lobes.mirror;
   features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.textures |= isTextured(material);
 }
 
 }  // namespace
@@ -51,6 +52,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
     if (used[i]) noteMaterial(scene.materials[i], integrator, features);
   }
   features.sky = scene.sky.has_value();
+  features.environment = scene.environment.has_value();
   return features;
 }
 

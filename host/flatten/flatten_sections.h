@@ -23,7 +23,17 @@ void appendWideNodes(const accel::WideBvh& wide, Rows& rows);
 /// (0: points) that face the camera's target: see docs/light-transport.md section 9.
 Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
 
+/// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
+Rows srgbTableRows();
+
+/// Returns the table of srgbTableRows(), the references of materials to images, and the images. Throws FileError beyond
+/// kMaxTextureRows records.
+Rows textureRows(const scene::Scene& scene);
+
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
+
+/// Returns the texels of the environment with their densities, and its alias table.
+Rows environmentRows(const scene::Environment& environment);
 
 }  // namespace candela::flatten

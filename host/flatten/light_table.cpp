@@ -1,11 +1,13 @@
 // Computes the table by which lights are sampled.
 #include "host/flatten/light_table.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
+#include "host/flatten/emission_mean.h"
 #include "host/image/film.h"
 
 namespace candela::flatten {
@@ -35,10 +37,21 @@ double punctualPower(const scene::PunctualLight& light) {
   return reach * reach * image::luminance(glm::dvec3(light.intensity));
 }
 
-// Returns the probabilities of the two groups: half each if both can be chosen.
-std::pair<double, double> groupShares(double emitters, double points) {
-  if (emitters > 0 && points > 0) return {0.5, 0.5};
-  return {emitters > 0 ? 1.0 : 0.0, points > 0 ? 1.0 : 0.0};
+// Emitters, lights without extent, and the environment are chosen with equal probabilities.
+std::size_t groupOf(LightKind kind) {
+  if (kind == LightKind::environment) return 2;
+  return kind < LightKind::point ? 0 : 1;
+}
+using GroupSums = std::array<double, 3>;
+
+double shareOfGroup(const GroupSums& sums) {
+  const auto positive = std::ranges::count_if(sums, [](double sum) { return sum > 0; });
+  return positive > 0 ? 1 / static_cast<double>(positive) : 0;
+}
+
+// The environment's weight is 1 if any texel can be chosen.
+double environmentPower(const scene::Environment& environment) {
+  return std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; }) ? 1 : 0;
 }
 
 void setThresholds(std::vector<LightEntry>& table, const std::vector<double>& probabilities) {
@@ -65,11 +78,16 @@ double triangleArea(const scene::Triangle& triangle) {
 }
 
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index) {
+  if (kind == LightKind::environment) return environmentPower(*scene.environment);
   if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
   if (kind > LightKind::point) return punctualPower(scene.punctualLights[index]);
   const scene::Primitive& primitive = scene.primitives[index];
-  const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
-  if (kind == LightKind::triangle) return triangleArea(triangleOf(scene, primitive)) * emitted;
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  if (kind == LightKind::triangle) {
+    return triangleArea(triangleOf(scene, primitive)) *
+           image::luminance(emission * meanEmissionTexel(scene, primitive));
+  }
+  const double emitted = image::luminance(emission);
   const double radius = scene.spheres[primitive.index].radius;
   return 4 * std::numbers::pi * radius * radius * emitted;
 }
@@ -77,23 +95,23 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
   std::vector<LightEntry> table;
   std::vector<double> weights;
-  double emitterSum = 0;
-  double pointSum = 0;
-  const auto add = [&](LightKind kind, std::uint32_t index, double& groupSum) {
+  GroupSums sums{};
+  const auto add = [&](LightKind kind, std::uint32_t index) {
     table.push_back({.kind = kind, .index = index});
     weights.push_back(lightPower(scene, kind, index));
-    groupSum += weights.back();
+    sums[groupOf(kind)] += weights.back();
   };
   for (std::uint32_t i = 0; withEmitters && i < scene.primitives.size(); ++i) {
-    if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i, emitterSum);
+    if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i);
   }
-  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i, pointSum);
-  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i, pointSum);
-  const auto [emitterShare, pointShare] = groupShares(emitterSum, pointSum);
-  if (emitterShare + pointShare == 0) return {};
+  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i);
+  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);
+  if (withEmitters && scene.environment) add(LightKind::environment, 0);
+  const double share = shareOfGroup(sums);
+  if (share == 0) return {};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double sum = table[i].isEmitter() ? emitterSum : pointSum;
-    weights[i] = sum > 0 ? weights[i] / sum * (table[i].isEmitter() ? emitterShare : pointShare) : 0;
+    const double sum = sums[groupOf(table[i].kind)];
+    weights[i] = sum > 0 ? weights[i] / sum * share : 0;
   }
   setThresholds(table, weights);
   return table;

@@ -7,8 +7,8 @@
 
 namespace candela::flatten {
 
-/// The kinds of lights that have entries, with the values of shaders/shared/scene_rows.h. The background has no entry.
-enum class LightKind : std::uint32_t { sphere, triangle, point, punctual, spot, directional };
+/// The kinds of lights that have entries, with the values of shaders/shared/scene_rows.h.
+enum class LightKind : std::uint32_t { sphere, triangle, point, punctual, spot, directional, environment };
 
 struct LightEntry {
   LightKind kind = LightKind::sphere;
@@ -18,12 +18,13 @@ struct LightEntry {
 
   bool isEmitter() const { return kind < LightKind::point; }
   bool isPoint() const { return kind == LightKind::point; }
+  bool isEnvironment() const { return kind == LightKind::environment; }
 };
 
 /// Returns the table. Without `withEmitters` (--nee off), it contains only point and punctual lights.
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters);
 
-/// Weight of a light in the choice.
+/// Weight of a light in the choice within its group.
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index);
 
 /// Area of a triangle, in double.

@@ -1,13 +1,27 @@
 // The list of loaders, and the choice among them for a file.
 #include "host/formats/load_scene.h"
 
+#include <fmt/format.h>
+
 #include <vector>
 
+#include "host/environment/environment.h"
 #include "host/gltf/gltf_loader.h"
 #include "host/scene/nff_loader.h"
 #include "host/scene/read_file.h"
 
 namespace candela::formats {
+namespace {
+
+void surround(scene::LoadedScene& loaded, const scene::EnvironmentRequest& request) {
+  scene::Scene& scene = loaded.scene;
+  scene.environment = environment::makeEnvironment(request, scene.up);
+  scene.hash = environment::hashOf(*scene.environment, scene.hash);
+  loaded.facts.emplace_back("environment", fmt::format("{}, {} x {} texels", scene.environment->name,
+                                                       scene.environment->width, scene.environment->height));
+}
+
+}  // namespace
 
 std::span<const scene::Loader> allLoaders() {
   static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), scene::nffLoader()};
@@ -17,7 +31,9 @@ std::span<const scene::Loader> allLoaders() {
 scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
   const std::string bytes = scene::readFile(path);
   const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
-  return chooseLoader(allLoaders(), file).load(file, options);
+  scene::LoadedScene loaded = chooseLoader(allLoaders(), file).load(file, options);
+  if (options.hasEnvironment()) surround(loaded, options.environment);
+  return loaded;
 }
 
 }  // namespace candela::formats

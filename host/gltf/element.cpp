@@ -22,7 +22,7 @@ struct TypeName {
 constexpr std::array kTypeNames{TypeName{"SCALAR", 1}, TypeName{"VEC2", 2}, TypeName{"VEC3", 3}, TypeName{"VEC4", 4},
                                 TypeName{"MAT2", 4},   TypeName{"MAT3", 9}, TypeName{"MAT4", 16}};
 
-const TypeName& typeNameOf(const Value& name) {
+TypeName typeNameOf(const Value& name) {
   const auto* const found = std::ranges::find(kTypeNames, name.text(), &TypeName::name);
   if (found == kTypeNames.end()) name.fail(scene::quote(name.text()) + " is no type of elements");
   return *found;
@@ -51,7 +51,7 @@ ElementType elementTypeOf(const Value& accessor) {
     accessor.require("count").fail(
         fmt::format("{} elements without a buffer view; at most {} are read", count, kMaxZeros));
   }
-  const TypeName& name = typeNameOf(accessor.require("type"));
+  const TypeName name = typeNameOf(accessor.require("type"));
   ElementType type{static_cast<std::size_t>(count), componentOf(accessor.require("componentType")), name.components,
                    accessor.booleanOr("normalized", false)};
   const bool isInteger = type.component != Component::real && type.component != Component::unsignedInt;

@@ -47,21 +47,26 @@ void noteTexture(const Value& object, const char* key, const char* name, GltfMat
   if (object.find(key)) result.unread.insert(name);
 }
 
-void readMetallicRoughness(const Value& pbr, GltfMaterial& result) {
+std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
+                                                 const TextureReader& readTexture) {
+  const std::optional<Value> info = object.find(key);
+  return info ? std::optional(readTexture(*info)) : std::nullopt;
+}
+
+void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, GltfMaterial& result) {
   result.baseColour = fractions(pbr, "baseColorFactor", glm::vec4(1));
   result.metallic = fraction(pbr, "metallicFactor", 1);
   result.roughness = fraction(pbr, "roughnessFactor", 1);
-  noteTexture(pbr, "baseColorTexture", "base colour texture", result);
+  result.baseColourTexture = textureIn(pbr, "baseColorTexture", readTexture);
   noteTexture(pbr, "metallicRoughnessTexture", "metallic-roughness texture", result);
 }
 
-void readEmission(const Value& material, GltfMaterial& result) {
+void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.emission = fractions(material, "emissiveFactor", glm::vec3(0));
   if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
-  result.hasEmissiveTexture = material.find("emissiveTexture").has_value();
-  if (result.hasEmissiveTexture && result.emission != glm::vec3(0)) result.unread.insert("emissive texture");
+  result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
 }
 
 void readTransmission(const Value& material, GltfMaterial& result) {
@@ -95,10 +100,11 @@ void noteExtensions(const Value& material, GltfMaterial& result) {
 
 }  // namespace
 
-GltfMaterial readMaterial(const Value& material) {
+GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture) {
   GltfMaterial result;
-  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness")) readMetallicRoughness(*pbr, result);
-  readEmission(material, result);
+  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
+    readMetallicRoughness(*pbr, readTexture, result);
+  readEmission(material, readTexture, result);
   readTransmission(material, result);
   result.alphaMode = alphaModeOf(material);
   if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));

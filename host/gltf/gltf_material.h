@@ -1,9 +1,12 @@
 // The materials of glTF, as the file states them.
 #pragma once
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "host/gltf/value.h"
+#include "host/scene/texture.h"
 
 namespace candela::gltf {
 
@@ -15,7 +18,8 @@ struct GltfMaterial {
   double metallic = 1;
   double roughness = 1;
   glm::vec3 emission{0, 0, 0};  ///< emissiveFactor times KHR_materials_emissive_strength
-  bool hasEmissiveTexture = false;
+  std::optional<scene::TextureReference> baseColourTexture{};
+  std::optional<scene::TextureReference> emissionTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
   bool isDoubleSided = false;
   bool isUnlit = false;     ///< KHR_materials_unlit
@@ -26,7 +30,10 @@ struct GltfMaterial {
   std::set<std::string> unread;
 };
 
-/// Throws PlaceError where a factor is missing or out of range.
-GltfMaterial readMaterial(const Value& material);
+/// Reads a `textureInfo`, as Textures::read() does.
+using TextureReader = std::function<scene::TextureReference(const Value&)>;
+
+/// Throws PlaceError where a factor is missing or out of range, and what `readTexture` throws.
+GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);
 
 }  // namespace candela::gltf

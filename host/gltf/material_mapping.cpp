@@ -28,7 +28,8 @@ void addLobes(const GltfMaterial& source, scene::Material& material) {
   if (opaque > coat) material.diffuse = scene::DiffuseLobe{opaque - coat, base};
   if (glossy > 0) {
     const glm::dvec3 colour = (metal * glm::dvec3(base) + glm::dvec3(coat)) / glossy;
-    material.glossy = scene::GlossyLobe{glossy, glm::vec3(colour), static_cast<float>(exponentOf(source.roughness))};
+    material.glossy = scene::GlossyLobe{glossy, glm::vec3(colour), static_cast<float>(exponentOf(source.roughness)),
+                                        static_cast<float>(coat / glossy)};
   }
   if (transmitted > 0) {
     const bool isThin = source.thickness == 0;
@@ -47,11 +48,17 @@ double exponentOf(double roughness) {
 
 scene::Material fromGltf(const GltfMaterial& source) {
   scene::Material material;
+  const auto setTexture = [&](scene::TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
+    material.textures[static_cast<std::size_t>(slot)] = texture;
+  };
   if (source.isUnlit) {
     material.emission = glm::vec3(source.baseColour);
+    setTexture(scene::TextureSlot::emission, source.baseColourTexture);
   } else {
     addLobes(source, material);
-    if (!source.hasEmissiveTexture) material.emission = source.emission;
+    setTexture(scene::TextureSlot::baseColour, source.baseColourTexture);
+    material.emission = source.emission;
+    if (isEmissive(material)) setTexture(scene::TextureSlot::emission, source.emissionTexture);
   }
   material.opaque = !source.isDoubleSided && !material.dielectric;
   return material;

@@ -33,7 +33,13 @@ Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector&
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
                              Buffers& buffers, scene::DiagnosticLog& log)
-    : root_(root), nodes_(nodes), pose_(pose), accessors_(accessors), buffers_(buffers), log_(log) {}
+    : root_(root),
+      nodes_(nodes),
+      pose_(pose),
+      accessors_(accessors),
+      buffers_(buffers),
+      log_(log),
+      textures_(root, buffers) {}
 
 template <class Action>
 void SceneAssembly::attempt(const Action& action) {
@@ -50,12 +56,14 @@ void SceneAssembly::addMaterials() {
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     scene_.materials.emplace_back();
     attempt([&] {
-      const GltfMaterial material = readMaterial((*list)[i]);
+      const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
       scene_.materials.back() = fromGltf(material);
       unread_.insert(material.unread.begin(), material.unread.end());
     });
   }
+  scene_.images = textures_.takeImages();
   counts_["material"] = scene_.materials.size();
+  counts_["image"] = scene_.images.size();
 }
 
 void SceneAssembly::addNodes() {

@@ -9,6 +9,7 @@
 #include "host/gltf/cameras.h"
 #include "host/gltf/geometry.h"
 #include "host/gltf/nodes.h"
+#include "host/gltf/textures.h"
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/load.h"
 
@@ -29,6 +30,7 @@ class SceneAssembly {
 
   scene::Scene& scene() { return scene_; }
   const scene::StatementCounts& counts() const { return counts_; }
+  const Textures& textures() const { return textures_; }
   /// Returns the bounds of all vertices of triangles; nothing if there are none.
   std::optional<Box> bounds() const;
 
@@ -53,6 +55,7 @@ class SceneAssembly {
   Accessors& accessors_;
   Buffers& buffers_;
   scene::DiagnosticLog& log_;
+  Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
   std::set<std::string> unread_{};   ///< names of what materials and meshes have that is not rendered

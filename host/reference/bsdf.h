@@ -37,6 +37,8 @@ class Bsdf {
 
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !mirror_ && weightSum() == 0; }
+  /// Multiplies the colours of the lobes by that of a texture.
+  void scaleBaseColour(const dvec3& scale);
   /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
   /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
@@ -69,6 +71,7 @@ class Bsdf {
   dvec3 glossyColour_{0};
   dvec3 specularColour_{0};  ///< of the dielectric or of the mirror
   double exponent_ = 0;
+  double untinted_ = 0;  ///< part of the glossy colour that is not scaled
   double ior_ = 1;
 };
 

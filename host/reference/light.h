@@ -21,10 +21,12 @@ namespace candela::reference {
 struct LightSample {
   dvec3 wi;
   double distance;
-  dvec3 radiance;              ///< pi times the colour of a point light; the irradiance of a punctual light
-  std::optional<double> pdf;   ///< per solid angle, given the choice; none: a light that rays never hit
-  std::uint32_t primitive;     ///< kNoPrimitive for a light that is not a primitive
-  std::optional<dvec3> point;  ///< the sampled point, or the position; none of a sphere or a directional light
+  dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
+  std::optional<double> pdf;  ///< per solid angle, given the choice of the light; none: a light that rays never hit
+  std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
+  std::optional<dvec3>
+      point{};            ///< the sampled point, or the position; none of a sphere or a light infinitely far away
+  dvec2 barycentrics{0};  ///< of the point of a triangle, whose radiance is without its texture
 
   /// The end of the shadow ray.
   RayEnd end() const { return {distance, primitive, point}; }
@@ -49,8 +51,10 @@ class SphereLight {
 /// Emits from both sides, or only from its front.
 class TriangleLight {
  public:
-  TriangleLight(const scene::Triangle& triangle, const dvec3& radiance, std::uint32_t primitive, bool oneSided)
-      : triangle_(triangle), radiance_(radiance), primitive_(primitive), oneSided_(oneSided) {}
+  /// `meanTexel`: the mean of the texture of its emission.
+  TriangleLight(const scene::Triangle& triangle, const dvec3& radiance, std::uint32_t primitive, bool oneSided,
+                const dvec3& meanTexel = dvec3(1))
+      : triangle_(triangle), radiance_(radiance), primitive_(primitive), oneSided_(oneSided), meanTexel_(meanTexel) {}
 
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray& ray, double distance, double probability) const;
@@ -62,6 +66,7 @@ class TriangleLight {
   dvec3 radiance_;
   std::uint32_t primitive_;
   bool oneSided_;
+  dvec3 meanTexel_;
 };
 
 class PointLight {
@@ -96,15 +101,21 @@ class PunctualLight {
   double reach_;
 };
 
-/// The radiance of rays that hit nothing. It is not sampled, and its power of 0 excludes it from the table.
-class BackgroundLight {
+/// The entry of the environment. Its samples and densities need other numbers than those of the other kinds:
+/// EnvironmentMap has them.
+class EnvironmentLight {
  public:
+  explicit EnvironmentLight(bool shines) : shines_(shines) {}
+
   std::optional<LightSample> sample(const Surface&, const dvec2&) const { return std::nullopt; }
   double pdf(const Ray&, double, double) const { return 0; }
-  double power() const { return 0; }
+  double power() const { return shines_ ? 1 : 0; }
+
+ private:
+  bool shines_;
 };
 
 /// Any kind of light.
-using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, BackgroundLight>;
+using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, EnvironmentLight>;
 
 }  // namespace candela::reference

@@ -2,16 +2,23 @@
 #include "host/reference/lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "host/reference/textured_material.h"
 
 namespace candela::reference {
 namespace {
 
 constexpr std::uint32_t kChoiceCount = 1u << 24;
 
-// Point and punctual lights, which no ray finds.
-bool isPoint(const Light& light) {
-  return std::holds_alternative<PointLight>(light) || std::holds_alternative<PunctualLight>(light);
+// Emitters, lights that no ray finds, and the environment.
+enum Group { kEmitters, kPoints, kEnvironment, kGroupCount };
+
+Group groupOf(const Light& light) {
+  if (std::holds_alternative<EnvironmentLight>(light)) return kEnvironment;
+  const bool isPoint = std::holds_alternative<PointLight>(light) || std::holds_alternative<PunctualLight>(light);
+  return isPoint ? kPoints : kEmitters;
 }
 
 }  // namespace
@@ -20,10 +27,14 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     : entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
   if (settings.image.nextEventEstimation) {
     for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) collectEmitter(scene, i, settings.image.oneSided);
-    collectBackground();
   }
   for (const scene::PointLight& light : scene.pointLights) add(PointLight(light));
   for (const scene::PunctualLight& light : scene.punctualLights) add(PunctualLight(light));
+  if (settings.image.nextEventEstimation && scene.environment) {
+    const auto& weights = scene.environment->weights;
+    const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
+    entryOfEnvironment_ = add(EnvironmentLight(shines));
+  }
   computeThresholds();
 }
 
@@ -34,14 +45,10 @@ void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primiti
   if (emitter.kind == scene::PrimitiveKind::sphere) {
     entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[emitter.index], material.emission, primitive));
   } else if (emitter.kind == scene::PrimitiveKind::triangle) {
-    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided);
+    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided,
+                              meanEmissionTexel(scene, emitter));
     if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
   }
-}
-
-void LightTable::collectBackground() {
-  const BackgroundLight background;
-  if (background.power() > 0) entryOfBackground_ = add(background);
 }
 
 std::uint32_t LightTable::add(const Light& light) {
@@ -50,15 +57,15 @@ std::uint32_t LightTable::add(const Light& light) {
 }
 
 void LightTable::computeThresholds() {
-  double emitterSum = 0;
-  double pointSum = 0;
-  for (const Entry& entry : entries_) (isPoint(entry.light) ? pointSum : emitterSum) += entry.weight;
-  const double share = emitterSum > 0 && pointSum > 0 ? 0.5 : 1;
+  std::array<double, kGroupCount> sums{};
+  for (const Entry& entry : entries_) sums[groupOf(entry.light)] += entry.weight;
+  const auto groups = std::ranges::count_if(sums, [](double sum) { return sum > 0; });
+  const double share = 1 / static_cast<double>(std::max<std::ptrdiff_t>(groups, 1));
 
   double running = 0;
   std::size_t last = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const double groupSum = isPoint(entries_[i].light) ? pointSum : emitterSum;
+    const double groupSum = sums[groupOf(entries_[i].light)];
     if (entries_[i].weight > 0) {
       running += share * entries_[i].weight / groupSum;
       last = i;
@@ -87,7 +94,9 @@ double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) 
   return pdfOf(entryOfPrimitive_[surface.primitive], ray, distance);
 }
 
-double LightTable::backgroundPdf(const Ray& ray) const { return pdfOf(entryOfBackground_, ray, kNoHit); }
+double LightTable::environmentProbability() const {
+  return entryOfEnvironment_ == kNoEntry ? 0 : probability(entryOfEnvironment_);
+}
 
 double LightTable::pdfOf(std::uint32_t entry, const Ray& ray, double distance) const {
   if (entry == kNoEntry) return 0;

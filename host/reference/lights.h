@@ -33,8 +33,10 @@ class LightTable {
   /// Returns the density, per solid angle and times the probability of the choice, with which light sampling chooses
   /// the hit of `ray` on `surface`; 0 if the primitive is not in the table.
   double pdf(const Ray& ray, double distance, const Surface& surface) const;
-  /// Returns this density for the background, which `ray` sees.
-  double backgroundPdf(const Ray& ray) const;
+  /// Returns whether an entry is the environment, which sample() does not sample.
+  bool isEnvironment(std::uint32_t entry) const { return entry == entryOfEnvironment_; }
+  /// Returns the probability of choosing the environment; 0 if it is not in the table.
+  double environmentProbability() const;
 
  private:
   struct Entry {
@@ -44,7 +46,6 @@ class LightTable {
   static constexpr std::uint32_t kNoEntry = 0xffffffffu;
 
   void collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
-  void collectBackground();
   /// Returns the index of the entry.
   std::uint32_t add(const Light& light);
   void computeThresholds();
@@ -55,7 +56,7 @@ class LightTable {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;
   std::vector<std::uint32_t> entryOfPrimitive_;
-  std::uint32_t entryOfBackground_ = kNoEntry;
+  std::uint32_t entryOfEnvironment_ = kNoEntry;
 };
 
 }  // namespace candela::reference

@@ -23,12 +23,23 @@ double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 struct PathTracer::VertexNumbers {
   SampleNumbers& numbers;
   std::uint32_t block;
+  std::uint32_t environmentBlock;
 
   VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t depth)
-      : numbers(pathNumbers), block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount) {}
+      : numbers(pathNumbers),
+        block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount),
+        environmentBlock(kEnvironmentDimensions + (depth - 1) * kEnvironmentDimensionCount) {}
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
+  std::uint64_t lightWords() const {
+    return std::uint64_t{numbers.word(block + kDimensionLightU)} << 32 | numbers.word(block + kDimensionLightV);
+  }
+  dvec2 tap() const { return environmentPair(kDimensionTapX, kDimensionTapY); }
+  dvec2 environmentPlace() const { return environmentPair(kDimensionPlaceX, kDimensionPlaceY); }
+  dvec2 environmentPair(std::uint32_t x, std::uint32_t y) const {
+    return {numbers.unit(environmentBlock + x), numbers.unit(environmentBlock + y)};
+  }
   double lobe() const { return numbers.unit(block + kDimensionLobe); }
   dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
@@ -55,7 +66,9 @@ struct PathTracer::Vertex {
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
-    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {}
+    : PixelTracer(scene, settings), settings_(settings), background_(scene), lights_(scene, settings) {
+  if (scene.environment) environment_.emplace(*scene.environment);
+}
 
 render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
   render::PathTrace trace;
@@ -86,17 +99,19 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.startVertex(depth, ray);
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
-    if (!hit) return radiance + beta * background(ray, pdf);
+    const VertexNumbers u(numbers, depth);
+    if (!hit) return radiance + beta * background(ray, pdf, u, rounding);
 
     ++counters.vertices;
-    const Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    jitterTextures(surface, numbers, depth);
     rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
-    radiance += beta * emission(ray, hit.distance, surface, pdf, notes, rounding);
+    const SurfaceMaterial material = materialAt(surface, rounding);
+    radiance += beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction, rounding);
-    const VertexNumbers u(numbers, depth);
+    const Vertex vertex(surface, material.bsdf, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += beta * directLight(vertex, u, counters, notes, rounding);
     }
@@ -122,14 +137,22 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   }
 }
 
-dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf) const {
-  const double weight = pdf ? powerHeuristic(*pdf, lights_.backgroundPdf(ray)) : 1;
-  return weight * background_.radiance(ray.direction);
+dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {
+  if (!environment_) return background_.radiance(ray.direction);
+  const dvec3 direction = rounding.turned(ray.direction, kRoundingBounds.mapDirection);
+  const EnvironmentMap::Tap tap = environment_->tap(direction, u.tap());
+  rounding.decide(tap.texel);
+  const double lightPdf = rounding.relative(lights_.environmentProbability() * tap.pdf, kRoundingBounds.pdf);
+  return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
 }
 
-dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
-                           PathNotes& notes, Rounding& rounding) const {
-  const SurfaceMaterial& material = materialAt(surface);
+std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
+  if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.environmentPlace());
+  return lights_.sample(entry, surface, u.light());
+}
+
+dvec3 PathTracer::emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                           std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const {
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
@@ -144,14 +167,14 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
                               Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
-  const std::optional<LightSample> light = rounding.lightSample(
-      lights_.sample(choice.entry, vertex.surface, u.light()));
+  std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
+  light->radiance *= emissionTexel(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
   const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
-  if (bsdf.f == dvec3(0)) return dvec3(0);
+  if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
@@ -162,7 +185,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
   const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
   notes.lit(weight, arriving);
-  rounding.decideLit(arriving);
+  rounding.decideLit(arriving, std::abs(wi.z));
   return arriving;
 }
 

@@ -4,6 +4,7 @@
 
 #include "host/reference/background.h"
 #include "host/reference/bsdf.h"
+#include "host/reference/environment_map.h"
 #include "host/reference/lights.h"
 #include "host/reference/path_notes.h"
 #include "host/reference/pixel_tracer.h"
@@ -40,9 +41,11 @@ class PathTracer final : public PixelTracer {
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
              Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
-  dvec3 background(const Ray& ray, std::optional<double> pdf) const;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf, PathNotes& notes,
-                 Rounding& rounding) const;
+  dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;
+  /// Returns a sample of an entry of the light table as seen from a surface.
+  std::optional<LightSample> sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const;
+  dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                 std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const;
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
@@ -50,6 +53,7 @@ class PathTracer final : public PixelTracer {
 
   render::RenderSettings settings_;
   Background background_;
+  std::optional<EnvironmentMap> environment_;
   LightTable lights_;
 };
 

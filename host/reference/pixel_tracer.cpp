@@ -1,6 +1,10 @@
 // Traces the samples of one pixel.
 #include "host/reference/pixel_tracer.h"
 
+#include <algorithm>
+
+#include "shaders/shared/dimensions.h"
+
 namespace candela::reference {
 
 PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -9,8 +13,17 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_),
       hasLens_(scene.camera->aperture > 0),
+      hasTextures_(std::ranges::any_of(scene.materials, scene::isTextured)),
       tracing_(scene, settings),
       materials_(scene.materials.begin(), scene.materials.end()) {}
+
+void PixelTracer::jitterTextures(Surface& surface, SampleNumbers& numbers, std::uint32_t vertex) const {
+  if (!hasTextures_) return;
+  const std::uint32_t block = kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount;
+  surface.textureJitter = {numbers.unit(block + kDimensionTextureU), numbers.unit(block + kDimensionTextureV)};
+  surface.lightTextureJitter = {numbers.unit(block + kDimensionLightTextureU),
+                                numbers.unit(block + kDimensionLightTextureV)};
+}
 
 void PixelTracer::setSeed(std::uint32_t seed) {
   image_.seed = seed;

@@ -25,22 +25,24 @@ inline constexpr double kRoundoff = 0x1p-24;
 /// the quantity in `shaders/`. Vulkan's precision ("Precision and Operation of SPIR-V Instructions"): 1 for + - *, 5
 /// for a division (2.5 ulp), 4 for inversesqrt, hence 6.4 for sqrt (1 / inversesqrt). docs/testing.md has the table.
 struct RoundingBounds {
-  double cameraDirection = 5;   ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
-                                ///< division
-  double lensPoint = 5;         ///< relative, per axis
-  double triangleTest = 6;      ///< of the farthest vertex: differences, shear (a division), products of coordinates
-  double sphereTest = 4;        ///< of the distance to the anchor: differences, products, sums
-  double boxTest = 6;           ///< of the farthest corner: differences, reciprocal of the direction
-  double coneTest = 8;          ///< of the distance to the base plus the height: axis, products, sums
-  double planeTest = 3;         ///< of the distance to the plane's point: difference, products, sums
-  double hitDistance = 8;       ///< relative: quotient of the last step, between primitives at equal distances
-  double position = 6;          ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
-  double normal = 3;            ///< of a unit vector, per axis, apart from the position's error
-  double frame = 4;             ///< of a direction turned into or out of the shading frame, per axis
+  double cameraDirection = 5;  ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
+                               ///< division
+  double lensPoint = 5;        ///< relative, per axis
+  double triangleTest = 6;     ///< of the farthest vertex: differences, shear (a division), products of coordinates
+  double sphereTest = 4;       ///< of the distance to the anchor: differences, products, sums
+  double boxTest = 6;          ///< of the farthest corner: differences, reciprocal of the direction
+  double coneTest = 8;         ///< of the distance to the base plus the height: axis, products, sums
+  double planeTest = 3;        ///< of the distance to the plane's point: difference, products, sums
+  double hitDistance = 8;      ///< relative: quotient of the last step, between primitives at equal distances
+  double position = 6;         ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
+  double normal = 3;           ///< of a unit vector, per axis, apart from the position's error
+  double texCoord = 9;  ///< of the sum of the magnitudes of its terms and 1: interpolation (a division), transform
+  double frame = 4;     ///< of a direction turned into or out of the shading frame, per axis
   double sampledDirection = 6;  ///< relative, per local axis: roots of the warps
   double lightDirection = 3;    ///< of a unit vector, per axis
   double lightDistance = 7;     ///< relative: a square root
   double lightDepth = 12;       ///< of the largest coordinate: distance of a light from a surface that it may touch
+  double mapDirection = 8;      ///< of a unit vector, per axis: its coordinates in the environment's map
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
   double choice = 6;            ///< of a probability that a random number is compared with
@@ -77,9 +79,10 @@ class Rounding {
     if (records_) decisions_ = (decisions_ ^ choice) * 0x9fb21c651e98df25u, decisions_ ^= decisions_ >> 32;
   }
 
-  /// The decision that light arrives. Light too faint to count, as at a horizon, is none.
-  void decideLit(const dvec3& radiance) {
-    if (records_ && maxNorm(radiance) > kNegligible) decide(kLit);
+  /// The decision that light arrives, with this cosine at the surface. Light too faint to count is none, and neither is
+  /// light at the horizon, such as that of a light in the plane of the surface.
+  void decideLit(const dvec3& radiance, double cosine) {
+    if (records_ && maxNorm(radiance) > kNegligible && cosine > kHorizon) decide(kLit);
   }
 
   double relative(double value, double units) { return perturbs_ ? value * (1 + sign() * units * kRoundoff) : value; }
@@ -112,6 +115,7 @@ class Rounding {
 
  private:
   static constexpr double kNegligible = 0x1p-26;
+  static constexpr double kHorizon = 0x1p-18;  // several times the error of a direction's cosine
   static constexpr std::uint64_t kLit = 0x6c69676874u;
 
   void startVertex(std::uint32_t vertex);

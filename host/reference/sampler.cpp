@@ -95,6 +95,9 @@ Stratification stratificationOf(std::uint32_t dimension) {
     if (dimension == kDimensionLensU || dimension == kDimensionLensV) return pairFrom(kDimensionLensU, dimension);
     return {false, false, slot};
   }
+  if (dimension >= kEnvironmentDimensions) {
+    return pairFrom(slot < kDimensionPlaceX ? kDimensionTapX : kDimensionPlaceX, slot);
+  }
   const std::uint32_t name = (dimension - kCameraDimensionCount) % kVertexDimensionCount;
   if (name == kDimensionLightU || name == kDimensionLightV) return pairFrom(kDimensionLightU, name);
   if (name == kDimensionBsdfU || name == kDimensionBsdfV) return pairFrom(kDimensionBsdfU, name);

@@ -51,7 +51,9 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   if (view_ == render::Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
-    value = valueAt(hit, rounding.surfaceAt(scene(), tested, hit), numbers, counters, vertex, rounding);
+    Surface surface = rounding.surfaceAt(scene(), tested, hit);
+    jitterTextures(surface, numbers, 1);
+    value = valueAt(hit, surface, numbers, counters, vertex, rounding);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
@@ -63,7 +65,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return materialAt(surface).bsdf.albedo();
+      return materialAt(surface, rounding).bsdf.albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:

@@ -19,7 +19,7 @@ struct BadPixel {
   bool operator==(const BadPixel&) const = default;
 };
 
-/// All renders that are added must have the same size.
+/// All renders that are added must be of images of the same size; each may be of another window.
 class BadSampleTally {
  public:
   static constexpr std::size_t kPixelsKept = 5;
@@ -27,7 +27,7 @@ class BadSampleTally {
   /// Adds the bad samples of a film that was rendered with `image`.
   void add(const image::Film& film, const ImageSettings& image);
 
-  /// Adds what another tally counted in later renders of the same size.
+  /// Adds what another tally counted in later renders.
   void add(const BadSampleTally& later);
 
   std::uint64_t samples() const { return samples_; }
@@ -37,12 +37,12 @@ class BadSampleTally {
   const std::vector<BadPixel>& firstPixels() const { return firstPixels_; }
 
  private:
-  bool note(std::size_t pixel, std::size_t pixelCount);
+  bool note(std::uint32_t x, std::uint32_t y);
 
-  Window window_;  ///< of the images
+  Extent size_;  ///< of the images
   std::uint64_t samples_ = 0;
   std::uint64_t pixels_ = 0;
-  std::vector<bool> isBad_;  ///< by pixel; empty while no pixel is bad
+  std::vector<bool> isBad_;  ///< by pixel of the image; empty while no pixel is bad
   std::vector<BadPixel> firstPixels_;
 };
 

@@ -36,6 +36,9 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
 
 void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings) {
   if (settings.image.integrator != Integrator::whitted) return;
+  if (scene.environment) {
+    throw UsageError("--integrator whitted: Whitted ray tracing has no environment (--env); use --integrator path");
+  }
   const auto lacksCoefficients = [](const scene::Material& material) { return !material.whitted; };
   if (std::ranges::any_of(scene.materials, lacksCoefficients)) {
     throw UsageError("--integrator whitted: " + scene.name +

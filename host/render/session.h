@@ -36,10 +36,16 @@ struct Replay {
   RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
 };
 
+/// What is left of a session whose device failed.
+struct Salvage {
+  image::Film film;             ///< as it was last on the host: whole samples only, as Session::load() takes them
+  RenderStatistics statistics;  ///< without the counts that only the device had; `samples` are those of the film
+};
+
 /// Renders one scene with fixed settings, in any number of steps. The film is the same, bit for bit, however the
 /// samples are split into ranges, and whether or not a range was stopped and continued.
-/// Every member function may throw DeviceLostError, OutOfMemoryError or InternalError. After DeviceLostError the
-/// session cannot be used.
+/// Every member function but salvage() may throw DeviceLostError, OutOfMemoryError or InternalError. After one of
+/// them, the session can only be salvaged and destroyed.
 class Session {
  public:
   virtual ~Session() = default;
@@ -64,6 +70,10 @@ class Session {
 
   /// Returns counts and times since the session was prepared or reset. Those of the preparation are included.
   virtual RenderStatistics statistics() = 0;
+  /// Returns the film as the last call of film() or statistics() returned it, or newer, without using the device. Its
+  /// pixels hold consecutive samples from the first one on, but not all the same number. If truncated work may have
+  /// reached it, the statistics say so. The session can only be destroyed afterwards.
+  virtual Salvage salvage() { return {film(), statistics()}; }
   /// Returns one record per pixel; empty unless ExecutionSettings::recordPaths.
   virtual PathRecords paths() = 0;
   /// Empty unless the tracer is the reference and ExecutionSettings::replicas is above 0.

@@ -2,6 +2,7 @@
 // is executed.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -106,6 +107,8 @@ struct ExecutionSettings {
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
   std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
   std::uint32_t replicas = 0;  ///< of each sample, by the reference alone: see host/render/replicas.h
+  /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows anyhow.
+  std::uint64_t maxBandBytes = std::numeric_limits<std::uint64_t>::max();
   bool recordPaths = false;  ///< records the decisions of each pixel's path (one sample per pixel only): see PathRecord
 
   Extent workgroupInUse() const { return workgroup.value_or(automatic.workgroup); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/scene/diagnostic.h"
+#include "host/scene/environment.h"
 #include "host/scene/scene.h"
 
 namespace candela::scene {
@@ -18,6 +19,9 @@ struct LoadOptions {
   std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which a scene may read
   std::optional<std::string> camera{};  ///< name or index of one of the file's cameras; "none": a view of everything
   std::optional<double> time{};         ///< seconds at which the first animation is evaluated; empty: at rest
+  EnvironmentRequest environment{};     ///< replaces the background, and the default light of glTF
+
+  bool hasEnvironment() const { return !environment.source.empty(); }
 };
 
 /// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...

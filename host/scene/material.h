@@ -2,9 +2,13 @@
 // 5 and 9. Every file format has one function that derives a material from its own statements (nff_material.h); tracers
 // use nothing else.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+
+#include "host/scene/texture.h"
 
 namespace candela::scene {
 
@@ -21,6 +25,7 @@ struct GlossyLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
   float exponent = 1;  ///< >= 0
+  float untinted = 0;  ///< the part of each channel of `colour` that a base colour texture does not scale, 0 to colour
 
   bool operator==(const GlossyLobe&) const = default;
 };
@@ -67,6 +72,8 @@ struct Material {
   glm::vec3 emission{0, 0, 0};             ///< radiance, W/(sr m^2) in arbitrary units, >= 0
   bool opaque = true;                      ///< with `--one-sided`, the backs of its triangles and planes are not hit
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
+  /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
+  std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
 
   bool operator==(const Material&) const = default;
 };
@@ -74,6 +81,14 @@ struct Material {
 /// Returns whether the material emits.
 inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
+}
+
+inline const std::optional<TextureReference>& textureOf(const Material& material, TextureSlot slot) {
+  return material.textures[static_cast<std::size_t>(slot)];
+}
+
+inline bool isTextured(const Material& material) {
+  return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
 }
 
 /// The name of a material with one lobe is that of the lobe.

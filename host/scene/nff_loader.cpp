@@ -28,6 +28,15 @@ bool recognisesNff(std::string_view text) {
   return findKeyword(Tokenizer(text).peek().text) != nullptr || isWorldToolKit(text);
 }
 
+// The signed axis to which the view's `up` is closest; among equals y, then z. Without a view, y.
+glm::vec3 upAxisOf(const Scene& scene) {
+  const glm::vec3 up = scene.camera ? scene.camera->up : glm::vec3(0, 1, 0);
+  const glm::vec3 size = glm::abs(up);
+  if (size.y >= size.x && size.y >= size.z) return {0, up.y < 0 ? -1 : 1, 0};
+  if (size.z >= size.x) return {0, 0, up.z < 0 ? -1 : 1};
+  return {up.x < 0 ? -1 : 1, 0, 0};
+}
+
 std::uint64_t hashOf(std::string_view text, const Scene& scene) {
   std::uint64_t hash = fnv1aOfText(text);
   if (!scene.sky) return hash;
@@ -56,7 +65,8 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   }
   parser.scene.exactMean = findExactMean(file.bytes, parser.log);
   parser.log.throwIfErrors();
-  checkScene(parser.scene, parser.log);
+  parser.scene.up = upAxisOf(parser.scene);
+  checkScene(parser.scene, options, parser.log);
   parser.scene.name = std::filesystem::path(file.name).filename().string();
   parser.scene.hash = hashOf(file.bytes, parser.scene);
   return {std::move(parser.scene), std::move(parser.counts), parser.log.warnings()};

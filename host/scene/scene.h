@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/environment.h"
 #include "host/scene/material.h"
 #include "host/scene/mesh.h"
 #include "host/scene/primitive_kind_list.h"
@@ -119,9 +120,12 @@ struct Scene {
   std::string name;  ///< file name without folder, for reports
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
-  std::optional<Sky> sky;  ///< replaces the background
+  std::optional<Sky> sky;                  ///< replaces the background
+  std::optional<Environment> environment;  ///< replaces background and sky
+  glm::vec3 up{0, 1, 0};  ///< signed coordinate axis that points up, for the placement of an environment
 
   std::vector<Material> materials;
+  std::vector<TextureImage> images;
   std::vector<Primitive> primitives;
   std::vector<Sphere> spheres;
   std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes

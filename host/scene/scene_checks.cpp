@@ -15,9 +15,9 @@ bool hasLight(const Scene& scene) {
   return std::ranges::any_of(scene.primitives, emits);
 }
 
-void checkScene(const Scene& scene, DiagnosticLog& log) {
+void checkScene(const Scene& scene, const LoadOptions& options, DiagnosticLog& log) {
   if (scene.primitives.empty()) log.warn("no objects", {}, "the scene has no objects");
-  if (hasLight(scene)) return;
+  if (options.hasEnvironment() || hasLight(scene)) return;
   log.warn("no light", {},
            "the image will be black: no object emits, there is no point light, and the background is black");
 }

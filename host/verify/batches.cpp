@@ -18,8 +18,9 @@ std::uint64_t mix(std::uint64_t value) {
 }  // namespace
 
 std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, std::uint32_t look) {
-  const std::uint64_t place = (std::uint64_t{look} * kBatchCount + batch) * 2 + static_cast<std::uint32_t>(side);
-  return static_cast<std::uint32_t>(mix(mix(runSeed) + place) >> 32);
+  const std::uint64_t index = (std::uint64_t{look} << 33) + (std::uint64_t{batch} << 1) +
+                              static_cast<std::uint32_t>(side);
+  return static_cast<std::uint32_t>(mix(mix(runSeed) + index) >> 32);
 }
 
 Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scene,

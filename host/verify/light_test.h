@@ -34,17 +34,19 @@ struct LightTestOptions {
   double alpha = 1e-4;                ///< probability of a false alarm of a whole run, in (0, 1)
   std::optional<double> bias{};       ///< fraction of the image mean that must be detected, > 0; absent: the method's
   std::optional<double> timeLimit{};  ///< seconds after which no further look begins
-  std::optional<Region> watched{};    ///< a region whose means are returned in addition to the tests: independent
+  std::optional<Region> watched{};    ///< a region that is not tested, but whose means are returned
   bool keepFilms = false;             ///< return the films, too
 };
 
 struct LightTestResult {
   std::uint64_t samplesPerPixel = 0;  ///< on each side, all batches together
   std::uint32_t looks = 0;
-  double level = 0;                                     ///< level of each region's test at the last look
-  std::vector<RegionResult> regions;                    ///< the luminance of the whole image first
-  statistics::Summary watchedDevice, watchedReference;  ///< over the batches; empty without a watched region
-  double bias = kIndependentBias;                       ///< that was to be detected
+  double level = 0;                   ///< level of each region's test at the last look
+  std::vector<RegionResult> regions;  ///< the luminance of the whole image first
+  statistics::Summary watchedDevice,
+      watchedReference;                           ///< independent: over the batches; empty without a watched region
+  std::optional<RegionResult> watchedDifference;  ///< paired: of the watched region
+  double bias = kIndependentBias;                 ///< that was to be detected
   double information = 0;            ///< at the last look; 1: `bias` would have been detected with probability kPower
   bool outOfTime = false;            ///< the time limit was reached before all of the information was available
   bool interrupted = false;          ///< no verdict

@@ -18,6 +18,12 @@ namespace {
 constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 
+std::vector<Region> regionsFor(const render::Extent& size, const std::optional<Region>& watched) {
+  std::vector<Region> regions = regionsOf(size);
+  if (watched) regions.push_back(*watched);
+  return regions;
+}
+
 void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   throw InternalError(fmt::format("{} loops ended before their work was done", statistics.truncated));
@@ -34,9 +40,10 @@ class PairedTest {
         reference_(reference),
         options_(options),
         control_(control),
-        regions_(regionsOf(settings.image.size)),
+        regions_(regionsFor(settings.image.size, options.watched)),
+        testCount_(regions_.size() - (options.watched ? 1 : 0)),
         sums_(regions_, scale),
-        level_(statistics::sidakLevel(options.alpha, regions_.size())),
+        level_(statistics::sidakLevel(options.alpha, testCount_)),
         batches_(batchesFor(settings.image.size)) {
     if (!options.keepFilms) return;
     result_.deviceFilm = image::Film(settings.image.size.width, settings.image.size.height);
@@ -106,7 +113,8 @@ class PairedTest {
   // The p-values hold for all looks together, so that every look may use all of alpha.
   void takeLook(std::uint32_t look) {
     result_.regions.clear();
-    for (std::size_t i = 0; i < regions_.size(); ++i) result_.regions.push_back(sums_.test(i, level_));
+    for (std::size_t i = 0; i < testCount_; ++i) result_.regions.push_back(sums_.test(i, level_));
+    if (options_.watched) result_.watchedDifference = sums_.test(testCount_, level_);
     result_.level = level_;
     result_.looks = look + 1;
     if (look == 0) result_.bias = options_.bias.value_or(defaultBias());
@@ -142,7 +150,8 @@ class PairedTest {
   render::Renderer& reference_;
   const LightTestOptions& options_;
   const render::RenderControl& control_;
-  std::vector<Region> regions_;
+  std::vector<Region> regions_;  ///< the tested regions, then the watched one
+  std::size_t testCount_;
   PairedSums sums_;
   double level_;
   std::uint32_t batches_;

@@ -6,20 +6,10 @@
 
 #include "host/render/bad_sample_tally.h"
 #include "host/verify/agreement.h"
+#include "host/verify/exact_test.h"
 #include "host/verify/light_test.h"
 
 namespace candela::verify {
-
-/// Both sides compared with the exact result that the scene states.
-struct ExactTest {
-  double expected = 0;  ///< luminance of the stated mean
-  double device = 0;
-  double reference = 0;
-  double devicePValue = 1;
-  double referencePValue = 1;
-  double level = 0;
-  bool isMet() const { return devicePValue >= level && referencePValue >= level; }
-};
 
 struct VerifyReport {
   std::string scene;

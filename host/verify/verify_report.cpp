@@ -52,10 +52,13 @@ std::string lightText(const VerifyReport& report) {
 std::string exactText(const VerifyReport& report) {
   if (!report.exact) return "3 Right light?               the scene does not state an exact result\n";
   const ExactTest& exact = *report.exact;
-  return fmt::format(
+  std::string text = fmt::format(
       "3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
       exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
       exact.referencePValue);
+  if (exact.samplesPerPixel == 0) return text;
+  return text +
+         fmt::format("                             {} more samples per pixel on the device\n", exact.samplesPerPixel);
 }
 
 std::string differenceVerdict(const VerifyReport& report) {
@@ -163,7 +166,8 @@ ordered_json toJson(const VerifyReport& report) {
                           {"reference", report.exact->reference},
                           {"devicePValue", report.exact->devicePValue},
                           {"referencePValue", report.exact->referencePValue},
-                          {"level", report.exact->level}};
+                          {"level", report.exact->level},
+                          {"samplesPerPixel", report.exact->samplesPerPixel}};
   }
   return json;
 }

@@ -66,6 +66,7 @@ BindingSet::BindingSet(const ComputePipeline& pipeline, const std::vector<const 
     writeBinding(device, *impl_->handle, static_cast<std::uint32_t>(i), kinds[i], *buffers[i]->impl());
     impl_->buffers.push_back(buffers[i]->impl());
   }
+  pipeline.impl()->device->residents.add(impl_);
 }
 
 }  // namespace candela::vulkan

@@ -29,7 +29,7 @@ vk::BufferUsageFlags vulkanUsage(Usage usage) {
 
 void requireAtMost(const DeviceInfo& info, std::uint64_t bytes, std::uint64_t limitBytes, const char* kind) {
   if (bytes <= limitBytes) return;
-  throw OutOfMemoryError(
+  throw DeviceLimitError(
       fmt::format("cannot create a {} buffer of {} bytes on {}, which binds at most {} bytes at once", kind, bytes,
                   info.name, limitBytes));
 }
@@ -77,7 +77,9 @@ void Buffer::Impl::requireRange(std::uint64_t offset, std::uint64_t size) const 
 }
 
 Buffer::Buffer(Device& device, std::uint64_t bytes, Usage usage)
-    : impl_(std::make_shared<Impl>(device.impl(), bytes, usage)) {}
+    : impl_(std::make_shared<Impl>(device.impl(), bytes, usage)) {
+  impl_->device->residents.add(impl_);
+}
 
 std::uint64_t Buffer::bytes() const { return impl_->raw.bytes; }
 bool Buffer::isMapped() const { return impl_->raw.mapped != nullptr; }

@@ -65,6 +65,7 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
     impl_->handle = makePipeline(*device.impl(), *impl_->layout, spirv, options);
   });
+  impl_->device->residents.add(impl_);
 }
 
 }  // namespace candela::vulkan

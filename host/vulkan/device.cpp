@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cstring>
-#include <limits>
 
 #include "host/core/errors.h"
 #include "host/vulkan/command_recorder_impl.h"
@@ -50,9 +49,11 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);
   commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
   fence = handle.createFence({});
+  hangLimit = HangLimit(options.hangTimeout, info.type == "CPU");
 }
 
-double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record) {
+double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience) {
+  if (hasFailed) throw DeviceLostError(fmt::format("{} cannot be used any more, since work on it failed", info.name));
   guarded("start recording commands", [&] {
     commandPool.reset();
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
@@ -62,18 +63,50 @@ double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>
   recorder.makeVisibleToHost();
   return guarded("run commands on the device", [&] {
     commands.end();
-    return submitAndWait();
+    return submitAndWait(patience);
   });
 }
 
-double Device::Impl::submitAndWait() {
+// Everything that the device may be using is kept: this object and those that refer to it.
+void Device::Impl::keepEverything() {
+  residents.add(shared_from_this());
+  residents.keepAll();
+}
+
+// After a failed submission or wait, the commands may be running. VK_ERROR_DEVICE_LOST is then as good as success: the
+// specification has a lost device use no resources.
+void Device::Impl::settle() {
+  hasFailed = true;
+  try {
+    handle.waitIdle();
+  } catch (const vk::DeviceLostError&) {
+  } catch (const vk::SystemError&) {
+    keepEverything();
+  }
+}
+
+void Device::Impl::waitForFence(Patience patience) {
+  const vk::Result result = handle.waitForFences(*fence, VK_TRUE, hangLimit.nanoseconds(patience));
+  if (result == vk::Result::eSuccess) return;
+  hasFailed = true;
+  keepEverything();
+  throw DeviceHungError(fmt::format("{} has not finished its work after {:.0f} s; --hang-timeout sets this limit",
+                                    info.name, hangLimit.seconds(patience)));
+}
+
+double Device::Impl::submitAndWait(Patience patience) {
   handle.resetFences(*fence);
   const vk::SubmitInfo submission({}, {}, *commands);
   const auto start = std::chrono::steady_clock::now();
-  queue.submit(submission, *fence);
-  const vk::Result result = handle.waitForFences(*fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+  try {
+    queue.submit(submission, *fence);
+    waitForFence(patience);
+  } catch (const vk::SystemError&) {
+    settle();
+    throw;
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (result != vk::Result::eSuccess) throw InternalError("waiting for the device ended with " + vk::to_string(result));
+  if (patience == Patience::normal) hangLimit.record(elapsed.count());
   return elapsed.count();
 }
 
@@ -98,6 +131,7 @@ Device Device::open(const DeviceInfo& info, const DeviceOptions& options) {
 }
 
 const DeviceInfo& Device::info() const { return impl_->info; }
+bool Device::hasFailed() const { return impl_->hasFailed; }
 MemoryUse Device::memoryUse() const { return impl_->memoryUse; }
 
 void Device::loadPipelines(std::span<const std::byte> data) {
@@ -116,11 +150,13 @@ std::vector<std::byte> Device::pipelineData() const {
   });
 }
 
-double Device::run(const std::function<void(CommandRecorder&)>& record) {
-  return impl_->run([&record](const CommandRecorder::Impl& commands) {
-    CommandRecorder recorder(commands);
-    record(recorder);
-  });
+double Device::run(const std::function<void(CommandRecorder&)>& record, Patience patience) {
+  return impl_->run(
+      [&record](const CommandRecorder::Impl& commands) {
+        CommandRecorder recorder(commands);
+        record(recorder);
+      },
+      patience);
 }
 
 }  // namespace candela::vulkan

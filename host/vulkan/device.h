@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,12 +25,24 @@ struct DeviceOptions {
   std::size_t stagingBytes = std::size_t{8} << 20;
   /// False: use the staging buffer even if device memory can be mapped, as on a discrete GPU.
   bool mapDeviceMemory = true;
+  /// Maximum duration of a run in seconds; 0: unlimited. Absent: as Patience says on hardware, and unlimited on
+  /// devices in software, which are slow on a loaded machine.
+  std::optional<double> hangTimeout{};
+};
+
+/// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.
+enum class Patience {
+  normal,   ///< 50 times the longest run so far, and at least 10 s
+  compiles  ///< at least two minutes, since some drivers compile a kernel when it is first dispatched
 };
 
 /// A device, its compute queue and the state that buffers and pipelines need. Vulkan 1.2 core, no optional feature. It
 /// is a cheap handle: buffers and pipelines share ownership, so that the order of their destruction is irrelevant. All
 /// objects of one device are used by one thread at a time. Every member may throw DeviceLostError, OutOfMemoryError, or
 /// InternalError with the name of the Vulkan result.
+///
+/// After a run that failed, every further run throws DeviceLostError. Objects of the device may be destroyed at any
+/// time: those that the device may still be using are kept until the end of the process (see unfinished_work.h).
 ///
 /// Environment: CANDELA_VALIDATION=1 enables the Khronos validation layer (see validation.h).
 class Device {
@@ -44,8 +57,11 @@ class Device {
 
   /// Calls `record`, submits the recorded commands, waits for their end, and returns the seconds from submission to end
   /// (steady clock). All writes of the commands are then visible to the host and to later runs. Calls must not be
-  /// nested.
-  double run(const std::function<void(CommandRecorder&)>& record);
+  /// nested. Throws DeviceHungError if the commands do not end in time.
+  double run(const std::function<void(CommandRecorder&)>& record, Patience patience = Patience::normal);
+
+  /// Whether a run failed, so that the device cannot be used any more.
+  bool hasFailed() const;
 
   /// Adds the pipelines in `data`, which pipelineData() returned for the same device and driver, to the pipeline cache
   /// of this device. Drivers trust such data, so it must not come from an unchecked file. Data of another device is

@@ -5,7 +5,9 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "host/vulkan/device.h"
+#include "host/vulkan/hang_limit.h"
 #include "host/vulkan/instance.h"
+#include "host/vulkan/residents.h"
 
 namespace candela::vulkan {
 
@@ -22,7 +24,7 @@ struct RawBuffer {
   std::byte* mapped = nullptr;  ///< null if the host cannot or should not map it
 };
 
-struct Device::Impl {
+struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   DeviceInfo info;
   DeviceOptions options;
   Instance instance;
@@ -37,6 +39,9 @@ struct Device::Impl {
   vk::raii::Fence fence{nullptr};
   std::optional<RawBuffer> stagingBuffer;  ///< created when it is first needed
   MemoryUse memoryUse;
+  Residents residents;  ///< buffers, pipelines and bindings of this device
+  HangLimit hangLimit;
+  bool hasFailed = false;  ///< work was submitted whose end is not known to have been regular
 
   Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
        const DeviceOptions& deviceOptions);
@@ -46,10 +51,13 @@ struct Device::Impl {
   RawBuffer& staging();
 
   /// Implements Device::run: records, submits and waits. Returns seconds.
-  double run(const std::function<void(const CommandRecorder::Impl&)>& record);
+  double run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience = Patience::normal);
 
  private:
-  double submitAndWait();
+  double submitAndWait(Patience patience);
+  void waitForFence(Patience patience);
+  void settle();
+  void keepEverything();
 };
 
 }  // namespace candela::vulkan

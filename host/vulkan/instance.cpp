@@ -100,8 +100,8 @@ std::optional<Instance> openInstance() {
   std::optional<vk::raii::Context> context = openLoader();
   if (!context) return std::nullopt;
   const bool validation = validationRequested();
-  if (validation) requireValidationLayer(*context);
   try {
+    if (validation) requireValidationLayer(*context);
     Instance instance{std::move(*context)};
     instance.handle = createInstance(instance.context, validation);
     if (validation) instance.messenger = instance.handle.createDebugUtilsMessengerEXT(messengerInfo());

@@ -5,7 +5,8 @@
 
 namespace candela::vulkan {
 
-/// Throws DeviceLostError, OutOfMemoryError, or InternalError with the name of the result. `doing` completes "cannot
+/// Throws DeviceLostError, OutOfMemoryError, NoDeviceError, or InternalError with the name of the result. `doing`
+/// completes "cannot
 /// ...".
 [[noreturn]] void throwTranslated(const vk::SystemError& error, const std::string& doing);
 

@@ -10,47 +10,53 @@ CANDELA_BEGIN
 // give every member the same offset.
 struct RenderConstants {
   vec3 cameraOrigin;
-  float pixelOriginX;        // position within its pixel of a ray without jitter, horizontal
-  vec3 cameraForward;        // -d n, from the eye to the view plane's centre
-  float pixelOriginY;        // vertical
-  vec3 cameraRight;          // w u, the width of the view plane
-  float inversePixelsAcross; // 1 / pixels across the view
-  vec3 cameraUp;             // h v
-  float inversePixelsDown;   // 1 / pixels down the view
-  vec3 lensRight;            // a u
-  float inverseFocal;        // 1 / focal
-  vec3 lensUp;               // a v
+  float pixelOriginX;         // position within its pixel of a ray without jitter, horizontal
+  vec3 cameraForward;         // -d n, from the eye to the view plane's centre
+  float pixelOriginY;         // vertical
+  vec3 cameraRight;           // w u, the width of the view plane
+  float inversePixelsAcross;  // 1 / pixels across the view
+  vec3 cameraUp;              // h v
+  float inversePixelsDown;    // 1 / pixels down the view
+  vec3 lensRight;             // a u
+  float inverseFocal;         // 1 / focal
+  vec3 lensUp;                // a v
   float unused0;
   vec3 background;
-  float aoDistance;          // maximum distance of ambient occlusion rays
-  uint imageWidth;           // pixels of the film
+  float aoDistance;  // maximum distance of ambient occlusion rays
+  uint imageWidth;   // pixels of the film
   uint imageHeight;
   uint seed;
-  uint strataPerSide;        // n of the n x n strata; 0: none
+  uint strataPerSide;  // n of the n x n strata; 0: none
   uint maxDepth;
-  uint rouletteStart;        // Russian roulette is played at greater depths
+  uint rouletteStart;  // Russian roulette is played at greater depths
   uint lightCount;
-  uint stateRows;            // 16-byte records of a pixel's state; Whitted tracer only
-  uint firstStructureRow;    // first record of a BVH's nodes or of a grid's cells
+  uint stateRows;          // 16-byte records of a pixel's state; Whitted tracer only
+  uint firstStructureRow;  // first record of a BVH's nodes or of a grid's cells
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstNormalRow;
+  uint firstAttributeRow;
   uint firstSkyRow;
-  uint firstPlaneSlot;       // infinite planes come after all other primitives
+  uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
-  vec3 gridLow;              // lower corner
-  float gridReach;           // the grid's largest coordinate in magnitude
-  vec3 gridHigh;             // upper corner
+  vec3 gridLow;     // lower corner
+  float gridReach;  // the grid's largest coordinate in magnitude
+  vec3 gridHigh;    // upper corner
   float unused1;
-  vec3 gridScale;            // cells per unit of length, 0 on axes of one cell
-  float unused2;
-  vec3 gridWidth;            // size of a cell
+  vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
+  uint firstTextureRow;
+  vec3 gridWidth;  // size of a cell
   float unused3;
-  uvec3 gridSides;           // cells along each axis
-  uint firstItemRow;         // first record of the grid's items
-  uvec3 gridStrides;         // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
-  uint unused4;
+  uvec3 gridSides;               // cells along each axis
+  uint firstItemRow;             // first record of the grid's items
+  uvec3 gridStrides;             // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
+  float environmentProbability;  // of choosing the environment from the light table; 0 if it is not in it
+  vec3 environmentX;             // axes of the environment's map
+  uint environmentWidth;         // texels
+  vec3 environmentY;
+  uint environmentHeight;
+  vec3 environmentZ;
+  uint firstEnvironmentRow;  // first record of the texels
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see
@@ -136,13 +142,13 @@ struct TreeState {
   uint waiting;           // depths that have a pending ray
   uint nextLight;
   uint nodesDone;
-  uvec4 radianceSample;   // rgb, sample index
-  uint cameraHits;        // camera rays that hit; this and the counts below wrap at 2^32
+  uvec4 radianceSample;  // rgb, sample index
+  uint cameraHits;       // camera rays that hit; this and the counts below wrap at 2^32
   uint reflectedRays;
   uint refractedRays;
   uint shadowRays;
   uint vertices;
-  uint steps;             // traversal steps
+  uint steps;  // traversal steps
   uint unused0;
   uint unused1;
 };
@@ -167,9 +173,9 @@ struct FilmRows {
 
 // Header of the results buffer.
 struct Counters {
-  uint finishedPixels;  // invocations that reached the end of their sample range
-  uint truncated;       // loops that ended before their work was done
-  uint finishedSamples; // wraps: the host adds up differences
+  uint finishedPixels;   // invocations that reached the end of their sample range
+  uint truncated;        // loops that ended before their work was done
+  uint finishedSamples;  // wraps: the host adds up differences
   uint unused;
 };
 

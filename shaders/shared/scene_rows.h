@@ -26,7 +26,7 @@ CANDELA_CONST uint kItemsPerRow = 4u;
 // records each. Common to all kinds: w of record 1 is the primitive index in the scene, w of record 2 is kind, flags
 // and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
-//   triangle  (p0, light + 1, or first record among the normals if smooth) (p1, .) (p2, .)
+//   triangle  (p0, light + 1, or first record of its attributes if it has any) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
 //   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)
 //   plane     (point, 0) (unit normal, .) (0, 0, 0, .)
@@ -36,19 +36,24 @@ CANDELA_PRIMITIVE_KINDS(CANDELA_DECLARE_KIND)
 #undef CANDELA_DECLARE_KIND
 CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;  // sphere of negative radius
-CANDELA_CONST uint kFlagSmooth = 16u;     // triangle with vertex normals
+CANDELA_CONST uint kFlagSmooth = 8u;      // triangle with vertex normals
+CANDELA_CONST uint kFlagTouched = 16u;    // the surface may contain a light: occlusion.glsl
 CANDELA_CONST uint kFlagOpaque = 32u;     // T = 0: --one-sided applies
-CANDELA_CONST uint kFlagTouched = 64u;    // the surface may contain a light: occlusion.glsl
+CANDELA_CONST uint kFlagTexCoords = 64u;  // triangle with texture coordinates
 CANDELA_CONST uint kMaterialShift = 8u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
 
-// Vertex normals of smooth triangles, three records: (n0, light + 1) (n1, 0) (n2, 0).
+// Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
+// (n0, light + 1) (n1, 0) (n2, 0); and both sets of texture coordinates, three records, one for each vertex, with
+// set 0 in x and y and set 1 in z and w, after (light + 1, 0, 0, 0) for triangles without normals.
 CANDELA_CONST uint kNormalRows = 3u;
+CANDELA_CONST uint kTexCoordRows = 3u;
 
 // Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
 // weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, 0) (colour of the dielectric or mirror
-// lobe, 0). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
-// term instead of the emission, and does not use the last record.
+// lobe, the part of the glossy lobe's colour that base colour textures do not scale). The Whitted tracer stores Kd, Ks,
+// and 1 for glass instead of the weights, the sum of emission and ambient term instead of the emission, and does not
+// use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
@@ -62,16 +67,42 @@ CANDELA_CONST uint kLightPoint = 2u;
 CANDELA_CONST uint kLightPunctual = 3u;  // with fall-off
 CANDELA_CONST uint kLightSpot = 4u;
 CANDELA_CONST uint kLightDirectional = 5u;
+CANDELA_CONST uint kLightEnvironment = 6u;  // no emission, no position
 CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
 // the edges of the square around the position that the light fills (edge, 0) (edge, 0).
 CANDELA_CONST uint kPointLightRows = 4u;
 
+// Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material
+// kTextureSlotRows records with a word for each scene::TextureSlot, the first record of a reference counted from the
+// beginning of the textures, or 0 for none; then the references; then the texels of the images, four in a record,
+// r | g << 8 | b << 16 | a << 24, each image beginning with a record. References have two records: (rowS, flags and
+// first record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
+CANDELA_CONST uint kSrgbTableRows = 64u;
+CANDELA_CONST uint kTextureSlotRows = 1u;
+CANDELA_CONST uint kReferenceRows = 2u;
+CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
+CANDELA_CONST uint kTextureNearest = 2u;
+CANDELA_CONST uint kTextureWrapShiftS = 2u;
+CANDELA_CONST uint kTextureWrapShiftT = 4u;
+CANDELA_CONST uint kTextureWrapMask = 3u;  // as scene::TextureWrap
+CANDELA_CONST uint kWrapRepeat = 0u;
+CANDELA_CONST uint kWrapMirroredRepeat = 1u;
+CANDELA_CONST uint kWrapClampToEdge = 2u;
+CANDELA_CONST uint kTextureRowShift = 6u;
+CANDELA_CONST uint kMaxTextureRows = 1u << 26;
+CANDELA_CONST uint kSlotBaseColour = 0u;  // as scene::TextureSlot
+CANDELA_CONST uint kSlotEmission = 1u;
+
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.
 CANDELA_CONST uint kSkyFaceCount = 6u;
 CANDELA_CONST uint kSkyTableRows = 64u;
+
+// Environment: a record for each texel, row by row from the top (radiance, weight times 2^-24 / (2 pi^2)), then the
+// bins of its alias table, two per record: (threshold, alias, threshold, alias).
+CANDELA_CONST uint kBinsPerRow = 2u;
 
 CANDELA_END
 #endif

@@ -76,6 +76,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--workgroup", "XxY", "auto"},
       {"--tile", "WxH", "auto"},
       {"--segments-per-dispatch", "N", "auto"},
+      {"--hang-timeout", "TIME", "auto"},
+      {"--fallback", "none|cpu", "none"},
       {"--untuned", "", ""},
       {"--no-cache", "", ""},
       {"-t,--threads", "N", "0"},

@@ -5,7 +5,16 @@
 namespace candela::gltf {
 namespace {
 
-scene::Material mapped(const json& material) { return fromGltf(readMaterial(Value(material, "/materials/0"))); }
+// A reference whose image is the index of the texture.
+scene::TextureReference textureOfIndex(const Value& info) {
+  return {.image = static_cast<std::uint32_t>(info.require("index").whole())};
+}
+
+scene::Material mapped(const json& material) {
+  return fromGltf(readMaterial(Value(material, "/materials/0"), textureOfIndex));
+}
+
+const scene::TextureReference kTexture7{.image = 7};
 
 json metallicRoughness(double metallic, double roughness) {
   return {{"pbrMetallicRoughness",
@@ -30,10 +39,19 @@ TEST_CASE("a dielectric is diffuse below a white coat of 4 percent") {
 TEST_CASE("a metal reflects its base colour, and a smooth one is a mirror") {
   const scene::Material rough = mapped(metallicRoughness(1, 1));
   CHECK_FALSE(rough.diffuse);
-  CHECK(rough.glossy == scene::GlossyLobe{1, kBase, 0});
+  CHECK(rough.glossy == scene::GlossyLobe{1, kBase, 0, 0});
   const scene::Material smooth = mapped(metallicRoughness(1, 0));
   CHECK(smooth.mirror == scene::MirrorLobe{kBase});
   CHECK_FALSE(smooth.glossy);
+}
+
+TEST_CASE("a base colour texture scales all colours but that of a dielectric's highlights") {
+  json material = metallicRoughness(0.5, 0.5);
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
+  const scene::Material half = mapped(material);
+  CHECK(textureOf(half, scene::TextureSlot::baseColour) == kTexture7);
+  CHECK(half.glossy->untinted == Approx(0.02 / 0.52));
+  CHECK(half.glossy->colour.x == Approx((0.5 * kBase.x + 0.02) / 0.52));
 }
 
 TEST_CASE("weights of all mixtures sum to 1") {
@@ -60,15 +78,17 @@ TEST_CASE("what transmits refracts if it has a thickness, and lets light pass st
   CHECK_FALSE(mapped(material).opaque);
 }
 
-TEST_CASE("emission has a strength, and a textured one is left out, and unlit surfaces shine by their colour") {
+TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
   CHECK(mapped(material).emission == glm::vec3(8, 4, 0));
-  material["emissiveTexture"]["index"] = 0;
-  CHECK(mapped(material).emission == glm::vec3(0));
+  material["emissiveTexture"]["index"] = 7;
+  CHECK(textureOf(mapped(material), scene::TextureSlot::emission) == kTexture7);
   json unlit = metallicRoughness(0, 1);
+  unlit["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
   unlit["extensions"]["KHR_materials_unlit"] = json::object();
   CHECK(mapped(unlit).emission == kBase);
+  CHECK(textureOf(mapped(unlit), scene::TextureSlot::emission) == kTexture7);
   CHECK(kindOf(mapped(unlit)) == scene::MaterialKind::black);
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstPrimitiveRow),
                                                        MEMBER(RenderConstants, firstMaterialRow),
                                                        MEMBER(RenderConstants, firstLightRow),
-                                                       MEMBER(RenderConstants, firstNormalRow),
+                                                       MEMBER(RenderConstants, firstAttributeRow),
                                                        MEMBER(RenderConstants, firstSkyRow),
                                                        MEMBER(RenderConstants, firstPlaneSlot),
                                                        MEMBER(RenderConstants, slotCount),
@@ -106,13 +106,19 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, gridHigh),
                                                        MEMBER(RenderConstants, unused1),
                                                        MEMBER(RenderConstants, gridScale),
-                                                       MEMBER(RenderConstants, unused2),
+                                                       MEMBER(RenderConstants, firstTextureRow),
                                                        MEMBER(RenderConstants, gridWidth),
                                                        MEMBER(RenderConstants, unused3),
                                                        MEMBER(RenderConstants, gridSides),
                                                        MEMBER(RenderConstants, firstItemRow),
                                                        MEMBER(RenderConstants, gridStrides),
-                                                       MEMBER(RenderConstants, unused4)});
+                                                       MEMBER(RenderConstants, environmentProbability),
+                                                       MEMBER(RenderConstants, environmentX),
+                                                       MEMBER(RenderConstants, environmentWidth),
+                                                       MEMBER(RenderConstants, environmentY),
+                                                       MEMBER(RenderConstants, environmentHeight),
+                                                       MEMBER(RenderConstants, environmentZ),
+                                                       MEMBER(RenderConstants, firstEnvironmentRow)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==

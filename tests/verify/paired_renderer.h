@@ -17,6 +17,7 @@ struct PairedOptions {
   double rounding = 1e-7;  ///< relative
   /// Factor of the device's pixel x, y.
   std::function<double(std::uint32_t, std::uint32_t)> factor = [](std::uint32_t, std::uint32_t) { return 1.0; };
+  double referenceFactor = 1;
 };
 
 enum class PairedRole { device, reference };
@@ -37,7 +38,7 @@ class PairedRenderer final : public render::Renderer {
 
     bool advance(render::SampleRange range, const render::RenderControl& control) override {
       if (control.stop != nullptr && *control.stop) return false;
-      const render::Extent size = settings_.image.size;
+      const render::Extent size = settings_.image.window().extent();
       film_ = image::Film(size.width, size.height);
       records_.deviations.assign(std::size_t{size.width} * size.height, {});
       std::mt19937 shared(settings_.image.seed);
@@ -71,7 +72,7 @@ class PairedRenderer final : public render::Renderer {
         film_.addSample(x, y, glm::dvec3((value + jump + error) * options.factor(x, y)), index);
         return;
       }
-      film_.addSample(x, y, glm::dvec3(value), index);
+      film_.addSample(x, y, glm::dvec3(value * options.referenceFactor), index);
       const double deviation = std::abs(error) + (mayFlip && isUp ? options.jump : 0);
       records_.deviations[std::size_t{y} * film_.width() + x].magnitude += deviation;
     }

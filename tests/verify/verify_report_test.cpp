@@ -62,7 +62,9 @@ TEST_CASE("JUnit reports bad samples as a failure only if they are forbidden") {
   CHECK_THAT(toJunit(report, true), Contains("tests=\"3\" failures=\"0\""));
   image::Film film(16, 16);
   film.addSample(3, 4, glm::dvec3(-1), 0);
-  report.tallies.device.add(film, {});
+  render::ImageSettings image;
+  image.size = {16, 16};
+  report.tallies.device.add(film, image);
   CHECK_THAT(toJunit(report, true),
              Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
   CHECK_THAT(toJunit(report, false), Contains("tests=\"2\" failures=\"0\""));

@@ -1,0 +1,96 @@
+"""The work of one task: rendering a shard, and merging the shards of a frame. Schedulers are not mentioned here."""
+import fcntl
+import os
+import signal
+import subprocess
+from contextlib import contextmanager
+from pathlib import Path
+
+import plan as planning
+
+SUCCESS = 0
+USAGE = 1
+INTERRUPTED = 7  # of candela: the film is written and can be resumed
+
+
+@contextmanager
+def exclusive(path: Path):
+    """Holds a lock on `path`; yields whether it was free. A task that was requeued may overlap with its former self."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            yield False
+            return
+        yield True
+
+
+class Child:
+    """Runs a program and passes signals on to it, so that it can write its film.
+
+    SIGUSR2 announces that the time of this task is nearly over; the program is stopped, as it is by SIGTERM.
+    """
+
+    def __init__(self):
+        self.process = None
+        self.is_stopped = False
+        self.is_out_of_time = False
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGUSR2):
+            signal.signal(number, self.forward)
+
+    def forward(self, number, _frame):
+        self.is_stopped = self.is_stopped or number != signal.SIGUSR1
+        self.is_out_of_time = self.is_out_of_time or number == signal.SIGUSR2
+        if self.process is not None and self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM if number == signal.SIGUSR2 else number)
+
+    def run(self, command):
+        """Returns the exit code; 128 plus the number of the signal that ended the program."""
+        if self.is_stopped:
+            return INTERRUPTED
+        self.process = subprocess.Popen(command)
+        code = self.process.wait()
+        return code if code >= 0 else 128 - code
+
+
+def shard_command(plan, job: Path, frame: int, shard: int):
+    first, end = plan.range_of(shard)
+    film = planning.shard_file(job, frame, shard)
+    command = [plan.candela, "render", *plan.frames[frame].render, "--spp", str(plan.samples), "--samples",
+               f"{first}:{end}", "--checkpoint", str(film), "--checkpoint-every", plan.checkpoint_every]
+    return command + (["--resume", str(film)] if film.exists() else [])
+
+
+def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
+    """Renders what the shard lacks. Returns candela's exit code, or SUCCESS if nothing was to do."""
+    film = planning.shard_file(job, frame, shard)
+    with exclusive(film.with_suffix(".lock")) as is_free:
+        if not is_free:
+            print(f"{film}: another task renders it", flush=True)
+            return INTERRUPTED
+        if planning.is_shard_done(plan, job, frame, shard):
+            print(f"{film}: is complete", flush=True)
+            return SUCCESS
+        if film.exists() and planning.describe(plan.candela, film) is None:
+            aside = film.with_suffix(f".damaged-{os.getpid()}")
+            film.rename(aside)
+            print(f"{film}: is damaged; it is kept as {aside.name}, and the shard starts again", flush=True)
+        return child.run(shard_command(plan, job, frame, shard))
+
+
+def merge_frame(plan, job: Path, frame: int, child: Child):
+    """Merges the shards of a frame and makes its pictures. Returns candela's exit code."""
+    film = planning.film_file(job, frame)
+    with exclusive(film.with_suffix(".lock")) as is_free:
+        if not is_free:
+            return INTERRUPTED
+        if not planning.is_film_done(plan, job, frame):
+            shards = [str(planning.shard_file(job, frame, shard)) for shard in range(plan.shards)]
+            code = child.run([plan.candela, "merge", *shards, "-o", str(film)])
+            if code != SUCCESS:
+                return code
+        pictures = [argument for pair in plan.frames[frame].pictures for argument in pair]
+        if not plan.frames[frame].outputs():
+            return SUCCESS
+        return child.run([plan.candela, "film", str(film), *pictures])

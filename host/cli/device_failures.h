@@ -1,0 +1,42 @@
+// What a render does when its device fails: try again, go on without the device, or end.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "host/cli/render_job.h"
+#include "host/core/errors.h"
+
+namespace candela::cli {
+
+/// Counts the failures of one render.
+class DeviceFailures {
+ public:
+  /// Both must outlive the object.
+  DeviceFailures(const RenderJob& job, const Log& log) : job_(job), log_(log) {}
+
+  /// Whether opening the device again may help: it was lost, or memory ran out; after a first failure, also if it is
+  /// not found any more. Not for devices that hang, which cannot be opened again while they do.
+  bool isOne(const Error& error) const;
+  /// Counts a failure. Returns whether the device is to be opened again, after a pause that grows with each failure,
+  /// and says so; at most three times in all.
+  bool mayTryAgain(const Error& error);
+  int count() const { return count_; }
+
+  /// Maximum size of a band's largest buffer: a quarter of the last one each time memory runs out.
+  std::uint64_t maxBandBytes() const { return maxBandBytes_; }
+
+  /// The exit code of a render that ends by `error`: ExitCode::deviceLost or outOfMemory.
+  static ExitCode codeOf(const Error& error);
+  /// The cause, and what to do next. `film` is the file that has the samples so far; empty if there is none.
+  std::string explain(const Error& error, const std::string& film) const;
+
+ private:
+  void limitBands();
+
+  const RenderJob& job_;
+  const Log& log_;
+  int count_ = 0;
+  std::uint64_t maxBandBytes_ = ~std::uint64_t{0};
+};
+
+}  // namespace candela::cli

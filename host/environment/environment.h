@@ -1,0 +1,19 @@
+// Makes the environment of a scene from the options --env, --env-rotate and --env-scale.
+#pragma once
+#include "host/scene/environment.h"
+
+namespace candela::environment {
+
+/// Maximum number of texels of a map.
+inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 25;
+
+/// Reads an image file (equirectangular, of any size up to kMaxTexels), or computes the map of "white" (radiance 1) or
+/// of "sun:..." (docs/gltf.md). `up` is the axis of the scene that points up: one of the six unit vectors along a
+/// coordinate axis. Throws UsageError for numbers of "sun:" out of range, FileError for a file that cannot be read, is
+/// too large, or has radiances that are not finite after scaling. Negative radiances become 0.
+scene::Environment makeEnvironment(const scene::EnvironmentRequest& request, const glm::vec3& up);
+
+/// Continues `hash` over everything of an environment that light depends on.
+std::uint64_t hashOf(const scene::Environment& environment, std::uint64_t hash);
+
+}  // namespace candela::environment

@@ -1,0 +1,175 @@
+"""Plans, commands of tasks and the simulation of farm/, without a scheduler.
+
+    python3 test_plan.py CANDELA
+"""
+import importlib.machinery
+import importlib.util
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "farm"))
+import plan as planning  # noqa: E402
+import simulate  # noqa: E402
+import tasks  # noqa: E402
+
+CANDELA = "candela"
+SCENE = str(ROOT / "scenes/furnace.p3f")
+
+
+def submitter():
+    loader = importlib.machinery.SourceFileLoader("candela_render", str(ROOT / "farm/slurm/candela-render"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("candela_render", loader))
+    loader.exec_module(module)
+    return module
+
+
+def plan_of(shards, samples=10, frames=None):
+    frame = planning.Frame([SCENE, "--device", "cpu", "--size", "8x8"], [])
+    return planning.Plan(CANDELA, frames or [frame], samples, shards, 5, "60s")
+
+
+class PlanTest(unittest.TestCase):
+    def test_shards_cover_every_sample_once_and_evenly(self):
+        for samples, shards in ((10, 3), (7, 7), (1000, 64), (5, 1)):
+            plan = plan_of(shards, samples)
+            ranges = [plan.range_of(shard) for shard in range(shards)]
+            self.assertEqual([index for first, end in ranges for index in range(first, end)], list(range(samples)))
+            lengths = [end - first for first, end in ranges]
+            self.assertLessEqual(max(lengths) - min(lengths), 1)
+
+    def test_a_command_is_divided_into_render_and_pictures(self):
+        frame = planning.frame_of(["a.glb", "--spp", "16", "-o", "a.png", "--exposure=2", "--output", "b.exr"])
+        self.assertEqual(frame.render, ["a.glb", "--spp", "16"])
+        self.assertEqual(frame.pictures, [["-o", "a.png"], ["--exposure", "2"], ["-o", "b.exr"]])
+        self.assertEqual(frame.outputs(), ["a.png", "b.exr"])
+
+    def test_options_that_belong_to_shards_are_refused_by_name(self):
+        for option in planning.REFUSED_OPTIONS:
+            with self.assertRaisesRegex(planning.PlanError, option):
+                planning.frame_of(["a.glb", option, "1"])
+        with self.assertRaisesRegex(planning.PlanError, "-o: needs a value"):
+            planning.frame_of(["a.glb", "-o"])
+
+    def test_two_frames_never_write_the_same_file(self):
+        frame = planning.frame_of(["a.glb", "-o", "a.png"])
+        with self.assertRaisesRegex(planning.PlanError, "a.png: is the output of two frames"):
+            planning.check_outputs([frame, planning.frame_of(["b.glb", "-o", "./a.png"])])
+        with self.assertRaisesRegex(planning.PlanError, "folder does not exist"):
+            planning.check_outputs([planning.frame_of(["b.glb", "-o", "/nowhere/a.png"])])
+
+    def test_a_plan_is_read_as_it_was_written_and_damage_is_named(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            with self.assertRaisesRegex(planning.PlanError, "no plan.json"):
+                planning.Plan.load(folder)
+            plan = plan_of(3)
+            plan.save(folder)
+            self.assertEqual(planning.Plan.load(folder), plan)
+            (folder / "plan.json").write_text((folder / "plan.json").read_text()[:-9])
+            with self.assertRaisesRegex(planning.PlanError, "damaged"):
+                planning.Plan.load(folder)
+
+    def test_array_indices_are_written_as_sbatch_reads_them(self):
+        self.assertEqual(submitter().compact([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
+
+    def test_wrong_usage_ends_with_1_and_an_unusable_file_with_2(self):
+        program = str(ROOT / "farm/slurm/candela-render")
+        codes = [subprocess.run([program, *arguments], capture_output=True, check=False).returncode
+                 for arguments in (["--job"], ["--job", "/tmp"], ["--job", "/nowhere", "--status"])]
+        self.assertEqual(codes, [1, 1, 2])
+
+
+class TaskTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.job = Path(self.temporary.name)
+        self.plan = plan_of(2)
+        self.child = tasks.Child()
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def film(self, shard):
+        return planning.shard_file(self.job, 0, shard)
+
+    def render(self, shard):
+        return tasks.render_shard(self.plan, self.job, 0, shard, self.child)
+
+    def test_a_shard_is_rendered_once_and_merged_with_the_others(self):
+        self.assertFalse(planning.is_shard_done(self.plan, self.job, 0, 0))
+        self.assertEqual(self.render(0), tasks.SUCCESS)
+        self.assertTrue(planning.is_shard_done(self.plan, self.job, 0, 0))
+        written = self.film(0).stat().st_mtime_ns
+        self.assertEqual(self.render(0), tasks.SUCCESS)
+        self.assertEqual(self.film(0).stat().st_mtime_ns, written)
+        self.assertNotEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
+        self.assertEqual(self.render(1), tasks.SUCCESS)
+        self.assertEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
+        self.assertTrue(planning.is_frame_done(self.plan, self.job, 0))
+
+    def test_a_damaged_shard_is_set_aside_and_rendered_again(self):
+        self.film(0).parent.mkdir()
+        self.film(0).write_bytes(b"not a film")
+        self.assertEqual(self.render(0), tasks.SUCCESS)
+        self.assertTrue(planning.is_shard_done(self.plan, self.job, 0, 0))
+        self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 1)
+
+    def test_two_tasks_never_render_the_same_shard(self):
+        with tasks.exclusive(self.film(0).with_suffix(".lock")) as is_free:
+            self.assertTrue(is_free)
+            self.assertEqual(self.render(0), tasks.INTERRUPTED)
+        self.assertFalse(self.film(0).exists())
+
+
+class TemplateTest(unittest.TestCase):
+    def test_the_commands_of_the_openjd_template_render_and_merge(self):
+        template = json.loads((ROOT / "farm/openjd/candela.template.json").read_text())
+        defaults = {one["name"]: one.get("default", "") for one in template["parameterDefinitions"]}
+        with tempfile.TemporaryDirectory() as folder:
+            parameters = {**defaults, "Scene": SCENE, "Folder": folder, "Samples": 5, "Shards": 2, "LastShard": 1,
+                          "Options": "--device cpu --size 8x8", "Candela": CANDELA}
+
+            def run(step, extra):
+                text = step["script"]["embeddedFiles"][0]["data"]
+                for name, value in {**{f"Param.{key}": value for key, value in parameters.items()}, **extra}.items():
+                    text = text.replace("{{" + name + "}}", str(value))
+                self.assertNotIn("{{", text)
+                subprocess.run(["sh", "-c", text], check=True, stderr=subprocess.DEVNULL)
+
+            render, merge = template["steps"]
+            for shard in (1, 0, 0):
+                run(render, {"Task.Param.Shard": shard})
+            run(merge, {})
+            self.assertTrue(planning.describe(CANDELA, Path(folder) / "film.exr")["complete"])
+            self.assertTrue((Path(folder) / "picture.png").exists())
+
+
+class SimulationTest(unittest.TestCase):
+    def simulate(self, *arguments):
+        return simulate.simulate(simulate.parse(arguments))
+
+    def test_without_costs_and_losses_the_ideal_is_reached(self):
+        outcome = self.simulate("--preemptions-per-day", "0", "--spread", "0", "--startup", "0", "--film-bytes", "0",
+                                "--nodes", "10", "--shards", "40", "--node-hours", "20")
+        self.assertAlmostEqual(outcome.finished, 7200)
+        self.assertAlmostEqual(outcome.merged, 7200)
+        self.assertEqual(outcome.lost, 0)
+
+    def test_a_preemption_loses_no_more_than_a_checkpoint_and_a_start(self):
+        outcome = self.simulate("--nodes", "50", "--shards", "200", "--node-hours", "100", "--preemptions-per-day", "48")
+        self.assertGreater(outcome.preemptions, 50)
+        self.assertLess(outcome.lost / outcome.preemptions, 200 + 20 + 2)
+
+    def test_merging_as_a_tree_takes_less_time_than_at_once(self):
+        tree, flat = self.simulate("--fan-in", "64"), self.simulate("--fan-in", "4000")
+        self.assertLess(tree.merged - tree.finished, 0.1 * (flat.merged - flat.finished))
+
+
+if __name__ == "__main__":
+    CANDELA = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main(verbosity=2)

@@ -1,0 +1,136 @@
+// Renders on a device that fails: the layer of this folder makes chosen calls fail.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "host/image/image.h"
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+constexpr const char* kEveryFrom = "+";
+
+Surroundings withFaults(const std::string& faults) {
+  Surroundings surroundings;
+  surroundings.environment = {"VK_LAYER_PATH=" CANDELA_FAULT_LAYERS, "VK_INSTANCE_LAYERS=VK_LAYER_CANDELA_faults",
+                              "CANDELA_FAULT=" + faults};
+  return surroundings;
+}
+
+// A render of 32x24 pixels whose dispatches are the third and all later submissions.
+class Render {
+ public:
+  ProgramResult run(const std::vector<std::string>& options, const std::string& faults = "") const {
+    std::vector<std::string> words{scene_, "--size", "32x24", "--spp", "16", "--max-depth", "5", "--tile", "16x8"};
+    words.insert(words.end(), options.begin(), options.end());
+    return runCandela(words, faults.empty() ? Surroundings{} : withFaults(faults));
+  }
+  std::string film(const std::string& name, const std::string& faults = "",
+                   std::vector<std::string> options = {}) const {
+    options.insert(options.end(), {"--checkpoint", folder.path(name)});
+    const ProgramResult result = run(options, faults);
+    INFO(result.err);
+    CHECK(result.exitCode == 0);
+    return readFile(folder.path(name));
+  }
+
+  const TemporaryFolder folder;
+
+ private:
+  std::string scene_ = folder.write("scene.p3f", smallScene());
+};
+
+std::string fault(const std::string& function, int call, const std::string& result, const std::string& every = "") {
+  return function + ":" + std::to_string(call) + every + ":VK_ERROR_" + result;
+}
+
+}  // namespace
+
+TEST_CASE("a render whose device fails once ends with the bytes of one that did not") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  int index = 0;
+  for (const std::string& faults :
+       {fault("vkQueueSubmit", 8, "DEVICE_LOST"), fault("vkWaitForFences", 8, "DEVICE_LOST"),
+        fault("vkWaitForFences", 8, "OUT_OF_HOST_MEMORY"), fault("vkQueueSubmit", 7, "OUT_OF_DEVICE_MEMORY"),
+        fault("vkEndCommandBuffer", 9, "UNKNOWN"), fault("vkMapMemory", 3, "MEMORY_MAP_FAILED")}) {
+    INFO(faults);
+    CHECK(render.film("film" + std::to_string(index++) + ".exr", faults, {"--checkpoint-every", "0.01s"}) == whole);
+  }
+}
+
+TEST_CASE("a device that fails again and again ends a render with a film to go on from") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  const std::string film = render.folder.path("film.exr");
+  const ProgramResult lost = render.run({"--checkpoint", film, "--checkpoint-every", "0.01s"},
+                                        fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  INFO(lost.err);
+  CHECK(lost.exitCode == 5);
+  CHECK(contains(lost.err, "attempt 3 of 3"));
+  CHECK(contains(lost.err, "--resume " + film + " goes on"));
+  const ProgramResult memory = render.run({"--checkpoint", film, "--resume", film},
+                                          fault("vkQueueSubmit", 9, "OUT_OF_DEVICE_MEMORY", kEveryFrom));
+  CHECK(memory.exitCode == 6);
+  CHECK(render.film("film.exr", "", {"--resume", film}) == whole);
+}
+
+TEST_CASE("a render without a checkpoint leaves a film beside its output") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  const std::string picture = render.folder.path("a.png");
+  const std::string film = picture + ".film.exr";
+  // The film reaches the host when the last one is read, so that the last calls are made to fail.
+  const std::string resumed = render.folder.path("part.exr");
+  REQUIRE(render.run({"--samples", "0:4", "--checkpoint", resumed}).exitCode == 0);
+  const ProgramResult result = render.run({"--resume", resumed, "-o", picture},
+                                          fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  INFO(result.err);
+  CHECK(result.exitCode == 5);
+  REQUIRE(std::filesystem::exists(film));
+  CHECK(image::readImage(picture).width == 32);
+  const ProgramResult end = render.run({"--resume", film, "--checkpoint", film});
+  CHECK(end.exitCode == 0);
+  CHECK(readFile(film) == whole);
+}
+
+TEST_CASE("--fallback cpu finishes a render on the reference, and marks the film") {
+  const Render render;
+  const std::string film = render.folder.path("film.exr");
+  const ProgramResult result = render.run({"--checkpoint", film, "--checkpoint-every", "0.01s", "--fallback", "cpu"},
+                                          fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  const auto description = nlohmann::json::parse(runCandela({"film", film, "--json", "-"}).out);
+  CHECK(description["complete"] == true);
+  CHECK(description["isMixed"] == true);
+  CHECK(description["tracers"].size() == 2);
+}
+
+TEST_CASE("a device that hangs ends a render after --hang-timeout") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  const std::string film = render.folder.path("film.exr");
+  const ProgramResult result = render.run(
+      {"--checkpoint", film, "--checkpoint-every", "0.01s", "--hang-timeout", "10s"}, "vkWaitForFences:9:HANG");
+  INFO(result.err);
+  CHECK(result.exitCode == 5);
+  CHECK(contains(result.err, "has not finished its work after 10 s; --hang-timeout"));
+  CHECK_FALSE(contains(result.err, "attempt"));
+  CHECK(render.film("film.exr", "",
+                    std::filesystem::exists(film) ? std::vector<std::string>{"--resume", film}
+                                                  : std::vector<std::string>{}) == whole);
+}
+
+TEST_CASE("if memory for a band is refused, smaller bands give the same film") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  // The fourth to sixth allocations are those of the first band's buffers.
+  for (const int call : {4, 5, 6}) {
+    CHECK(render.film("film" + std::to_string(call) + ".exr", fault("vkAllocateMemory", call, "TOO_MANY_OBJECTS")) ==
+          whole);
+  }
+}
+
+}  // namespace candela
