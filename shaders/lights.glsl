@@ -8,7 +8,6 @@
 #include "primitives.glsl"
 #include "sampling.glsl"
 #include "scene_access.glsl"
-#include "textures.glsl"
 
 struct LightSample {
   vec3 wi;
@@ -41,14 +40,18 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
 }
 
-// Returns the texel of the emission at a point of the triangle in a slot, whose records begin at `row`; 1 if it has none.
-vec3 emissionTexel(uint row, vec2 weights, vec2 jitter) {
+// Returns the factor of the emission at a point of the triangle whose records begin at `row`: the texel of its texture,
+// if it has one, times the opacity.
+vec3 emissionFactor(uint row, vec2 weights, vec2 jitter) {
   uint kind = sceneRow(row + 2u).w;
-  if ((kind & kFlagTexCoords) == 0u) return vec3(1.0);
-  uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
-  if (reference == 0u) return vec3(1.0);
-  vec4 texCoords = texCoordsAt(constants.firstAttributeRow + sceneRow(row).w, kind, weights);
-  return linearColour(textureTexel(reference, texCoords, jitter));
+  uint attributes = constants.firstAttributeRow + sceneRow(row).w;
+  vec3 factor = vec3(1.0);
+  if ((kind & kFlagTexCoords) != 0u) {
+    uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
+    if (reference != 0u) factor = linearColour(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));
+  }
+  if (kHasTransparency && (kind & kFlagTransparent) != 0u) factor *= opacityAt(attributes, kind, weights, jitter);
+  return factor;
 }
 
 LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
@@ -66,7 +69,7 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   float cosine = -dot(triangleNormal(edge1, edge2), wi);
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
   vec3 emission = light.emission;
-  if (kHasTextures) emission *= emissionTexel(row, weights, from.jitter.zw);
+  if (kHasTextures) emission *= emissionFactor(row, weights, from.jitter.zw);
   float pdf = light.probability * distanceSquared / (light.area * abs(cosine));
   return LightSample(wi, emission, distance, pdf, false, p0 + fromCorner);
 }

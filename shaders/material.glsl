@@ -5,7 +5,29 @@
 #include "scene_access.glsl"
 #include "textures.glsl"
 
+// The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
+struct SurfaceParameters {
+  vec3 baseColour;
+  float metalness;
+  vec3 specularColour;
+  float specularWeight;
+  float roughness;
+  float ior;
+};
+
+// The lobes of a surface as seen from one direction: section 5.4.
+struct SurfaceLobes {
+  vec3 diffuse;         // albedo
+  vec3 specular;        // factor of the microfacets at normal incidence
+  vec3 grazing;         // factor of (1 - wo.h)^5
+  float alpha;
+  float specularShare;  // probability of the specular lobe
+};
+
 struct Material {
+  bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
+  SurfaceParameters surface;
+  SurfaceLobes lobes;  // computed by prepareLobes()
   vec3 diffuse;
   float diffuseWeight;
   vec3 glossy;
@@ -19,10 +41,19 @@ struct Material {
   bool mirror;
 };
 
+SurfaceParameters loadSurface(uint index) {
+  uint row = constants.firstSurfaceRow + index * kSurfaceRows;
+  vec4 base = sceneRowFloat(row);
+  vec4 specular = sceneRowFloat(row + 1u);
+  vec4 shape = sceneRowFloat(row + 2u);
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y);
+}
+
 // Loads a material by its index in the scene.
 Material loadMaterial(uint index) {
   uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
+  material.isSurface = false;
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;
@@ -44,14 +75,18 @@ Material loadMaterial(uint index) {
   material.ior = 1.0;
   material.untinted = 0.0;
   material.mirror = false;
-  if (kHasGlossy || kHasMirror || kHasDielectric) {
-    vec4 last = sceneRowFloat(row + 3u);
-    material.exponent = last.x;
-    material.ior = last.y;
-    material.mirror = last.z != 0.0;
+  if (kHasGlossy || kHasMirror || kHasDielectric || kHasSurfaces) {
+    uvec4 last = sceneRow(row + 3u);
+    material.exponent = uintBitsToFloat(last.x);
+    material.ior = uintBitsToFloat(last.y);
+    material.mirror = uintBitsToFloat(last.z) != 0.0;
+    if (kHasSurfaces && last.w != 0u) {
+      material.isSurface = true;
+      material.surface = loadSurface(last.w - 1u);
+    }
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric || (kHasTextures && kHasGlossy)) {
+  if (kHasMirror || kHasDielectric || ((kHasTextures || kHasColours) && kHasGlossy)) {
     vec4 specular = sceneRowFloat(row + 4u);
     material.specular = specular.xyz;
     material.untinted = specular.w;
@@ -60,9 +95,28 @@ Material loadMaterial(uint index) {
 }
 
 void scaleBaseColour(inout Material material, vec3 scale) {
+  if (kHasSurfaces) material.surface.baseColour *= scale;
   material.diffuse *= scale;
   material.glossy = (material.glossy - material.untinted) * scale + material.untinted;
   material.specular *= scale;
+}
+
+// Returns the texel of a slot, or `absent` if the material has no such texture.
+uint texelOf(uint material, uint slot, Surface surface, uint absent) {
+  uint reference = textureOf(material, slot);
+  return reference == 0u ? absent : textureTexel(reference, surface.texCoords, surface.jitter.xy);
+}
+
+void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
+  const uint white = 0xffffffffu;
+  uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
+  parameters.roughness *= float((metallicRoughness >> 8) & 255u) * (1.0 / 255.0);
+  parameters.metalness *= float((metallicRoughness >> 16) & 255u) * (1.0 / 255.0);
+  parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
+  uint specularColour = textureOf(index, kSlotSpecularColour);
+  if (specularColour != 0u) {
+    parameters.specularColour *= linearColour(textureTexel(specularColour, surface.texCoords, surface.jitter.xy));
+  }
 }
 
 void applyTextures(inout Material material, uint index, Surface surface) {
@@ -70,6 +124,7 @@ void applyTextures(inout Material material, uint index, Surface surface) {
   if (baseColour != 0u) {
     scaleBaseColour(material, linearColour(textureTexel(baseColour, surface.texCoords, surface.jitter.xy)));
   }
+  if (kHasSurfaces && material.isSurface) scaleSurface(material.surface, index, surface);
   uint emission = kHasEmission ? textureOf(index, kSlotEmission) : 0u;
   if (emission != 0u) {
     material.emission *= linearColour(textureTexel(emission, surface.texCoords, surface.jitter.xy));
@@ -80,6 +135,7 @@ void applyTextures(inout Material material, uint index, Surface surface) {
 Material materialAt(Surface surface) {
   uint index = surface.kind >> kMaterialShift;
   Material material = loadMaterial(index);
+  if (kHasColours) scaleBaseColour(material, surface.colour);
   if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
   return material;
 }

@@ -84,6 +84,14 @@ vec3 backgroundFound(Path path, SampleKey key) {
   return tap.radiance * (weighted ? powerHeuristic(path.pdf, tap.pdf) : 1.0);
 }
 
+// Returns a contribution of light that was scattered `scatterings` times before it reached the camera, or with a limit for
+// indirect light at most the limit, in the same hue.
+vec3 limitedContribution(vec3 contribution, uint scatterings) {
+  if (!kLimitsIndirect || scatterings < 2u) return contribution;
+  float highest = largest(contribution);
+  return highest > constants.indirectLimit ? contribution * (constants.indirectLimit / highest) : contribution;
+}
+
 // A ray to a light sample, and its contribution to the path if it is unoccluded.
 struct ShadowRay {
   bool wanted;    // false: there is no shadow ray, and the other members are undefined
@@ -115,7 +123,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
-  precise vec3 radiance = path.throughput * weighed;
+  precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
   shadow = ShadowRay(true, rayFrom(surface, lit.wi), RayEnd(lit.distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -158,7 +166,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundFound(path, key);
+    path.radiance += limitedContribution(path.throughput * backgroundFound(path, key), path.depth - 1u);
     return false;
   }
   counts.vertices += 1u;
@@ -167,16 +175,21 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   noteSurface(path.ray, surface, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
-  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
+  if (kHasEmission) {
+    vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
+    path.radiance += limitedContribution(found, path.depth - 1u);
+  }
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
+  prepareLobes(material, shading.wo);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
       sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
+      if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;
@@ -198,6 +211,7 @@ uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
 
 // Traces the path's ray and computes everything up to the next ray. Returns true if the path continues.
 bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  if (kHasTransparency) path.ray.opacityKey = opacityKey(key, path.depth, false);
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;
   bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);

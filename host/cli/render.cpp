@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/bad_samples.h"
+#include "host/cli/bias_text.h"
 #include "host/cli/commands.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/json_output.h"
@@ -45,6 +46,7 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const ren
   if (job.arguments.samples) {
     metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
   }
+  if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
   return metadata;
 }
 

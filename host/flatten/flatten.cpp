@@ -44,6 +44,7 @@ void checkLimits(const scene::Scene& scene) {
 
 void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
   flat.constants.firstMaterialRow = rowCount(flat.rows);
+  Rows surfaces;
   for (const scene::Material& material : scene.materials) {
     const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
@@ -51,7 +52,17 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
     flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
+    if (!material.surface) continue;
+    const Rows rows = surfaceRows(*material.surface);
+    surfaces.insert(surfaces.end(), rows.begin(), rows.end());
+    flat.rows[flat.rows.size() - 2].w = rowCount(surfaces) / gpu::kSurfaceRows;
   }
+  flat.constants.firstSurfaceRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
+  flat.constants.firstEnergyRow = rowCount(flat.rows);
+  if (surfaces.empty()) return;
+  const Rows energy = energyRows();
+  flat.rows.insert(flat.rows.end(), energy.begin(), energy.end());
 }
 
 // Returns the slot of every primitive, for the lights.
@@ -188,6 +199,7 @@ void setConstants(const scene::Scene& scene, const render::RenderSettings& setti
   constants.strataPerSide = strataPerSide(settings);
   constants.maxDepth = settings.image.maxDepth;
   constants.rouletteStart = settings.image.rouletteStart;
+  constants.indirectLimit = settings.image.indirectLimit.value_or(0);
 }
 
 // Returns whether the settings request a structure explicitly.

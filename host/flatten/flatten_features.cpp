@@ -25,6 +25,7 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
+    features.colours |= !meshOf(scene, primitive).colours.empty();
   }
 }
 
@@ -34,9 +35,12 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.glossy |= lobes.glossy > 0;
   features.dielectric |= lobes.dielectric > 0;
   features.mirror |= lobes.mirror;
-  features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
+  features.surfaces |= material.surface.has_value();
+  features.mixtures |= material.surface.has_value() ||
+                       (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
-  features.textures |= isTextured(material);
+  features.transparency |= material.opacity.has_value();
+  features.textures |= isTextured(material) || material.opacity.has_value();
 }
 
 }  // namespace

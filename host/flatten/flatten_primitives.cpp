@@ -53,6 +53,20 @@ void appendTexCoords(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows
   }
 }
 
+void appendColours(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows) {
+  for (const glm::vec4& colour : attributeOf(mesh, mesh.colours, triangle)) {
+    rows.push_back(row(glm::dvec3(colour), double{colour.w}));
+  }
+}
+
+// Returns the flags that name a triangle's attributes.
+std::uint32_t attributeFlags(const scene::Scene& scene, const scene::Primitive& triangle) {
+  const scene::Material& material = scene.materials[triangle.material];
+  const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
+  return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (hasTexture ? gpu::kFlagTexCoords : 0) |
+         (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours);
+}
+
 // Appends the attributes that the flags of a triangle name.
 void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
                       std::uint32_t flags, Rows& rows) {
@@ -62,18 +76,19 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
     rows.push_back({context.light, 0, 0, 0});
   }
   if (flags & gpu::kFlagTexCoords) appendTexCoords(meshOf(scene, triangle), triangle.index, rows);
+  if (flags & gpu::kFlagColours) appendColours(meshOf(scene, triangle), triangle.index, rows);
 }
 
 void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
                     Rows& rows, Rows& attributes) {
   const scene::Triangle triangle = triangleOf(scene, primitive);
-  const std::uint32_t flags = (isSmooth(scene, primitive) ? gpu::kFlagSmooth : 0) |
-                              (isTextured(scene.materials[primitive.material]) ? gpu::kFlagTexCoords : 0);
+  const std::uint32_t flags = attributeFlags(scene, primitive);
+  const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
   const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
   if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);
   rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
   rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
-  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags)));
+  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags | passed)));
 }
 
 void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,

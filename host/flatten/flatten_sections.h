@@ -23,6 +23,11 @@ void appendWideNodes(const accel::WideBvh& wide, Rows& rows);
 /// (0: points) that face the camera's target: see docs/light-transport.md section 9.
 Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
 
+/// Returns the records of one surface's parameters.
+Rows surfaceRows(const scene::SurfaceParameters& surface);
+/// Returns the records of the energy tables.
+Rows energyRows();
+
 /// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
 Rows srgbTableRows();
 

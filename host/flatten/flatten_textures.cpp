@@ -1,6 +1,8 @@
 // Stores images, and the references of materials to them, as 16-byte records.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "host/core/errors.h"
 #include "host/flatten/flatten_sections.h"
 #include "host/image/colour_transfer.h"
@@ -10,10 +12,13 @@ namespace {
 
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::baseColour) == gpu::kSlotBaseColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::emission) == gpu::kSlotEmission);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::metallicRoughness) == gpu::kSlotMetallicRoughness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specular) == gpu::kSlotSpecular);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specularColour) == gpu::kSlotSpecularColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
-static_assert(scene::kTextureSlotCount <= 4 * gpu::kTextureSlotRows);
+static_assert(scene::kTextureSlotCount <= 4 * gpu::kOpacityRow);
 
 std::uint64_t texelRows(const scene::TextureImage& image) { return (image.texels.size() + 3) / 4; }
 
@@ -21,6 +26,7 @@ std::size_t countReferences(const scene::Scene& scene) {
   std::size_t count = 0;
   for (const scene::Material& material : scene.materials) {
     for (const auto& texture : material.textures) count += texture.has_value();
+    count += material.opacity && material.opacity->texture;
   }
   return count;
 }
@@ -73,18 +79,26 @@ Rows srgbTableRows() {
 
 Rows textureRows(const scene::Scene& scene) {
   Rows rows = srgbTableRows();
-  const std::size_t firstReference = rows.size() + scene.materials.size() * gpu::kTextureSlotRows;
+  const std::size_t firstReference = rows.size() + scene.materials.size() * gpu::kMaterialTextureRows;
   const std::size_t end = firstReference + countReferences(scene) * gpu::kReferenceRows;
   const std::vector<std::uint32_t> imageRows = firstRowsOfImages(scene, end);
   Rows references;
+  // Appends a reference, and returns its first record; 0 if there is none.
+  const auto add = [&](const std::optional<scene::TextureReference>& reference) {
+    if (!reference) return std::uint32_t{0};
+    const auto first = static_cast<std::uint32_t>(firstReference + references.size());
+    appendReference(scene, *reference, imageRows, references);
+    return first;
+  };
   for (const scene::Material& material : scene.materials) {
-    gpu::uvec4 slots(0);
+    std::array<gpu::uvec4, gpu::kOpacityRow> slots{};
     for (std::size_t slot = 0; slot < scene::kTextureSlotCount; ++slot) {
-      if (!material.textures[slot]) continue;
-      slots[static_cast<int>(slot)] = static_cast<std::uint32_t>(firstReference + references.size());
-      appendReference(scene, *material.textures[slot], imageRows, references);
+      slots[slot / 4][static_cast<int>(slot % 4)] = add(material.textures[slot]);
     }
-    rows.push_back(slots);
+    const scene::Opacity opacity = material.opacity.value_or(scene::Opacity{});
+    rows.insert(rows.end(), slots.begin(), slots.end());
+    rows.push_back({floatBits(double{opacity.factor}), floatBits(double{opacity.cutoff.value_or(-1.0f)}),
+                    add(opacity.texture), 0});
   }
   rows.insert(rows.end(), references.begin(), references.end());
   for (const scene::TextureImage& image : scene.images) appendTexels(image, rows);

@@ -85,6 +85,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   SceneAssembly assembly(root, nodes, pose, accessors, buffers, log);
   assembly.addMaterials();
   assembly.addNodes();
+  assembly.dropUselessOpacity();
   log.throwIfErrors();
   assembly.reportOmissions();
   scene::Scene& scene = assembly.scene();

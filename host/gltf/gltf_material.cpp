@@ -12,7 +12,8 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior"};
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior",
+                           "KHR_materials_specular"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -58,7 +59,7 @@ void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, G
   result.metallic = fraction(pbr, "metallicFactor", 1);
   result.roughness = fraction(pbr, "roughnessFactor", 1);
   result.baseColourTexture = textureIn(pbr, "baseColorTexture", readTexture);
-  noteTexture(pbr, "metallicRoughnessTexture", "metallic-roughness texture", result);
+  result.metallicRoughnessTexture = textureIn(pbr, "metallicRoughnessTexture", readTexture);
 }
 
 void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
@@ -67,6 +68,18 @@ void readEmission(const Value& material, const TextureReader& readTexture, GltfM
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
   result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
+}
+
+void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  const std::optional<Value> specular = material.extension("KHR_materials_specular");
+  if (!specular) return;
+  result.specular = fraction(*specular, "specularFactor", 1);
+  result.specularColour = specular->vectorOr("specularColorFactor", glm::vec3(1));
+  for (int c = 0; c < 3; ++c) {
+    if (result.specularColour[c] < 0) specular->require("specularColorFactor").fail("a component is negative");
+  }
+  result.specularTexture = textureIn(*specular, "specularTexture", readTexture);
+  result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
 }
 
 void readTransmission(const Value& material, GltfMaterial& result) {
@@ -105,9 +118,10 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
     readMetallicRoughness(*pbr, readTexture, result);
   readEmission(material, readTexture, result);
+  readSpecular(material, readTexture, result);
   readTransmission(material, result);
   result.alphaMode = alphaModeOf(material);
-  if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));
+  result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
   noteTexture(material, "normalTexture", "normal texture", result);

@@ -20,12 +20,18 @@ struct GltfMaterial {
   glm::vec3 emission{0, 0, 0};  ///< emissiveFactor times KHR_materials_emissive_strength
   std::optional<scene::TextureReference> baseColourTexture{};
   std::optional<scene::TextureReference> emissionTexture{};
+  std::optional<scene::TextureReference> metallicRoughnessTexture{};
+  std::optional<scene::TextureReference> specularTexture{};
+  std::optional<scene::TextureReference> specularColourTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
+  double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;
-  bool isUnlit = false;     ///< KHR_materials_unlit
-  double ior = 1.5;         ///< KHR_materials_ior; 0 or at least 1
-  double transmission = 0;  ///< KHR_materials_transmission
-  double thickness = 0;     ///< KHR_materials_volume; 0: a thin wall
+  bool isUnlit = false;               ///< KHR_materials_unlit
+  double ior = 1.5;                   ///< KHR_materials_ior; 0 or at least 1
+  double specular = 1;                ///< KHR_materials_specular
+  glm::vec3 specularColour{1, 1, 1};  ///< KHR_materials_specular; may exceed 1
+  double transmission = 0;            ///< KHR_materials_transmission
+  double thickness = 0;               ///< KHR_materials_volume; 0: a thin wall
   /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_sheen".
   std::set<std::string> unread;
 };

@@ -38,6 +38,30 @@ void addLobes(const GltfMaterial& source, scene::Material& material) {
   }
 }
 
+scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
+  scene::SurfaceParameters surface;
+  surface.baseColour = glm::vec3(source.baseColour);
+  surface.metalness = static_cast<float>(source.metallic);
+  surface.roughness = static_cast<float>(source.roughness);
+  surface.specularWeight = static_cast<float>(source.specular);
+  surface.specularColour = source.specularColour;
+  surface.ior = static_cast<float>(source.ior);
+  return surface;
+}
+
+/// Lobes have no roughness that a texture could scale.
+void addTextures(const GltfMaterial& source, scene::Material& material) {
+  const auto set = [&](scene::TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
+    material.textures[static_cast<std::size_t>(slot)] = texture;
+  };
+  set(scene::TextureSlot::baseColour, source.baseColourTexture);
+  if (isEmissive(material)) set(scene::TextureSlot::emission, source.emissionTexture);
+  if (!material.surface) return;
+  set(scene::TextureSlot::metallicRoughness, source.metallicRoughnessTexture);
+  set(scene::TextureSlot::specular, source.specularTexture);
+  set(scene::TextureSlot::specularColour, source.specularColourTexture);
+}
+
 }  // namespace
 
 double exponentOf(double roughness) {
@@ -48,17 +72,21 @@ double exponentOf(double roughness) {
 
 scene::Material fromGltf(const GltfMaterial& source) {
   scene::Material material;
-  const auto setTexture = [&](scene::TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
-    material.textures[static_cast<std::size_t>(slot)] = texture;
-  };
   if (source.isUnlit) {
     material.emission = glm::vec3(source.baseColour);
-    setTexture(scene::TextureSlot::emission, source.baseColourTexture);
+    material.textures[static_cast<std::size_t>(scene::TextureSlot::emission)] = source.baseColourTexture;
   } else {
-    addLobes(source, material);
-    setTexture(scene::TextureSlot::baseColour, source.baseColourTexture);
+    if (source.transmission > 0) {
+      addLobes(source, material);
+    } else {
+      material.surface = surfaceOf(source);
+    }
     material.emission = source.emission;
-    if (isEmissive(material)) setTexture(scene::TextureSlot::emission, source.emissionTexture);
+    addTextures(source, material);
+  }
+  if (source.alphaMode != AlphaMode::opaque) {
+    material.opacity = scene::Opacity{.factor = source.baseColour.w, .texture = source.baseColourTexture};
+    if (source.alphaMode == AlphaMode::mask) material.opacity->cutoff = static_cast<float>(source.alphaCutoff);
   }
   material.opaque = !source.isDoubleSided && !material.dielectric;
   return material;

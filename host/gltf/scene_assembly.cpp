@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "host/core/physical_memory.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
@@ -22,6 +24,12 @@ std::uint64_t bytesOf(const scene::Mesh& mesh) {
          (mesh.texCoords[0].size() + mesh.texCoords[1].size()) * sizeof(glm::vec2) +
          (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) +
          mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
+}
+
+float leastAlphaOf(const scene::TextureImage& image) {
+  std::uint32_t least = 255;
+  for (const std::uint32_t texel : image.texels) least = std::min(least, texel >> 24);
+  return static_cast<float>(least) / 255;
 }
 
 template <class Vector>
@@ -121,8 +129,8 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     return;
   }
   ++counts_["primitive"];
-  if (!geometry->mesh.colours.empty()) unread_.insert("vertex colours");
   const std::uint32_t material = materialOf(primitive);
+  noteAlpha(geometry->mesh, material);
   dropUnusedVertices(*geometry);
   const std::optional<Value> skin = node.find("skin");
   if (skin && !geometry->influences.joints.empty()) {
@@ -138,6 +146,24 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     scene::Mesh placed = geometry->mesh;
     place(placed, nodes_.world(index) * instance, node);
     scene::addMesh(scene_, std::move(placed), material);
+  }
+}
+
+void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
+  float least = 1;
+  for (const glm::vec4& colour : mesh.colours) least = std::min(least, colour.w);
+  const auto [known, isNew] = leastAlpha_.emplace(material, least);
+  known->second = std::min(known->second, least);
+}
+
+void SceneAssembly::dropUselessOpacity() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    std::optional<scene::Opacity>& opacity = scene_.materials[i].opacity;
+    if (!opacity) continue;
+    const auto vertices = leastAlpha_.find(static_cast<std::uint32_t>(i));
+    float least = opacity->factor * (vertices == leastAlpha_.end() ? 1 : vertices->second);
+    if (opacity->texture) least *= leastAlphaOf(scene_.images[opacity->texture->image]);
+    if (least >= opacity->cutoff.value_or(1)) opacity.reset();
   }
 }
 

@@ -25,6 +25,8 @@ class SceneAssembly {
   void addMaterials();
   /// Adds the meshes and lights of the visible nodes, in the order of NodeTree::visible(). Call addMaterials() first.
   void addNodes();
+  /// Removes the opacity of materials that every ray hits. Call addNodes() first.
+  void dropUselessOpacity();
   /// Warnings about everything that was left out.
   void reportOmissions();
 
@@ -45,6 +47,7 @@ class SceneAssembly {
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
   std::uint32_t materialOf(const Value& primitive);
+  void noteAlpha(const scene::Mesh& mesh, std::uint32_t material);
   /// Runs an action; an error becomes an entry of the log.
   template <class Action>
   void attempt(const Action& action);
@@ -58,8 +61,9 @@ class SceneAssembly {
   Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
-  std::set<std::string> unread_{};   ///< names of what materials and meshes have that is not rendered
-  std::size_t defaultMaterial_ = 0;  ///< its index, once it exists
+  std::set<std::string> unread_{};               ///< names of what materials and meshes have that is not rendered
+  std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
+  std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
   std::size_t triangleCount_ = 0;
   std::uint64_t byteCount_ = 0;
 };

@@ -47,12 +47,14 @@ dvec3 Bsdf::albedo() const {
 }
 
 render::Lobe Bsdf::chooseLobe(double u) const {
+  if (surface_) return surface_->chooseLobe(u);
   if (u < diffuse_ / weightSum()) return render::Lobe::diffuse;
   if (u < (diffuse_ + glossy_) / weightSum()) return render::Lobe::glossy;
   return render::Lobe::refract;
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
+  if (surface_) return surface_->evaluate(wi);
   BsdfValue value;
   addDiffuse(wo, wi, value);
   if (glossy_ > 0) addGlossy(wo, wi, value);
@@ -76,6 +78,7 @@ void Bsdf::addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const {
 }
 
 dvec3 Bsdf::sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const {
+  if (surface_) return surface_->sample(lobe, u);
   if (lobe == render::Lobe::diffuse) return sampleCosineHemisphere(u);
 
   const dvec2 p = sampleDisc(u);

@@ -22,13 +22,15 @@ double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
 struct PathTracer::VertexNumbers {
   SampleNumbers& numbers;
+  std::uint32_t depth;
   std::uint32_t block;
   std::uint32_t environmentBlock;
 
-  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t depth)
+  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t vertex)
       : numbers(pathNumbers),
-        block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount),
-        environmentBlock(kEnvironmentDimensions + (depth - 1) * kEnvironmentDimensionCount) {}
+        depth(vertex),
+        block(kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount),
+        environmentBlock(kEnvironmentDimensions + (vertex - 1) * kEnvironmentDimensionCount) {}
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
@@ -47,15 +49,31 @@ struct PathTracer::VertexNumbers {
 
 struct PathTracer::Vertex {
   const Surface& surface;
-  const Bsdf& bsdf;
+  Bsdf bsdf;
   Frame frame;
   dvec3 wo;  ///< in the local frame
 
-  Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection, Rounding& rounding)
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
       : surface(at),
-        bsdf(material),
+        bsdf(material.bsdf),
         frame(at.shadingNormal),
-        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {}
+        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+    if (material.surface) bsdf.setSurface(*material.surface, wo);
+  }
+
+  /// These apply the material's rounding to what the functions of `bsdf` return. Directions are in the local frame.
+  BsdfValue valueOf(const dvec3& wi, Rounding& rounding) const {
+    return rounding.bsdfValue(bsdf.evaluate(wo, wi), bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
+  }
+  render::Lobe chooseLobe(double u, Rounding& rounding) const {
+    const double bound = bsdf.surface() ? kRoundingBounds.surfaceChoice : kRoundingBounds.choice;
+    return bsdf.chooseLobe(rounding.absolute(u, bound));
+  }
+  dvec3 sampleSmooth(render::Lobe lobe, const dvec2& u, Rounding& rounding) const {
+    const dvec3 local = bsdf.sampleSmooth(lobe, wo, u);
+    const bool isRough = bsdf.surface() && lobe != render::Lobe::diffuse;
+    return isRough ? rounding.microfacetDirection(local, bsdf.surface()->alpha()) : rounding.sampledDirection(local);
+  }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
@@ -97,10 +115,11 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     rounding.startVertex(depth, ray);
+    ray.opacityKey = opacityKeyOf(numbers, depth, false);
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
     const VertexNumbers u(numbers, depth);
-    if (!hit) return radiance + beta * background(ray, pdf, u, rounding);
+    if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
 
     ++counters.vertices;
     Surface surface = rounding.surfaceAt(scene(), ray, hit);
@@ -108,12 +127,12 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
     const SurfaceMaterial material = materialAt(surface, rounding);
-    radiance += beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding);
+    radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, material.bsdf, ray.direction, rounding);
+    const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += beta * directLight(vertex, u, counters, notes, rounding);
+      radiance += limited(beta * directLight(vertex, u, counters, notes, rounding), depth);
     }
     const Scattering next = scatter(vertex, u, rounding);
     rounding.decide(static_cast<std::uint64_t>(next.lobe));
@@ -146,6 +165,12 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNu
   return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
 }
 
+dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
+  if (!settings_.image.indirectLimit || scatterings < 2) return contribution;
+  const double limit = *settings_.image.indirectLimit;
+  return contribution * (limit / std::max(largestChannel(contribution), limit));
+}
+
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
   if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.environmentPlace());
   return lights_.sample(entry, surface, u.light());
@@ -169,16 +194,18 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
   notes.lightChoice(choice);
   std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
-  light->radiance *= emissionTexel(scene(), *light, vertex.surface.lightTextureJitter, rounding);
+  light->radiance *= emissionFactor(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
+  const BsdfValue bsdf = vertex.valueOf(wi, rounding);
   if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->end(), counters, rounding);
+  Ray shadowRay = vertex.rayTowards(light->wi);
+  shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
+  const bool occluded = tracing().isOccluded(shadowRay, light->end(), counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
@@ -192,8 +219,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
   if (vertex.bsdf.isBlack()) return {};
   const bool mirror = vertex.bsdf.isMirror();
-  const render::Lobe lobe = mirror ? render::Lobe::mirror
-                                   : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
+  const render::Lobe lobe = mirror ? render::Lobe::mirror : vertex.chooseLobe(u.lobe(), rounding);
   if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u, rounding);
 
   const DeltaSample sample = mirror
@@ -207,9 +233,9 @@ PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u
 
 PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u,
                                                  Rounding& rounding) const {
-  const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
+  const dvec3 local = vertex.sampleSmooth(lobe, u.bsdf(), rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, local));
+  const BsdfValue bsdf = vertex.valueOf(local, rounding);
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
   return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
 }

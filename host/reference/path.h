@@ -42,6 +42,8 @@ class PathTracer final : public PixelTracer {
              Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;
+  /// Returns a contribution to the path, which is darkened if light that was scattered `scatterings` times has a limit.
+  dvec3 limited(const dvec3& contribution, std::uint32_t scatterings) const;
   /// Returns a sample of an entry of the light table as seen from a surface.
   std::optional<LightSample> sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const;
   dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,

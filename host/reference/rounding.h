@@ -45,7 +45,10 @@ struct RoundingBounds {
   double mapDirection = 8;      ///< of a unit vector, per axis: its coordinates in the environment's map
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
+  double surface = 18;          ///< relative, f and pdf of surfaces: energy, distribution and visibility
   double choice = 6;            ///< of a probability that a random number is compared with
+  double surfaceChoice = 14;    ///< of the probability of a surface's lobe: quotient of albedos
+  double roughDirection = 16;   ///< of a direction sampled by microfacets, per axis, times alpha, besides `frame`
   double throughput = 8;        ///< relative: quotient of f and pdf
   double survival = 7;          ///< relative: a square root
   double radiance = 2;          ///< relative: a product and a sum
@@ -104,10 +107,14 @@ class Rounding {
   Surface surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit);
 
   std::optional<LightSample> lightSample(std::optional<LightSample> light);
-  BsdfValue bsdfValue(BsdfValue value);
+  BsdfValue bsdfValue(BsdfValue value, double units);
   /// In the shading frame.
   dvec3 sampledDirection(const dvec3& local) {
     return perturbs_ ? normalize(relative(local, kRoundingBounds.sampledDirection)) : local;
+  }
+  /// A direction that microfacets of this alpha reflect or refract, in the shading frame.
+  dvec3 microfacetDirection(const dvec3& local, double alpha) {
+    return turned(local, kRoundingBounds.frame + alpha * kRoundingBounds.roughDirection);
   }
 
   std::uint64_t decisions() const { return decisions_; }

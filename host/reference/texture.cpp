@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "host/reference/rounding.h"
+
 namespace candela::reference {
 namespace {
 
@@ -22,6 +24,11 @@ std::array<double, 256> makeSrgbTable() {
 }
 
 const std::array<double, 256> kSrgbTable = makeSrgbTable();
+
+double coordinateError(const glm::vec3& row, const dvec2& scale) {
+  const dvec3 terms = glm::abs(dvec3(row)) * dvec3(scale, 1);
+  return kRoundingBounds.texCoord * kRoundoff * (1 + terms.x + terms.y + terms.z);
+}
 
 std::int64_t remainder(std::int64_t x, std::int64_t period) { return (x % period + period) % period; }
 
@@ -50,6 +57,31 @@ std::uint32_t texelAt(const scene::TextureImage& image, const scene::TextureRefe
   const std::uint32_t x = texelIndex(st.x, image.width, reference.wrapS, displacement.x);
   const std::uint32_t y = texelIndex(st.y, image.height, reference.wrapT, displacement.y);
   return image.texels[std::size_t{y} * image.width + x];
+}
+
+dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes) {
+  const dvec3 uv(attributes.texCoords[reference.texCoordSet], 1);
+  return {dot(dvec3(reference.rowS), uv), dot(dvec3(reference.rowT), uv)};
+}
+
+dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes) {
+  const dvec2& scale = attributes.texCoordScale[reference.texCoordSet];
+  return {coordinateError(reference.rowS, scale), coordinateError(reference.rowT, scale)};
+}
+
+double alphaOf(std::uint32_t texel) { return (texel >> 24) / 255.0; }
+
+double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
+  if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
+  const dvec2 place = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
+  const dvec2 share = glm::fract(place * dvec2(image.width, image.height) - 0.5);
+  double alpha = 0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const dvec2 next(corner % 2, corner / 2);  // a jitter of 1 leads to the next texel
+    const dvec2 weight = glm::mix(1.0 - share, share, next);
+    alpha += weight.x * weight.y * alphaOf(texelAt(image, reference, st, next));
+  }
+  return alpha;
 }
 
 dvec3 linearColour(std::uint32_t texel) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 
+#include "host/reference/mesh_attributes.h"
 #include "host/reference/ray.h"
 #include "host/scene/scene.h"
 
@@ -16,6 +17,16 @@ std::uint32_t texelIndex(double s, std::uint32_t count, scene::TextureWrap wrap,
 /// The texel, four packed bytes, that the jitter, two random numbers, selects at texture coordinates (s, t).
 std::uint32_t texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
                       const dvec2& jitter);
+
+/// The coordinates (s, t) of a reference at a point with these attributes.
+dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes);
+/// The bounds of the errors of these coordinates in single precision.
+dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes);
+
+/// The alpha of a texel, 0 to 1.
+double alphaOf(std::uint32_t texel);
+/// The alpha at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
+double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
 
 /// The linear colour of a texel whose colour is encoded in sRGB.
 dvec3 linearColour(std::uint32_t texel);

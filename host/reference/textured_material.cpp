@@ -1,24 +1,23 @@
-// Looks up the textures of a material.
+// Applies what varies over a triangle to its material.
 #include "host/reference/textured_material.h"
 
+#include <cmath>
+
+#include "host/reference/opacity.h"
 #include "host/reference/texture.h"
 
 namespace candela::reference {
 namespace {
 
-// Returns the coordinate row.uv + offset with the error of single precision.
-double coordinate(const glm::vec3& row, const dvec2& uv, const dvec2& scale, Rounding& rounding) {
-  const dvec3 terms(glm::dvec3(row) * dvec3(uv, 1));
-  const dvec3 magnitudes(glm::abs(glm::dvec3(row)) * dvec3(scale, 1));
-  const double size = 1 + magnitudes.x + magnitudes.y + magnitudes.z;
-  return rounding.absolute(terms.x + terms.y + terms.z, kRoundingBounds.texCoord * size);
+// Displaces texture coordinates by a random sign each, if `rounding` does.
+dvec2 randomSigns(Rounding& rounding) {
+  return {rounding.absolute(0, 1 / kRoundoff), rounding.absolute(0, 1 / kRoundoff)};
 }
 
 std::uint32_t lookUp(const scene::Scene& scene, const scene::TextureReference& reference,
                      const MeshAttributes& attributes, const dvec2& jitter, Rounding& rounding) {
-  const dvec2& uv = attributes.texCoords[reference.texCoordSet];
-  const dvec2& scale = attributes.texCoordScale[reference.texCoordSet];
-  const dvec2 st(coordinate(reference.rowS, uv, scale, rounding), coordinate(reference.rowT, uv, scale, rounding));
+  const dvec2 error = randomSigns(rounding) * coordinateErrors(reference, attributes);
+  const dvec2 st = textureCoordinates(reference, attributes) + error;
   const std::uint32_t texel = texelAt(scene.images[reference.image], reference, st, jitter);
   rounding.decide(texel);
   return texel;
@@ -29,27 +28,59 @@ const std::optional<scene::TextureReference>& emissionTextureOf(const scene::Sce
   return textureOf(scene.materials[primitive.material], scene::TextureSlot::emission);
 }
 
+// The texels of a surface point's material.
+struct Texels {
+  const scene::Scene& scene;
+  const Surface& surface;
+  Rounding& rounding;
+
+  std::optional<std::uint32_t> of(scene::TextureSlot slot) const {
+    const auto& reference = textureOf(scene.materials[surface.material], slot);
+    if (!reference) return std::nullopt;
+    return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
+  }
+};
+
+void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters) {
+  if (const auto texel = texels.of(scene::TextureSlot::metallicRoughness)) {
+    parameters.roughness *= static_cast<float>(*texel / 256 % 256) / 255;
+    parameters.metalness *= static_cast<float>(*texel / 65536 % 256) / 255;
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::specular)) {
+    parameters.specularWeight *= static_cast<float>(alphaOf(*texel));
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::specularColour)) {
+    parameters.specularColour *= glm::vec3(linearColour(*texel));
+  }
+}
+
 }  // namespace
 
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
   if (scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return;
-  const scene::Material& source = scene.materials[surface.material];
-  const auto texel = [&](const scene::TextureReference& reference) {
-    return linearColour(lookUp(scene, reference, surface.attributes, surface.textureJitter, rounding));
-  };
-  if (const auto& baseColour = textureOf(source, scene::TextureSlot::baseColour)) {
-    material.bsdf.scaleBaseColour(texel(*baseColour));
-  }
-  if (const auto& emission = textureOf(source, scene::TextureSlot::emission)) material.emission *= texel(*emission);
+  const bool hasColours = !meshOf(scene, scene.primitives[surface.primitive]).colours.empty();
+  if (hasColours) material.scaleBaseColour(dvec3(surface.attributes.colour));
+  const Texels texels{scene, surface, rounding};
+  if (const auto texel = texels.of(scene::TextureSlot::baseColour)) material.scaleBaseColour(linearColour(*texel));
+  if (material.surface) scaleParameters(texels, *material.surface);
+  if (const auto texel = texels.of(scene::TextureSlot::emission)) material.emission *= linearColour(*texel);
 }
 
-dvec3 emissionTexel(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding) {
+dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding) {
   if (light.primitive == kNoPrimitive) return dvec3(1);
   const scene::Primitive& primitive = scene.primitives[light.primitive];
   const auto& texture = emissionTextureOf(scene, primitive);
-  if (!texture || primitive.kind != scene::PrimitiveKind::triangle) return dvec3(1);
+  const bool passes = isTransparent(scene, primitive);
+  if (primitive.kind != scene::PrimitiveKind::triangle || (!texture && !passes)) return dvec3(1);
   const MeshAttributes attributes = attributesAt(scene, primitive, light.barycentrics, dvec3(0));
-  return linearColour(lookUp(scene, *texture, attributes, jitter, rounding));
+  dvec3 factor(1);
+  if (texture) factor = linearColour(lookUp(scene, *texture, attributes, jitter, rounding));
+  if (passes) {
+    const double opacity = opacityAt(scene, primitive, attributes, jitter, randomSigns(rounding));
+    rounding.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));
+    factor *= opacity;
+  }
+  return factor;
 }
 
 dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle) {

@@ -6,13 +6,13 @@
 
 namespace candela::reference {
 
-/// Multiplies the factors of a material by the texels at the surface point, which become decisions of `rounding`.
-/// `material` is that of the surface without textures.
+/// Multiplies the factors of a material by the vertex colour and the texels at the surface point, which become
+/// decisions of `rounding`. `material` is that of the surface without textures.
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding);
 
-/// Returns the texel of the emission at the sampled point of a light, which becomes a decision of `rounding`; 1 if the
-/// light is no triangle or has no such texture.
-dvec3 emissionTexel(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding);
+/// Returns the factor of the emission at the sampled point of a light: the texel of its texture, if it is a triangle
+/// with one, times its opacity. Both become decisions of `rounding`.
+dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding);
 
 /// Returns the mean of the texels of the emission of a primitive that is a triangle, at the centres of its 64 congruent
 /// parts; 1 if there is no such texture.

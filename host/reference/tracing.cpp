@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/reference/opacity.h"
+
 namespace candela::reference {
 namespace {
 
@@ -63,7 +65,7 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
-Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) {
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
   if (scene.camera) eye_ = scene.camera->from;
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
@@ -135,7 +137,8 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool o
   const std::uint32_t index = scene.primitives[primitive].index;
   const auto append = [&](auto& shapes, const auto& source) {
     shapes.emplace_back(source);
-    items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
+    const bool transparent = isTransparent(scene, scene.primitives[primitive]);
+    items_.push_back({kind, oneSided, transparent, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
   };
   switch (kind) {
     case scene::PrimitiveKind::sphere:
@@ -172,6 +175,13 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
       return flat(planes_[item.shape], planes_[item.shape].unitNormal);
   }
   return kNoHit;
+}
+
+bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
+  if (!item.transparent) return false;
+  dvec2 errorSign(0);
+  if (word != 0) errorSign = {Rounding::signOf(word, item.primitive), Rounding::signOf(~word, item.primitive)};
+  return !isThere(*scene_, item.primitive, ray, errorSign);
 }
 
 // Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit`
@@ -231,7 +241,7 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
     const double itemDistance = distance(item, ray);
     const bool nearer = itemDistance < nearest.distance;
     const bool wins = itemDistance == nearest.distance && itemDistance < kNoHit && item.primitive < nearest.primitive;
-    if (nearer || wins) nearest = {itemDistance, item.primitive};
+    if ((nearer || wins) && !passes(item, ray, 0)) nearest = {itemDistance, item.primitive};
     return false;
   });
   return nearest;
@@ -260,7 +270,7 @@ bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) 
   visitItems(ray, end.distance, counters, [&](const Item& item) {
     if (item.primitive == end.light) return false;
     const double t = distance(item, ray);
-    occluded = t < end.distance && !containsLight(item, ray, t, end, kLightMargin);
+    occluded = t < end.distance && !passes(item, ray, 0) && !containsLight(item, ray, t, end, kLightMargin);
     return occluded;
   });
   return occluded;
@@ -283,7 +293,7 @@ Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
     const double exact = distance(item, tested);
     if (!(exact < nearest.distance * (1 + kTie))) return false;
     const double rounded = exact * (1 + kTie / 2 * Rounding::signOf(word, item.primitive));
-    if (!(rounded < nearest.distance)) return false;
+    if (!(rounded < nearest.distance) || passes(item, tested, word)) return false;
     nearest = {rounded, item.primitive};
     hitOrigin = tested.origin;
     return false;
@@ -304,7 +314,8 @@ bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, 
     const double t = distance(item, tested);
     const double sign = Rounding::signOf(word, item.primitive);
     const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
-    occluded = t < end.distance * (1 - kTie / 2 * sign) && !containsLight(item, tested, t, end, fraction);
+    occluded = t < end.distance * (1 - kTie / 2 * sign) && !passes(item, tested, word) &&
+               !containsLight(item, tested, t, end, fraction);
     return occluded;
   });
   return occluded;

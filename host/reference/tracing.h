@@ -59,6 +59,7 @@ class Tracing {
   struct Item {
     scene::PrimitiveKind kind;
     bool oneSided;
+    bool transparent;
     std::uint32_t shape;
     std::uint32_t primitive;
   };
@@ -68,6 +69,8 @@ class Tracing {
   /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
   /// is kLightMargin, or what rounding makes of it.
   bool containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const;
+  /// Whether a ray passes an item that it would hit. `word`: of the rounding of a replica; 0: exactly.
+  bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
   /// The rounding in an item's test has the effect of a displaced ray: by `units` of kRoundoff of the distance of the
   /// ray's origin from `centre`, plus `radius`.
   struct RoundingReach {
@@ -87,6 +90,7 @@ class Tracing {
   template <class Visit>
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
+  const scene::Scene* scene_;
   dvec3 eye_{0};
   std::vector<Item> items_;       ///< in the structure's order, then those outside of the structure
   std::size_t firstOutside_ = 0;  ///< index of the first item outside of the structure

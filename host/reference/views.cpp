@@ -41,6 +41,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   const std::uint64_t stepsBefore = counters.traversalSteps;
   rounding.startVertex(1, ray);
   Ray tested = ray;
+  tested.opacityKey = opacityKeyOf(numbers, 1, false);
   const Hit hit = tracing().closest(tested, counters, rounding);
   rounding.decide(hit.primitive);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
@@ -65,7 +66,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return materialAt(surface, rounding).bsdf.albedo();
+      return materialAt(surface, rounding).albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:
@@ -86,7 +87,7 @@ bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters
   if (!above) return false;
 
   ++counters.shadowRays;
-  const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
+  const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, opacityKeyOf(numbers, 1, true)};
   const bool blocked = tracing().isOccluded(ray, {.distance = aoDistance_}, counters, rounding);
   rounding.decide(blocked);
   record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "host/scene/surface_parameters.h"
 #include "host/scene/texture.h"
 
 namespace candela::scene {
@@ -62,9 +63,20 @@ struct WhittedMaterial {
   bool operator==(const WhittedMaterial&) const = default;
 };
 
-/// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
-/// for rounding. A mirror lobe is the only lobe of its material.
+/// How much of the light a surface stops, by the alpha at a point: the product of `factor`, of the texture's alpha and
+/// of the vertex colours' alpha. Rays that do not hit pass the surface as if it were not there.
+struct Opacity {
+  float factor = 1;                           ///< 0 to 1
+  std::optional<float> cutoff{};              ///< rays hit where alpha is at least this; empty: with probability alpha
+  std::optional<TextureReference> texture{};  ///< of which only alpha is used
+
+  bool operator==(const Opacity&) const = default;
+};
+
+/// Either `surface` or lobes, at most one of each kind; a material with neither is black. The lobes' weights sum to at
+/// most 1, except for rounding. A mirror lobe is the only lobe of its material.
 struct Material {
+  std::optional<SurfaceParameters> surface;
   std::optional<DiffuseLobe> diffuse;
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
@@ -74,6 +86,7 @@ struct Material {
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
   /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
   std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
+  std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 
   bool operator==(const Material&) const = default;
 };
@@ -91,8 +104,8 @@ inline bool isTextured(const Material& material) {
   return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
 }
 
-/// The name of a material with one lobe is that of the lobe.
-enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture };
+/// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface };
 
 MaterialKind kindOf(const Material& material);
 

@@ -69,9 +69,10 @@ std::string toText(const SceneReport& r) {
                                  spheres, triangles, boxes, cones, planes));
   line("bounds", r.bounds ? fmt::format("{} to {}", toText(r.bounds->min), toText(r.bounds->max)) : "none");
   line("lights", lightsText(lights));
-  line("materials", fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, black {}; {} emit",
-                                materials.total(), materials.diffuse, materials.glossy, materials.mirror,
-                                materials.dielectric, materials.mixture, materials.black, materials.emitting));
+  line("materials",
+       fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, surface {}, black {}; {} emit",
+                   materials.total(), materials.diffuse, materials.glossy, materials.mirror, materials.dielectric,
+                   materials.mixture, materials.surface, materials.black, materials.emitting));
   line("camera", r.camera ? toText(*r.camera) : "none");
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
@@ -115,6 +116,7 @@ json toJson(const SceneReport& r) {
         {"mirror", r.materials.mirror},
         {"dielectric", r.materials.dielectric},
         {"mixture", r.materials.mixture},
+        {"surface", r.materials.surface},
         {"black", r.materials.black},
         {"emitting", r.materials.emitting}}},
       {"camera", orNull(r.camera, camera)},

@@ -35,10 +35,13 @@ struct TextureReference {
 };
 
 /// The quantities of a material that a texture can scale.
-enum class TextureSlot : std::uint8_t { baseColour, emission };
-inline constexpr std::size_t kTextureSlotCount = 2;
-
-/// Returns whether the colours of a slot's texels are encoded in sRGB. Alpha never is.
-constexpr bool isSrgb(TextureSlot slot) { return slot == TextureSlot::baseColour || slot == TextureSlot::emission; }
+enum class TextureSlot : std::uint8_t {
+  baseColour,         ///< sRGB
+  emission,           ///< sRGB
+  metallicRoughness,  ///< metalness: blue, roughness: green
+  specular,           ///< weight: alpha
+  specularColour      ///< sRGB
+};
+inline constexpr std::size_t kTextureSlotCount = 5;
 
 }  // namespace candela::scene

@@ -37,7 +37,8 @@ CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled poin
 CANDELA_DIMENSION kDimensionLightTextureV = 0x80000007u;
 
 // The environment's numbers of path vertex n start at kEnvironmentDimensions + (n - 1) * kEnvironmentDimensionCount:
-// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever.
+// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever, and below
+// twice their start.
 CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
 CANDELA_DIMENSION kDimensionTapX = 0u;
 CANDELA_DIMENSION kDimensionTapY = 1u;

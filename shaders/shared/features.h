@@ -8,8 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids from 30 to 32 and from 36 to 39, and
-// from 91 on, are free.
+// use are compiled out. Other ids are in specialization.h; ids 31, 32, 38 and 39 are free.
 #define CANDELA_FEATURES(X)                                                              \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                           \
   X(triangles, kHasTriangles, 3)                                                         \
@@ -26,12 +25,15 @@
   X(triangleLights, kHasTriangleLights, 14)                                              \
   X(pointLights, kHasPointLights, 15)                                                    \
   X(punctualLights, kHasPunctualLights, 29) /* point with fall-off, spot, directional */ \
-  X(touched, kHasTouched, 90)               /* some primitive may contain a light */     \
+  X(touched, kHasTouched, 95)               /* some primitive may contain a light */     \
   X(insideOnly, kHasInsideOnly, 26)         /* some sphere has a negative radius */      \
   X(sky, kHasSky, 16)                                                                    \
   X(environment, kHasEnvironment, 33)                                                    \
   X(environmentLight, kHasEnvironmentLight, 34) /* it is in the light table */           \
+  X(mixtures, kHasMixtures, 25)                 /* some material has more than one lobe */ \
   X(textures, kHasTextures, 35)                                                          \
-  X(mixtures, kHasMixtures, 25) /* some material has more than one lobe */
+  X(transparency, kHasTransparency, 36) /* some triangle may be passed */                \
+  X(colours, kHasColours, 37)           /* some triangle has vertex colours */           \
+  X(surfaces, kHasSurfaces, 30)         /* some material has surface parameters */
 
 #endif

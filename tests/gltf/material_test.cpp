@@ -25,38 +25,61 @@ const glm::vec3 kBase{0.5f, 0.25f, 1};
 
 }  // namespace
 
-TEST_CASE("a dielectric is diffuse below a white coat of 4 percent") {
-  const scene::Material material = mapped(metallicRoughness(0, 0.5));
-  REQUIRE(material.diffuse);
-  REQUIRE(material.glossy);
-  CHECK(material.diffuse->colour == kBase);
-  CHECK(material.diffuse->weight == Approx(0.96));
-  CHECK(material.glossy->weight == Approx(0.04));
-  CHECK(material.glossy->colour == glm::vec3(1));
-  CHECK(material.glossy->exponent == Approx(30));  // 2 / (0.5^2)^2 - 2
+TEST_CASE("metallic-roughness factors are the parameters of a surface") {
+  const scene::Material material = mapped(metallicRoughness(0.25, 0.5));
+  REQUIRE(material.surface);
+  CHECK(*material.surface == scene::SurfaceParameters{.baseColour = kBase, .metalness = 0.25f, .roughness = 0.5f});
+  CHECK(kindOf(material) == scene::MaterialKind::surface);
 }
 
-TEST_CASE("a metal reflects its base colour, and a smooth one is a mirror") {
-  const scene::Material rough = mapped(metallicRoughness(1, 1));
-  CHECK_FALSE(rough.diffuse);
-  CHECK(rough.glossy == scene::GlossyLobe{1, kBase, 0, 0});
-  const scene::Material smooth = mapped(metallicRoughness(1, 0));
-  CHECK(smooth.mirror == scene::MirrorLobe{kBase});
-  CHECK_FALSE(smooth.glossy);
+TEST_CASE("specular factors and the index of refraction are parameters, too") {
+  json material;
+  material["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5}, {"specularColorFactor", {1, 2, 0}}};
+  material["extensions"]["KHR_materials_ior"]["ior"] = 0;
+  const scene::SurfaceParameters expected{
+      .metalness = 1, .specularColour = {1, 2, 0}, .specularWeight = 0.5f, .ior = 0};
+  CHECK(mapped(material).surface == expected);
+  material["extensions"]["KHR_materials_specular"]["specularColorFactor"] = {1, -1, 0};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
 }
 
-TEST_CASE("a base colour texture scales all colours but that of a dielectric's highlights") {
+TEST_CASE("textures of a surface are those of its slots") {
+  json material;
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 8;
+  material["extensions"]["KHR_materials_specular"] = {{"specularTexture", {{"index", 9}}},
+                                                      {"specularColorTexture", {{"index", 10}}}};
+  const scene::Material surface = mapped(material);
+  CHECK(textureOf(surface, scene::TextureSlot::baseColour)->image == 7);
+  CHECK(textureOf(surface, scene::TextureSlot::metallicRoughness)->image == 8);
+  CHECK(textureOf(surface, scene::TextureSlot::specular)->image == 9);
+  CHECK(textureOf(surface, scene::TextureSlot::specularColour)->image == 10);
+}
+
+TEST_CASE("the base colour of glass scales all colours but that of its highlights") {
   json material = metallicRoughness(0.5, 0.5);
   material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
+  material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.5;
   const scene::Material half = mapped(material);
   CHECK(textureOf(half, scene::TextureSlot::baseColour) == kTexture7);
-  CHECK(half.glossy->untinted == Approx(0.02 / 0.52));
-  CHECK(half.glossy->colour.x == Approx((0.5 * kBase.x + 0.02) / 0.52));
+  CHECK(half.glossy->untinted == Approx(0.01 / 0.51));
+  CHECK(half.glossy->colour.x == Approx((0.5 * kBase.x + 0.01) / 0.51));
+}
+
+TEST_CASE("alpha modes decide the opacity of triangles") {
+  json material{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}, {"baseColorTexture", {{"index", 7}}}}}};
+  CHECK_FALSE(mapped(material).opacity);
+  material["alphaMode"] = "BLEND";
+  CHECK(mapped(material).opacity == scene::Opacity{.factor = 0.25f, .texture = kTexture7});
+  material["alphaMode"] = "MASK";
+  CHECK(mapped(material).opacity == scene::Opacity{.factor = 0.25f, .cutoff = 0.5f, .texture = kTexture7});
+  material["alphaCutoff"] = 0.125;
+  CHECK(mapped(material).opacity->cutoff == 0.125f);
 }
 
 TEST_CASE("weights of all mixtures sum to 1") {
   for (const double metallic : {0.0, 0.3, 1.0}) {
-    for (const double transmission : {0.0, 0.6, 1.0}) {
+    for (const double transmission : {0.6, 1.0}) {
       json material = metallicRoughness(metallic, 0.3);
       material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = transmission;
       const scene::Material m = mapped(material);
@@ -102,15 +125,15 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
   file.addMesh(file.primitive());
   const scene::Scene scene = sceneOf(file);
   CHECK(scene.materials.size() == 1);
-  CHECK(scene.materials[0].glossy == scene::GlossyLobe{1, {1, 1, 1}, 0});
+  CHECK(scene.materials[0].surface == scene::SurfaceParameters{.metalness = 1});
 }
 
 TEST_CASE("one warning lists what is not rendered") {
   GltfFile file = triangleFile();
-  json material{{"alphaMode", "BLEND"}, {"normalTexture", {{"index", 0}}}};
+  json material{{"normalTexture", {{"index", 0}}}};
   material["extensions"]["KHR_materials_sheen"] = json::object();
   file.root["materials"] = {material};
-  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, alpha mode BLEND, normal texture"));
+  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, normal texture"));
 }
 
 }  // namespace candela::gltf

@@ -99,6 +99,31 @@ class LightLeaves {
   std::unique_ptr<Side> side_;
 };
 
+/// Numbers of a light sample of an environment: words of light u and v, and the place around the texel.
+struct EnvironmentQuery {
+  std::uint32_t wordU = 0;
+  std::uint32_t wordV = 0;
+  glm::vec2 place{0.5f};
+};
+struct EnvironmentTap {
+  dvec3 radiance{0};
+  double pdf = 0;  ///< with which light samples choose direction and tap, with the choice of the light
+};
+/// The environment of a scene that has one.
+class EnvironmentLeaves {
+ public:
+  explicit EnvironmentLeaves(const scene::Scene& scene);
+  ~EnvironmentLeaves();
+  /// The distance is not set.
+  std::vector<LitPoint> sample(std::span<const EnvironmentQuery> queries) const;
+  /// Taps of directions, with as many pairs of numbers.
+  std::vector<EnvironmentTap> tap(std::span<const dvec3> directions, std::span<const glm::vec3> jitter) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
 /// Single precision, so that both sides trace the same rays.
 struct ProofRay {
   glm::vec3 origin;

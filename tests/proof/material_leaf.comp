@@ -15,6 +15,7 @@ void main() {
   vec4 first = inputs[2u * i];
   vec4 second = inputs[2u * i + 1u];
   Material material = loadMaterial(uint(first.w));
+  prepareLobes(material, first.xyz);
   if (evaluates != 0u) {
     float pdf;
     vec3 f = evaluateBsdf(material, first.xyz, second.xyz, pdf);

@@ -1,0 +1,22 @@
+// Tables of the energy that rough surfaces reflect, for both tracers: docs/light-transport.md section 5.3.
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace candela::energy {
+
+/// Roughness below which a surface is no smoother; alpha is the square of the roughness.
+inline constexpr double kMinRoughness = 0.01;
+
+/// Nodes of a table in each of its two dimensions, both over [0, 1]: node (i, j) has the index j * kNodes + i, belongs
+/// to the roughness rho = max(j / (kNodes - 1), kMinRoughness) and to the cosine at which c (1 + alpha) / (c + alpha)
+/// is i / (kNodes - 1).
+inline constexpr std::size_t kNodes = 48;
+using Table = std::array<float, kNodes * kNodes>;
+
+/// Directional albedo of white microfacets that reflect once.
+extern const Table kWhite;
+/// The mean of (1 - wo.h)^5 over that light is (1 - c - alpha t)^5 with the value t of this table.
+extern const Table kTilt;
+
+}  // namespace candela::energy
