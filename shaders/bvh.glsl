@@ -112,14 +112,14 @@ void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
   work.truncated += unfinished;
 }
 
-bool anyInHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
+bool anyInHierarchy(Ray ray, RayEnd end, inout Work work) {
   BoxRay boxes = boxRay(ray);
   bool blocked = false;
   startTraversal();
   while (!finished && !blocked) {
-    descendToLeaf(boxes, limit, work);
+    descendToLeaf(boxes, end.distance, work);
     if (!finished) {
-      blocked = anyInRange(ray, current.reference, current.reference + current.count, ignored, limit, work);
+      blocked = anyInRange(ray, current.reference, current.reference + current.count, end, work);
       popSubtree();
     }
     if (finished || blocked) break;

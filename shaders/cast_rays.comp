@@ -26,7 +26,7 @@ void main() {
   Work work = Work(0u, 0u);
   uvec2 found;
   if (kOcclusion) {
-    found = uvec2(0u, traceAny(ray, kNoSlot, start.w, work) ? 1u : 0u);
+    found = uvec2(0u, traceAny(ray, RayEnd(start.w, kNoSlot, kNoPoint), work) ? 1u : 0u);
   } else {
     Hit hit = traceClosest(ray, work);
     found = uvec2(floatBitsToUint(hit.t), hit.t < kNoHit ? hit.index : kNoPrimitive);

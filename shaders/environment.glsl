@@ -64,7 +64,7 @@ LightSample sampleEnvironment(uvec2 words, vec2 place) {
   float sine = abs(polar.y);
   if (sine == 0.0) return kNoLight;
   EnvironmentTap tap = loadTap(texel, sine);
-  return LightSample(wi, tap.radiance, kNoHit, tap.pdf, false);
+  return LightSample(wi, tap.radiance, kNoHit, tap.pdf, false, kNoPoint);
 }
 
 #endif

@@ -155,14 +155,14 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
   work.truncated += walk.unfinished;
 }
 
-bool anyInGrid(Ray ray, uint ignored, float limit, inout Work work) {
+bool anyInGrid(Ray ray, RayEnd end, inout Work work) {
   bool blocked = false;
   startWalk(ray);
   while (!walk.finished && !blocked) {
-    seekItem(limit, work);
+    seekItem(end.distance, work);
     if (hasItem()) {
       uint slot = takeItem(work);
-      blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
+      blocked = occludes(ray, slot, end);
     }
     if (walk.finished || blocked) break;
   }

@@ -4,6 +4,7 @@
 // of the background is in background.glsl.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
+#include "occlusion.glsl"
 #include "primitives.glsl"
 #include "sampling.glsl"
 #include "scene_access.glsl"
@@ -14,9 +15,10 @@ struct LightSample {
   float distance;  // to the sampled point
   float pdf;       // solid angle, with the choice of the light; the choice only if delta
   bool delta;      // a point, spot or directional light, which rays never hit
+  vec3 point;      // the sampled point or the position; kNoPoint for a sphere or a directional light
 };
 
-const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false);
+const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false, kNoPoint);
 
 // Height of the cap of directions that a sphere subtends, seen from `position`; 2 (all directions) from inside it.
 float sphereCapHeight(vec3 toCentre, float radius, bool leaving) {
@@ -35,7 +37,7 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   vec3 wi = height == 2.0 ? local : frameAround(unit(toCentre)) * local;
   PrimitiveHit hit = hitPrimitive(rayFrom(from, wi), light.slot);
   if (hit.t >= kNoHit) return kNoLight;
-  return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false);
+  return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
 }
 
 // Returns the factor of the emission at a point of the triangle whose records begin at `row`: the texel of its texture,
@@ -59,7 +61,8 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   vec3 edge1 = sceneRowFloat(row + 1u).xyz - p0;
   vec3 edge2 = sceneRowFloat(row + 2u).xyz - p0;
   vec2 weights = sampleTriangle(u);
-  vec3 toPoint = (p0 - from.position) + (weights.x * edge1 + weights.y * edge2);
+  vec3 fromCorner = weights.x * edge1 + weights.y * edge2;
+  vec3 toPoint = (p0 - from.position) + fromCorner;
   float distanceSquared = dot(toPoint, toPoint);
   float distance = sqrt(distanceSquared);
   vec3 wi = toPoint / distance;
@@ -67,14 +70,15 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
   vec3 emission = light.emission;
   if (kHasTextures) emission *= emissionFactor(row, weights, from.jitter.zw);
-  return LightSample(wi, emission, distance, light.probability * distanceSquared / (light.area * abs(cosine)), false);
+  float pdf = light.probability * distanceSquared / (light.area * abs(cosine));
+  return LightSample(wi, emission, distance, pdf, false, p0 + fromCorner);
 }
 
 LightSample samplePointLight(Light light, Surface from) {
   vec3 toPoint = light.position - from.position;
   float distance = sqrt(dot(toPoint, toPoint));
   if (distance == 0.0) return kNoLight;
-  return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true);
+  return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true, light.position);
 }
 
 // The share of its intensity that a spot light sends along `wi`, which points towards it.
@@ -87,7 +91,7 @@ float spotFactor(Light light, vec3 wi) {
 // Point and spot lights with fall-off, and directional lights.
 LightSample samplePunctualLight(Light light, Surface from) {
   if (light.kind == kLightDirectional) {
-    return LightSample(light.position, light.emission, kNoHit, light.probability, true);
+    return LightSample(light.position, light.emission, kNoHit, light.probability, true, kNoPoint);
   }
   vec3 toPoint = light.position - from.position;
   float distanceSquared = dot(toPoint, toPoint);
@@ -95,7 +99,7 @@ LightSample samplePunctualLight(Light light, Surface from) {
   if (distanceSquared == 0.0) return kNoLight;
   vec3 wi = toPoint / distance;
   float share = light.kind == kLightSpot ? spotFactor(light, wi) : 1.0;
-  return LightSample(wi, light.emission * (share / distanceSquared), distance, light.probability, true);
+  return LightSample(wi, light.emission * (share / distanceSquared), distance, light.probability, true, light.position);
 }
 
 LightSample sampleLight(Light light, Surface from, vec2 u) {

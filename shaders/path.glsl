@@ -99,8 +99,7 @@ vec3 limitedContribution(vec3 contribution, uint scatterings) {
 struct ShadowRay {
   bool wanted;    // false: there is no shadow ray, and the other members are undefined
   Ray ray;
-  uint light;     // slot of the light, which does not occlude itself
-  float limit;
+  RayEnd end;
   vec3 radiance;  // the contribution, multiplied by the throughput
 };
 
@@ -132,7 +131,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
                                    lit.distance);
   }
   precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
-  shadow = ShadowRay(true, rayFrom(surface, lit.wi), light.slot, lit.distance, radiance);
+  shadow = ShadowRay(true, rayFrom(surface, lit.wi), RayEnd(lit.distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
 
@@ -216,7 +215,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
 
 // Traces the shadow ray and adds its contribution if it is unoccluded. Returns kShadowVisible or kShadowOccluded.
 uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
-  bool blocked = traceAny(shadow.ray, shadow.light, shadow.limit, work);
+  bool blocked = traceAny(shadow.ray, shadow.end, work);
   if (!blocked) radiance += shadow.radiance;
   uint outcome = blocked ? kShadowOccluded : kShadowVisible;
   noteShadow(outcome);

@@ -10,6 +10,7 @@
 #define depthOf(pathState) (pathState.throughputDepth.w & kDepthMask)
 #define radianceBitsOf(pathState) pathState.radianceSample.xyz
 #define hitOf(waveState) waveState.hit.xyz
+#define lightPointOf(waveState) waveState.hit.xyz  // the shaded hit is no longer needed
 #define shadedDepthOf(waveState) waveState.hit.w
 
 const uint kDepthMask = (1u << kVolumeShift) - 1u;

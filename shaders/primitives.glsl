@@ -51,10 +51,14 @@ PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
   return PrimitiveHit(t, rows[1].w);
 }
 
-PrimitiveHit hitPrimitive(Ray ray, uint slot) {
+uvec4[3] rowsOfSlot(uint slot) {
   uint row = primitiveRow(slot);
-  uvec4 last = sceneRow(row + 2u);
-  return hitRows(ray, slot, uvec4[3](sceneRow(row), sceneRow(row + 1u), last), last.w);
+  return uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
+}
+
+PrimitiveHit hitPrimitive(Ray ray, uint slot) {
+  uvec4 rows[3] = rowsOfSlot(slot);
+  return hitRows(ray, slot, rows, rows[2].w);
 }
 
 // The point at which a ray hit a surface, in world space.

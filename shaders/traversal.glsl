@@ -2,6 +2,7 @@
 #ifndef CANDELA_TRAVERSAL_GLSL
 #define CANDELA_TRAVERSAL_GLSL
 #extension GL_EXT_control_flow_attributes : require
+#include "occlusion.glsl"
 #include "primitives.glsl"
 
 struct Hit {
@@ -42,12 +43,12 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work wor
   work.truncated += cutShort;
 }
 
-bool anyInRange(Ray ray, uint first, uint end, uint ignored, float limit, inout Work work) {
+bool anyInRange(Ray ray, uint first, uint end, RayEnd rayEnd, inout Work work) {
   uint slot = first + zeroOfLane(ray);
   bool blocked = false;
   uint cutShort = slot < end ? 1u : 0u;
   while (slot < end && !blocked) {
-    blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
+    blocked = occludes(ray, slot, rayEnd);
     ++slot;
     cutShort = slot < end && !blocked ? 1u : 0u;
     if (slot >= end || blocked) break;
@@ -64,9 +65,13 @@ uint uniformKind(uint slot) {
   return (kinds[(slot >> 2) & 3u] >> (8u * (slot & 3u))) & 255u;
 }
 
-PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
+uvec4[3] rowsOfUniformSlot(uint slot) {
   uint row = slot * kPrimitiveRows;
-  return hitRows(ray, slot, uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u)), uniformKind(slot));
+  return uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u));
+}
+
+PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
+  return hitRows(ray, slot, rowsOfUniformSlot(slot), uniformKind(slot));
 }
 
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
@@ -74,10 +79,11 @@ void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
   work.steps += kUniformSlots;
 }
 
-bool anyOfUniform(Ray ray, uint ignored, float limit, inout Work work) {
+bool anyOfUniform(Ray ray, RayEnd end, inout Work work) {
   bool blocked = false;
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
-    blocked = blocked || (slot != ignored && hitUniformSlot(ray, slot).t < limit);
+    blocked = blocked ||
+              (slot != end.light && rowsHide(ray, slot, rowsOfUniformSlot(slot), uniformKind(slot), end));
   }
   work.steps += kUniformSlots;
   return blocked;
@@ -105,16 +111,16 @@ Hit traceClosest(Ray ray, inout Work work) {
   return hit;
 }
 
-// Returns true if a primitive other than `ignored` is hit before `limit`.
-bool traceAny(Ray ray, uint ignored, float limit, inout Work work) {
-  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, ignored, limit, work)) {
+// Returns true if a primitive hides the light at the ray's end.
+bool traceAny(Ray ray, RayEnd end, inout Work work) {
+  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, end, work)) {
     return true;
   }
-  if (kUniformSlots > 0u) return anyOfUniform(ray, ignored, limit, work);
-  if (kStructure == kStructureBvh) return anyInHierarchy(ray, ignored, limit, work);
-  if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, ignored, limit, work);
-  if (kStructure == kStructureGrid) return anyInGrid(ray, ignored, limit, work);
-  return anyInRange(ray, 0u, constants.firstPlaneSlot, ignored, limit, work);
+  if (kUniformSlots > 0u) return anyOfUniform(ray, end, work);
+  if (kStructure == kStructureBvh) return anyInHierarchy(ray, end, work);
+  if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, end, work);
+  if (kStructure == kStructureGrid) return anyInGrid(ray, end, work);
+  return anyInRange(ray, 0u, constants.firstPlaneSlot, end, work);
 }
 
 #endif

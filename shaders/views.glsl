@@ -24,7 +24,7 @@ float openness(Surface surface, Normals normals, SampleKey key, inout Work work,
   counts.shadow += 1u;
   Ray ray = rayFrom(surface, direction);
   if (kHasTransparency) ray.opacityKey = opacityKey(key, 1u, true);
-  bool blocked = traceAny(ray, kNoSlot, constants.aoDistance, work);
+  bool blocked = traceAny(ray, RayEnd(constants.aoDistance, kNoSlot, kNoPoint), work);
   decisions.shadow = blocked ? kShadowOccluded : kShadowVisible;
   return blocked ? 0.0 : 1.0;
 }

@@ -5,9 +5,10 @@
 #include "wavefront.glsl"
 
 void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
-  waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.limit));
+  waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.end.distance));
   waves[pixelIndex].shadowLeaving = uvec4(floatBitsToUint(shadow.ray.direction), shadow.ray.leaving);
-  waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.light);
+  waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.end.light);
+  if (kHasTouched) lightPointOf(waves[pixelIndex]) = floatBitsToUint(shadow.end.point);
 }
 
 // Records the decisions. Whether the shadow ray is occluded is not known yet.

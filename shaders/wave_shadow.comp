@@ -8,7 +8,9 @@ ShadowRay loadShadowRay(uint pixelIndex) {
   uvec4 direction = waves[pixelIndex].shadowLeaving;
   uvec4 light = waves[pixelIndex].shadowLight;
   Ray ray = makeRay(uintBitsToFloat(origin.xyz), uintBitsToFloat(direction.xyz), direction.w);
-  return ShadowRay(true, ray, light.w, uintBitsToFloat(origin.w), uintBitsToFloat(light.xyz));
+  vec3 point = kNoPoint;
+  if (kHasTouched) point = uintBitsToFloat(lightPointOf(waves[pixelIndex]));
+  return ShadowRay(true, ray, RayEnd(uintBitsToFloat(origin.w), light.w, point), uintBitsToFloat(light.xyz));
 }
 
 void main() {

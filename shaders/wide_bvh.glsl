@@ -197,15 +197,15 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
   work.truncated += wideUnfinished;
 }
 
-bool anyInWideHierarchy(Ray ray, uint ignored, float limit, inout Work work) {
+bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
   WideRay wide = wideRay(ray);
   bool blocked = false;
   startWideTraversal(wide);
   while ((!noneWaits || leafHits != 0u) && !blocked) {
-    descendToLeaves(wide, limit, work);
+    descendToLeaves(wide, end.distance, work);
     while (leafHits != 0u && !blocked) {
       uint slot = takeLeafHit();
-      blocked = slot != ignored && hitPrimitive(ray, slot).t < limit;
+      blocked = occludes(ray, slot, end);
       work.steps += 1u;
       if (leafHits == 0u || blocked) break;
     }

@@ -16,6 +16,7 @@
 #include "host/flatten/flatten_sections.h"
 #include "host/flatten/light_table.h"
 #include "host/flatten/lobes.h"
+#include "host/flatten/touched_primitives.h"
 
 namespace candela::flatten {
 namespace {
@@ -153,7 +154,9 @@ std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
 }
 
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, FlatScene& flat) {
+                      std::span<const LightEntry> table, const render::ImageSettings& image, FlatScene& flat) {
+  const std::vector<bool> touched = touchedPrimitives(scene, lightPlaces(scene, table, image));
+  flat.features.touched = std::find(touched.begin(), touched.end(), true) != touched.end();
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
@@ -161,7 +164,8 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   Rows attributes;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
-    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, attributes);
+    const PrimitiveContext context{.primitive = primitive, .light = lightOf[primitive], .touched = touched[primitive]};
+    appendPrimitive(scene, context, flat.rows, attributes);
   }
   flat.constants.firstAttributeRow = rowCount(flat.rows);
   flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
@@ -237,7 +241,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  appendPrimitives(scene, order, table, flat);
+  appendPrimitives(scene, order, table, settings.image, flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
   if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
   appendMaterials(scene, settings.image.integrator, flat);

@@ -15,9 +15,11 @@ glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double 
   return glm::dvec3(glm::vec3(centre + radius * direction));
 }
 
-std::uint32_t kindWord(const scene::Scene& scene, const scene::Primitive& primitive, std::uint32_t kindAndFlags) {
+std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& context, std::uint32_t kindAndFlags) {
+  const scene::Primitive& primitive = scene.primitives[context.primitive];
+  const std::uint32_t touched = context.touched ? gpu::kFlagTouched : 0;
   const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
-  return kindAndFlags | opaque | primitive.material << gpu::kMaterialShift;
+  return kindAndFlags | touched | opaque | primitive.material << gpu::kMaterialShift;
 }
 
 void appendSphere(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
@@ -27,7 +29,7 @@ void appendSphere(const scene::Scene& scene, const PrimitiveContext& context, co
   rows.push_back({});
   rows.push_back({0, 0, 0, context.primitive});
   placeSphere(sphere, scene.camera->from, std::span(rows).last<2>());
-  rows.push_back({context.light, 0, 0, kindWord(scene, primitive, gpu::kKindSphere | inside)});
+  rows.push_back({context.light, 0, 0, kindWord(scene, context, gpu::kKindSphere | inside)});
 }
 
 void appendNormals(const scene::VertexNormals& normals, std::uint32_t light, Rows& rows) {
@@ -86,7 +88,7 @@ void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, 
   if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);
   rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
   rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
-  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, primitive, gpu::kKindTriangle | flags | passed)));
+  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags | passed)));
 }
 
 void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
@@ -94,7 +96,7 @@ void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const
   const scene::Box& box = scene.boxes[primitive.index];
   rows.push_back(row(glm::dvec3(box.min), 0u));
   rows.push_back(row(glm::dvec3(box.max), context.primitive));
-  rows.push_back({0, 0, 0, kindWord(scene, primitive, gpu::kKindBox)});
+  rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindBox)});
 }
 
 void appendCone(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
@@ -102,7 +104,7 @@ void appendCone(const scene::Scene& scene, const PrimitiveContext& context, cons
   const scene::Cone& cone = scene.cones[primitive.index];
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
   rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
-  rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, primitive, gpu::kKindCone)});
+  rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});
 }
 
 void appendPlane(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
@@ -112,7 +114,7 @@ void appendPlane(const scene::Scene& scene, const PrimitiveContext& context, con
   const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(plane.p[1]) - point, glm::dvec3(plane.p[2]) - point));
   rows.push_back(row(point, 0u));
   rows.push_back(row(normal, context.primitive));
-  rows.push_back({0, 0, 0, kindWord(scene, primitive, gpu::kKindPlane)});
+  rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindPlane)});
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::optional<LightSample> SphereLight::sample(const Surface& from, const dvec2&
   const dvec3 wi = view.wholeSphere ? local : Frame(normalize(sphere_.centre - from.position)).toWorld(local);
   const double distance = sphere_.distance({from.position, wi}, leaving);
   if (distance == kNoHit) return std::nullopt;
-  return LightSample{wi, distance, radiance_, capPdf(view.capHeight), primitive_};
+  return LightSample{wi, distance, radiance_, capPdf(view.capHeight), primitive_, std::nullopt};
 }
 
 double SphereLight::pdf(const Ray& ray, double, double probability) const {
@@ -45,7 +45,8 @@ double SphereLight::power() const { return 4 * kPi * sphere_.radius * sphere_.ra
 std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec2& u) const {
   if (from.primitive == primitive_) return std::nullopt;
   const dvec2 b = sampleTriangle(u);
-  const dvec3 toLight = triangle_.corner + b.x * triangle_.edge1 + b.y * triangle_.edge2 - from.position;
+  const dvec3 point = triangle_.corner + b.x * triangle_.edge1 + b.y * triangle_.edge2;
+  const dvec3 toLight = point - from.position;
   const double distance = length(toLight);
   if (distance == 0) return std::nullopt;
   const dvec3 wi = toLight / distance;
@@ -53,7 +54,7 @@ std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec
   const double projected = dot(wi, triangle_.areaNormal());
   if (projected == 0 || (oneSided_ && projected > 0)) return std::nullopt;
   const double pdf = 2 * distance * distance / std::abs(projected);
-  return LightSample{wi, distance, radiance_, pdf, primitive_, b};
+  return LightSample{wi, distance, radiance_, pdf, primitive_, point, b};
 }
 
 double TriangleLight::pdf(const Ray& ray, double distance, double probability) const {
@@ -66,7 +67,7 @@ std::optional<LightSample> PointLight::sample(const Surface& from, const dvec2&)
   const dvec3 toLight = position_ - from.position;
   const double distance = length(toLight);
   if (distance == 0) return std::nullopt;
-  return LightSample{toLight / distance, distance, kPi * colour_, std::nullopt, kNoPrimitive};
+  return LightSample{toLight / distance, distance, kPi * colour_, std::nullopt, kNoPrimitive, position_};
 }
 
 double PointLight::power() const { return image::luminance(colour_); }
@@ -84,7 +85,7 @@ std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec
   using Kind = scene::PunctualLight::Kind;
   if (kind_ == Kind::directional) {
     constexpr double kFar = std::numeric_limits<float>::max();
-    return LightSample{-direction_, kFar, intensity_, std::nullopt, kNoPrimitive};
+    return LightSample{-direction_, kFar, intensity_, std::nullopt, kNoPrimitive, std::nullopt};
   }
   const dvec3 fromLight = from.position - position_;
   const double distance = length(fromLight);
@@ -96,7 +97,7 @@ std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec
     irradiance *= inside * inside;
   }
   if (irradiance == dvec3(0)) return std::nullopt;
-  return LightSample{-away, distance, irradiance, std::nullopt, kNoPrimitive};
+  return LightSample{-away, distance, irradiance, std::nullopt, kNoPrimitive, position_};
 }
 
 double PunctualLight::power() const {

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "host/reference/geometry.h"
+#include "host/reference/light_margin.h"
 #include "host/reference/surface.h"
 
 namespace candela::reference {
@@ -23,7 +24,12 @@ struct LightSample {
   dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
   std::optional<double> pdf;  ///< per solid angle, given the choice of the light; none: a light that rays never hit
   std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
-  dvec2 barycentrics{0};      ///< of the point of a triangle, whose radiance is without its texture
+  std::optional<dvec3>
+      point{};            ///< the sampled point, or the position; none of a sphere or a light infinitely far away
+  dvec2 barycentrics{0};  ///< of the point of a triangle, whose radiance is without its texture
+
+  /// The end of the shadow ray.
+  RayEnd end() const { return {distance, primitive, point}; }
 };
 
 /// Emits outwards and inwards; only inwards with a negative radius.

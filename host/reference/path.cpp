@@ -201,7 +201,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
   const double lightPdf = choice.probability * light->pdf.value_or(1);
   Ray shadowRay = vertex.rayTowards(light->wi);
   shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
-  const bool occluded = tracing().isOccluded(shadowRay, light->distance, light->primitive, counters, rounding);
+  const bool occluded = tracing().isOccluded(shadowRay, light->end(), counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
@@ -211,7 +211,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
   const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf *
                          beyond.transmittance(light->distance);
   notes.lit(weight, arriving);
-  rounding.decideLit(arriving);
+  rounding.decideLit(arriving, std::abs(wi.z));
   return arriving;
 }
 

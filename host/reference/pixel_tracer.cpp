@@ -48,6 +48,7 @@ void PixelTracer::setSeed(std::uint32_t seed) {
 void PixelTracer::setCamera(const scene::Camera& camera) {
   camera_ = CameraRays(camera, image_);
   hasLens_ = camera.aperture > 0;
+  tracing_.setEye(camera.from);
 }
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,

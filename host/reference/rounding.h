@@ -41,6 +41,7 @@ struct RoundingBounds {
   double sampledDirection = 6;  ///< relative, per local axis: roots of the warps
   double lightDirection = 3;    ///< of a unit vector, per axis
   double lightDistance = 7;     ///< relative: a square root
+  double lightDepth = 12;       ///< of the largest coordinate: distance of a light from a surface that it may touch
   double mapDirection = 8;      ///< of a unit vector, per axis: its coordinates in the environment's map
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
@@ -81,9 +82,10 @@ class Rounding {
     if (records_) decisions_ = (decisions_ ^ choice) * 0x9fb21c651e98df25u, decisions_ ^= decisions_ >> 32;
   }
 
-  /// The decision that light arrives. Light too faint to count, as at a horizon, is none.
-  void decideLit(const dvec3& radiance) {
-    if (records_ && maxNorm(radiance) > kNegligible) decide(kLit);
+  /// The decision that light arrives, with this cosine at the surface. Light too faint to count is none, and neither is
+  /// light at the horizon, such as that of a light in the plane of the surface.
+  void decideLit(const dvec3& radiance, double cosine) {
+    if (records_ && maxNorm(radiance) > kNegligible && cosine > kHorizon) decide(kLit);
   }
 
   double relative(double value, double units) { return perturbs_ ? value * (1 + sign() * units * kRoundoff) : value; }
@@ -120,6 +122,7 @@ class Rounding {
 
  private:
   static constexpr double kNegligible = 0x1p-26;
+  static constexpr double kHorizon = 0x1p-18;  // several times the error of a direction's cosine
   static constexpr std::uint64_t kLit = 0x6c69676874u;
 
   void startVertex(std::uint32_t vertex);

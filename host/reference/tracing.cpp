@@ -67,6 +67,7 @@ Counters& Counters::operator+=(const Counters& other) {
 }
 
 Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
+  if (scene.camera) eye_ = scene.camera->from;
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
   std::vector<Bounds> boxes;
@@ -247,10 +248,30 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
   return nearest;
 }
 
-bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const {
+bool Tracing::containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const {
+  if (!end.point) return false;
+  const LightMargin margin(ray, end.distance, *end.point, eye_, fraction);
+  switch (item.kind) {
+    case scene::PrimitiveKind::sphere:
+      return margin.contains(spheres_[item.shape], t);
+    case scene::PrimitiveKind::triangle:
+      return margin.contains(triangles_[item.shape]);
+    case scene::PrimitiveKind::box:
+      return margin.contains(boxes_[item.shape], item.primitive == ray.leaving);
+    case scene::PrimitiveKind::cone:
+      return margin.contains(cones_[item.shape], t);
+    case scene::PrimitiveKind::plane:
+      break;
+  }
+  return margin.contains(planes_[item.shape]);
+}
+
+bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
   bool occluded = false;
-  visitItems(ray, distance, counters, [&](const Item& item) {
-    occluded = item.primitive != light && this->distance(item, ray) < distance && !passes(item, ray, 0);
+  visitItems(ray, end.distance, counters, [&](const Item& item) {
+    if (item.primitive == end.light) return false;
+    const double t = distance(item, ray);
+    occluded = t < end.distance && !passes(item, ray, 0) && !containsLight(item, ray, t, end, kLightMargin);
     return occluded;
   });
   return occluded;
@@ -282,19 +303,20 @@ Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
   return nearest;
 }
 
-bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters,
-                         Rounding& rounding) const {
-  if (!rounding.perturbs()) return isOccluded(ray, distance, light, counters);
+bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, Rounding& rounding) const {
+  if (!rounding.perturbs()) return isOccluded(ray, end, counters);
   const dvec3 signs = rounding.signs();
   const std::uint64_t word = rounding.word();
   bool occluded = false;
   Ray tested = ray;
-  visitItems(ray, distance, counters, [&](const Item& item) {
-    if (item.primitive == light) return false;
+  visitItems(ray, end.distance, counters, [&](const Item& item) {
+    if (item.primitive == end.light) return false;
     tested.origin = testedOrigin(item, ray.origin, signs);
-    const double exact = this->distance(item, tested);
-    occluded = exact < distance * (1 - kTie / 2 * Rounding::signOf(word, item.primitive)) &&
-               !passes(item, tested, word);
+    const double t = distance(item, tested);
+    const double sign = Rounding::signOf(word, item.primitive);
+    const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
+    occluded = t < end.distance * (1 - kTie / 2 * sign) && !passes(item, tested, word) &&
+               !containsLight(item, tested, t, end, fraction);
     return occluded;
   });
   return occluded;

@@ -6,6 +6,7 @@
 #include "host/reference/geometry.h"
 #include "host/reference/grid.h"
 #include "host/reference/hierarchy.h"
+#include "host/reference/light_margin.h"
 #include "host/reference/ray.h"
 #include "host/reference/rounding.h"
 #include "host/render/settings.h"
@@ -37,14 +38,17 @@ class Tracing {
   /// Uses `accel` of `settings` with its options, and `oneSided`. The scene must outlive the object.
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings);
 
+  /// Moves the eye, on which the margin of spheres depends (docs/light-transport.md section 6).
+  void setEye(const dvec3& eye) { eye_ = eye; }
+
   /// Returns the closest hit; of equal distances that of the lower primitive index.
   Hit closest(const Ray& ray, Counters& counters) const;
-  /// Returns whether a primitive other than `light` is hit before `distance`.
-  bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const;
+  /// Returns whether a primitive hides the light at `end`.
+  bool isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const;
 
   /// The same with the rounding of a replica: `ray` becomes the ray that, in effect, was tested.
   Hit closest(Ray& ray, Counters& counters, Rounding& rounding) const;
-  bool isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters, Rounding& rounding) const;
+  bool isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, Rounding& rounding) const;
 
   bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
   const Hierarchy& hierarchy() const { return hierarchy_; }
@@ -63,6 +67,9 @@ class Tracing {
 
   void addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
+  /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
+  /// is kLightMargin, or what rounding makes of it.
+  bool containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const;
   /// Whether a ray passes an item that it would hit. `word`: of the rounding of a replica; 0: exactly.
   bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
   /// The rounding in an item's test has the effect of a displaced ray: by `units` of kRoundoff of the distance of the
@@ -85,6 +92,7 @@ class Tracing {
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
   const scene::Scene* scene_;
+  dvec3 eye_{0};
   std::vector<Item> items_;       ///< in the structure's order, then those outside of the structure
   std::size_t firstOutside_ = 0;  ///< index of the first item outside of the structure
   std::vector<SphereShape> spheres_;

@@ -88,7 +88,7 @@ bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters
 
   ++counters.shadowRays;
   const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, opacityKeyOf(numbers, 1, true)};
-  const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters, rounding);
+  const bool blocked = tracing().isOccluded(ray, {.distance = aoDistance_}, counters, rounding);
   rounding.decide(blocked);
   record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;
   return !blocked;

@@ -114,7 +114,8 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
   Rounding& rounding = state.rounding;
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
-    const dvec3 towards = lightPoint(i, node.number, state.numbers) - surface.position;
+    const dvec3 point = lightPoint(i, node.number, state.numbers);
+    const dvec3 towards = point - surface.position;
     const double distance = rounding.relative(length(towards), kRoundingBounds.lightDistance);
     if (distance == 0) continue;
     const dvec3 wi = rounding.turned(towards / distance, kRoundingBounds.lightDirection);
@@ -122,7 +123,7 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
 
     ++state.counters.shadowRays;
     const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
-    const bool occluded = tracing().isOccluded(ray, distance, kNoPrimitive, state.counters, rounding);
+    const bool occluded = tracing().isOccluded(ray, {.distance = distance, .point = point}, state.counters, rounding);
     if (occluded) {
       record.shadow = render::ShadowOutcome::occluded;
       continue;
@@ -132,7 +133,7 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
     record.visibleLights = static_cast<std::uint16_t>(seen);
     const dvec3 colour = localColour(material, surface.shadingNormal, -node.ray.direction, wi);
     const dvec3 arriving = lights_[i].colour * rounding.relative(colour, kRoundingBounds.bsdf);
-    rounding.decideLit(arriving);
+    rounding.decideLit(arriving, dot(surface.shadingNormal, wi));
     sum += arriving;
   }
   return sum;

@@ -106,7 +106,8 @@ CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 // A path of the wavefront, and the data that its stages pass on: 144 bytes.
 struct WaveState {
   PathState path;
-  uvec4 hit;            // of the path's ray: distance, slot, primitive index; then the depth of the vertex shaded last
+  uvec4 hit;            // of the path's ray: distance, slot, primitive index; once it has been shaded, the point of the
+                        // light of the shadow ray; then the depth of the vertex shaded last
   uvec4 shadowLimit;    // of the shadow ray: origin, maximum distance
   uvec4 shadowLeaving;  // of the shadow ray: direction, leaving
   uvec4 shadowLight;    // its contribution if unoccluded, slot of the light

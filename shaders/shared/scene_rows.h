@@ -36,13 +36,15 @@ CANDELA_PRIMITIVE_KINDS(CANDELA_DECLARE_KIND)
 #undef CANDELA_DECLARE_KIND
 CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;     // sphere of negative radius
-CANDELA_CONST uint kFlagSmooth = 16u;        // triangle with vertex normals
+CANDELA_CONST uint kFlagTouched = 16u;       // the surface may contain a light: occlusion.glsl
 CANDELA_CONST uint kFlagOpaque = 32u;        // T = 0: --one-sided applies
 CANDELA_CONST uint kFlagColours = 8u;        // triangle with vertex colours; the same bit as kFlagInsideOnly
 CANDELA_CONST uint kFlagTexCoords = 64u;     // triangle with texture coordinates
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
-CANDELA_CONST uint kMaterialShift = 8u;
-CANDELA_CONST uint kMaxMaterialCount = 1u << 24;
+// Flags from here on are not among those that specialise the tests of small scenes.
+CANDELA_CONST uint kFlagSmooth = 256u;       // triangle with vertex normals
+CANDELA_CONST uint kMaterialShift = 9u;
+CANDELA_CONST uint kMaxMaterialCount = 1u << 23;
 
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
 // (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of

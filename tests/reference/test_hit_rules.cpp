@@ -51,8 +51,8 @@ TEST_CASE("one-sided rendering ignores the backs of opaque triangles and planes,
   CHECK(first(oneSided, 1.5, -1) == 4);
   CHECK(first(oneSided, 1.4, 1) == 2);
   CHECK(oneSided.closest({{5, -5, 0}, {0, 0, 1}}, counters).primitive == 4);  // the back of glass
-  CHECK(twoSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, 8, kNoPrimitive, counters));
-  CHECK_FALSE(oneSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, 8, kNoPrimitive, counters));
+  CHECK(twoSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, {8}, counters));
+  CHECK_FALSE(oneSided.isOccluded({{5, -5, 3}, {0, 0, 1}}, {8}, counters));
 }
 
 TEST_CASE("shadow rays ignore their light and everything at or beyond its distance") {
@@ -61,8 +61,8 @@ TEST_CASE("shadow rays ignore their light and everything at or beyond its distan
   const Tracing tracing(b.scene, {});
   Counters counters;
   const Ray ray{{0, 0, 0}, {0, 0, 1}};
-  CHECK(tracing.isOccluded(ray, 4, kNoPrimitive, counters));
-  CHECK_FALSE(tracing.isOccluded(ray, 4, 0, counters));
-  CHECK_FALSE(tracing.isOccluded(ray, 2, kNoPrimitive, counters));
-  CHECK(tracing.isOccluded(ray, 2.0001, kNoPrimitive, counters));
+  CHECK(tracing.isOccluded(ray, {4}, counters));
+  CHECK_FALSE(tracing.isOccluded(ray, {4, 0}, counters));
+  CHECK_FALSE(tracing.isOccluded(ray, {2}, counters));
+  CHECK(tracing.isOccluded(ray, {2.0001}, counters));
 }

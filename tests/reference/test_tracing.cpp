@@ -101,7 +101,7 @@ TEST_CASE("every structure gives the hits of brute force in scenes of all kinds 
     hits += expected.primitive != kNoPrimitive;
     if (expected) {
       // The winner of a tie is the lower index: hiding it, the other one is as near.
-      ties += brute.isOccluded(ray, std::nextafter(expected.distance, kNoHit), expected.primitive, setupWork);
+      ties += brute.isOccluded(ray, {std::nextafter(expected.distance, kNoHit), expected.primitive}, setupWork);
     }
     for (std::size_t s = 0; s < structures.size(); ++s) {
       const Hit found = structures[s].closest(ray, work[s]);
@@ -109,10 +109,10 @@ TEST_CASE("every structure gives the hits of brute force in scenes of all kinds 
       REQUIRE(found.distance == expected.distance);
     }
     for (const double distance : {0.5, 5.0, 50.0}) {
-      const bool occluded = brute.isOccluded(ray, distance, 7, bruteWork);
+      const bool occluded = brute.isOccluded(ray, {distance, 7}, bruteWork);
       occlusions += occluded;
       for (std::size_t s = 0; s < structures.size(); ++s) {
-        REQUIRE(structures[s].isOccluded(ray, distance, 7, work[s]) == occluded);
+        REQUIRE(structures[s].isOccluded(ray, {distance, 7}, work[s]) == occluded);
       }
     }
   }

@@ -1,0 +1,165 @@
+// Compares every light with every primitive, within a bound on the number of comparisons.
+#include "host/flatten/touched_primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "host/flatten/overlap.h"
+
+namespace candela::flatten {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kTwiceTheMargin = 0x1p-18;
+constexpr double kMaxComparisons = 0x1p25;  // about a quarter of a second
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Of a surface whose largest coordinate is `reach`.
+double tolerance(const dvec3& point, double reach, double slack) {
+  return kTwiceTheMargin * std::max(largest(point), reach) + slack;
+}
+
+struct FlatShape {
+  std::vector<dvec3> corners;  // none: infinite
+  dvec3 at;
+  dvec3 normal;  // of any length
+  double reach;
+
+  bool holds(const dvec3& point, double slack) const {
+    const dvec3 size = glm::abs(normal);
+    return std::abs(dot(normal, point - at)) <= tolerance(point, reach, slack) * (size.x + size.y + size.z);
+  }
+};
+
+FlatShape triangleShape(const scene::Triangle& triangle) {
+  const dvec3 a(triangle.p[0]), b(triangle.p[1]), c(triangle.p[2]);
+  return {{a, b, c}, a, cross(b - a, c - a), std::max({largest(a), largest(b), largest(c)})};
+}
+
+FlatShape planeShape(const scene::Plane& plane) {
+  const dvec3 a(plane.p[0]), b(plane.p[1]), c(plane.p[2]);
+  return {{}, a, cross(b - a, c - a), largest(a)};
+}
+
+// The face of a box on the lower or the upper side of an axis.
+FlatShape faceShape(const scene::Box& box, int axis, bool upper) {
+  const dvec3 low(box.min), high(box.max);
+  FlatShape face{{}, upper ? high : low, dvec3(0), std::max(largest(low), largest(high))};
+  face.normal[axis] = 1;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  for (const auto& [atU, atV] : {std::pair{low[u], low[v]}, {high[u], low[v]}, {high[u], high[v]}, {low[u], high[v]}}) {
+    dvec3 corner = face.at;
+    corner[u] = atU;
+    corner[v] = atV;
+    face.corners.push_back(corner);
+  }
+  return face;
+}
+
+std::vector<FlatShape> flatShapes(const scene::Scene& scene, const scene::Primitive& primitive) {
+  switch (primitive.kind) {
+    case scene::PrimitiveKind::triangle:
+      return {triangleShape(triangleOf(scene, primitive))};
+    case scene::PrimitiveKind::plane:
+      return {planeShape(scene.planes[primitive.index])};
+    case scene::PrimitiveKind::box: {
+      std::vector<FlatShape> faces;
+      for (int face = 0; face < 6; ++face)
+        faces.push_back(faceShape(scene.boxes[primitive.index], face / 2, face % 2 != 0));
+      return faces;
+    }
+    case scene::PrimitiveKind::sphere:
+    case scene::PrimitiveKind::cone:
+      break;
+  }
+  return {};
+}
+
+bool sphereHolds(const scene::Sphere& sphere, const dvec3& point, double slack) {
+  const dvec3 centre(sphere.centre);
+  const double radius = std::abs(double{sphere.radius});
+  const double allowed = tolerance(point, largest(centre) + radius, slack);
+  return std::abs(length(point - centre) - radius) <= allowed;
+}
+
+bool coneHolds(const scene::Cone& cone, const dvec3& point, double slack) {
+  const dvec3 base(cone.base), apex(cone.apex);
+  const double height = length(apex - base);
+  const dvec3 axis = (apex - base) / height;
+  const double slope = (double{cone.apexRadius} - cone.baseRadius) / height;
+  const double z = dot(point - base, axis);
+  const double off = length(point - base - z * axis) - (cone.baseRadius + slope * z);
+  const double reach = std::max(largest(base) + cone.baseRadius, largest(apex) + cone.apexRadius);
+  return std::abs(off) <= tolerance(point, reach, slack) * std::sqrt(1 + slope * slope);
+}
+
+// Returns whether a curved primitive contains the point.
+bool curveHolds(const scene::Scene& scene, const scene::Primitive& primitive, const dvec3& point, double slack) {
+  if (primitive.kind == scene::PrimitiveKind::sphere) return sphereHolds(scene.spheres[primitive.index], point, slack);
+  return primitive.kind == scene::PrimitiveKind::cone && coneHolds(scene.cones[primitive.index], point, slack);
+}
+
+bool holdsPoint(const scene::Scene& scene, const scene::Primitive& primitive, const std::vector<FlatShape>& shapes,
+                const LightPlaces& lights) {
+  return std::any_of(lights.points.begin(), lights.points.end(), [&](const dvec3& point) {
+    const auto holds = [&](const FlatShape& shape) { return shape.holds(point, lights.slack); };
+    return std::any_of(shapes.begin(), shapes.end(), holds) || curveHolds(scene, primitive, point, lights.slack);
+  });
+}
+
+bool holdsTriangle(const FlatShape& shape, const EmitterPlace& emitter) {
+  const auto holds = [&](const dvec3& vertex) { return shape.holds(vertex, 0); };
+  if (!std::all_of(emitter.vertices.begin(), emitter.vertices.end(), holds)) return false;
+  return shape.corners.empty() || overlap(shape.corners, emitter.vertices, shape.normal);
+}
+
+bool holdsTriangle(const scene::Scene& scene, std::uint32_t primitive, const std::vector<FlatShape>& shapes,
+                   const LightPlaces& lights) {
+  return std::any_of(lights.triangles.begin(), lights.triangles.end(), [&](const EmitterPlace& emitter) {
+    if (emitter.primitive == primitive) return false;
+    const auto flat = [&](const FlatShape& shape) { return holdsTriangle(shape, emitter); };
+    const auto curved = [&](const dvec3& vertex) { return curveHolds(scene, scene.primitives[primitive], vertex, 0); };
+    return std::any_of(shapes.begin(), shapes.end(), flat) ||
+           std::all_of(emitter.vertices.begin(), emitter.vertices.end(), curved);
+  });
+}
+
+}  // namespace
+
+LightPlaces lightPlaces(const scene::Scene& scene, std::span<const LightEntry> table,
+                        const render::ImageSettings& image) {
+  LightPlaces places;
+  if (render::isView(image.integrator)) return places;
+  if (image.integrator == render::Integrator::whitted) {
+    for (const scene::PointLight& light : scene.pointLights) places.points.emplace_back(light.position);
+    places.slack = double{image.lightSize} / std::numbers::sqrt2;
+    return places;
+  }
+  for (const LightEntry& entry : table) {
+    if (entry.kind == LightKind::point) places.points.emplace_back(scene.pointLights[entry.index].position);
+    if (entry.kind == LightKind::punctual || entry.kind == LightKind::spot)
+      places.points.emplace_back(scene.punctualLights[entry.index].position);
+    if (entry.kind != LightKind::triangle) continue;
+    const scene::Triangle triangle = triangleOf(scene, scene.primitives[entry.index]);
+    places.triangles.push_back({entry.index, {dvec3(triangle.p[0]), dvec3(triangle.p[1]), dvec3(triangle.p[2])}});
+  }
+  return places;
+}
+
+std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPlaces& lights) {
+  const std::size_t lightCount = lights.points.size() + lights.triangles.size();
+  const double comparisons = static_cast<double>(lightCount) * static_cast<double>(scene.primitives.size());
+  std::vector<bool> touched(scene.primitives.size(), comparisons > kMaxComparisons);
+  if (lightCount == 0 || comparisons > kMaxComparisons) return touched;
+  for (std::uint32_t i = 0; i < touched.size(); ++i) {
+    const scene::Primitive& primitive = scene.primitives[i];
+    const std::vector<FlatShape> shapes = flatShapes(scene, primitive);
+    touched[i] = holdsPoint(scene, primitive, shapes, lights) || holdsTriangle(scene, i, shapes, lights);
+  }
+  return touched;
+}
+
+}  // namespace candela::flatten
