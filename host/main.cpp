@@ -9,7 +9,9 @@
 #include "host/cli/command_line.h"
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
+#include "host/cli/output_check.h"
 #include "host/core/log.h"
+#include "host/core/memory_budget.h"
 #include "host/core/version.h"
 #include "host/vulkan/unfinished_work.h"
 #include "host/vulkan/validation.h"
@@ -27,6 +29,8 @@ ExitCode runCommand(const std::vector<std::string>& words) {
     std::cout << "candela " << versionText() << std::endl;
     return ExitCode::done;
   }
+  cli::requireSeparateFiles(arguments);
+  if (arguments.memory) limitMemory(*arguments.memory);
   return cli::commandInfo(arguments.command).run(arguments, Log(std::cerr, arguments.verbosity()));
 }
 

@@ -70,9 +70,10 @@ struct Arguments {
   std::optional<double> timeLimit;    ///< of a render, in seconds
   std::optional<double> hangTimeout;  ///< vulkan::DeviceOptions::hangTimeout
   Fallback fallback = Fallback::none;
-  std::filesystem::path mergedFilm;  ///< film file that `merge` writes
-  bool mixedDevices = false;         ///< for `merge`
-  bool partial = false;              ///< for `merge`
+  std::optional<std::uint64_t> memory;  ///< memory budget in bytes; empty: that of the machine
+  std::filesystem::path mergedFilm;     ///< film file that `merge` writes
+  bool mixedDevices = false;            ///< for `merge`
+  bool partial = false;                 ///< for `merge`
 
   std::optional<double> tolerance;  ///< maximum relMSE that passes
   std::filesystem::path differenceFile;

@@ -1,9 +1,9 @@
-// Estimates the memory of a render.
+// Predicts memory by counts of primitives and pixels.
 #include "host/cli/memory_check.h"
 
 #include <fmt/format.h>
 
-#include "host/core/errors.h"
+#include "host/core/memory_budget.h"
 #include "host/scene/memory.h"
 
 namespace candela::cli {
@@ -12,17 +12,34 @@ namespace {
 // Peak memory for each primitive besides the scene: building the acceleration structure, and the device's records.
 // A BVH of 7.66 million triangles takes 230 bytes each on the reference and 292 on lavapipe (docs/gltf.md).
 constexpr std::uint64_t kBuildBytesPerPrimitive = 300;
+// The session has a film, and so has the result.
+constexpr std::uint64_t kFilms = 2;
+// Colour, variance and two counts, and an EXR file with all of them, before compression.
+constexpr std::uint64_t kPictureBytesPerPixel = 2 * (sizeof(glm::vec3) + 3 * sizeof(float));
 
-double gibibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024 * 1024); }
+bool isMostlyPixels(const MemoryNeed& need) { return need.film + need.pictures > need.scene + need.structure; }
 
 }  // namespace
 
-void requireMemoryForScene(const scene::Scene& scene, std::uint64_t present) {
-  const std::uint64_t count = scene.primitives.size();
-  const std::uint64_t needed = scene::memoryOf(scene).total + count * kBuildBytesPerPrimitive;
-  if (needed <= present) return;
-  throw OutOfMemoryError(fmt::format("{}: rendering {} primitives needs about {:.1f} GiB; this machine has {:.1f} GiB",
-                                     scene.name, count, gibibytes(needed), gibibytes(present)));
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
+  const render::Window window = arguments.settings.image.window();
+  const std::uint64_t pixels = std::uint64_t{window.width} * window.height;
+  MemoryNeed need;
+  need.scene = scene::memoryOf(scene).total;
+  need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
+  need.film = kFilms * pixels * sizeof(image::FilmPixel);
+  if (!arguments.outputs.empty()) need.pictures = pixels * kPictureBytesPerPixel;
+  return need;
+}
+
+void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments) {
+  const MemoryNeed need = memoryNeedOf(scene, arguments);
+  const render::Extent size = arguments.settings.image.window().extent();
+  requireMemory(fmt::format("{}: rendering {} primitives to {}x{} pixels", scene.name, scene.primitives.size(),
+                            size.width, size.height),
+                need.total(),
+                isMostlyPixels(need) ? "render a smaller --size, or windows with --crop, which `candela merge` adds"
+                                     : "render fewer primitives");
 }
 
 }  // namespace candela::cli

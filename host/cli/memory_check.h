@@ -1,13 +1,25 @@
-// Refuses renders that cannot fit into memory, before the machine begins to swap.
+// Predicts the memory of a render, and refuses renders that do not fit.
 #pragma once
 #include <cstdint>
 
+#include "host/cli/arguments.h"
 #include "host/scene/scene.h"
 
 namespace candela::cli {
 
-/// Throws OutOfMemoryError, with the sizes, if the scene with its acceleration structure needs more than `present`
-/// bytes.
-void requireMemoryForScene(const scene::Scene& scene, std::uint64_t present);
+/// Host memory in bytes at the peak of a render.
+struct MemoryNeed {
+  std::uint64_t scene = 0;      ///< as it was read
+  std::uint64_t structure = 0;  ///< building the acceleration structure, and a device's records
+  std::uint64_t film = 0;       ///< the session's film and the one that is written
+  std::uint64_t pictures = 0;   ///< the image of the outputs and its encoding
+  std::uint64_t total() const { return scene + structure + film + pictures; }
+};
+
+/// `arguments` are resolved (see resolveRequests).
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments);
+
+/// Throws OutOfMemoryError, with the sizes and what would help, if that exceeds the memory budget.
+void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments);
 
 }  // namespace candela::cli

@@ -75,6 +75,25 @@ Notation<double> duration(double lowest) {
           [](const double& value) { return fmt::format("{}s", value); }};
 }
 
+Notation<std::uint64_t> byteCount() {
+  constexpr double kMiB = 1 << 20, kMaxMiB = 1 << 30;
+  const auto parse = [=](const std::string& word) -> std::optional<std::uint64_t> {
+    constexpr std::pair<std::string_view, double> kUnits[]{{"MiB", 1},  {"M", 1},         {"GiB", 1024},
+                                                           {"G", 1024}, {"TiB", 1 << 20}, {"T", 1 << 20}};
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{}) return std::nullopt;
+    const std::string_view unit(end, static_cast<std::size_t>(word.data() + word.size() - end));
+    for (const auto& [name, factor] : kUnits) {
+      const double size = value * factor;
+      if (unit == name && size >= 1 && size <= kMaxMiB) return static_cast<std::uint64_t>(size * kMiB);
+    }
+    return std::nullopt;
+  };
+  return {"SIZE", "a size such as 512MiB, 4GiB or 1.5TiB, at least 1MiB", parse,
+          [=](const std::uint64_t& value) { return fmt::format("{}MiB", static_cast<double>(value) / kMiB); }};
+}
+
 Notation<render::SampleRange> sampleRange(std::uint32_t highest) {
   const auto parse = [=](const std::string& word) -> std::optional<render::SampleRange> {
     const std::size_t colon = word.find(':');

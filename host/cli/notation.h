@@ -36,6 +36,8 @@ Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
 Notation<PixelPlace> pixelPlace(std::uint32_t highest);
 /// A duration in seconds, at least `lowest`: "90", "90s", "1.5min" or "2h".
 Notation<double> duration(double lowest);
+/// A number of bytes, at least 1 MiB: "4GiB", "1.5G", "512MiB".
+Notation<std::uint64_t> byteCount();
 /// "A:B", 0 <= A < B <= `highest`.
 Notation<render::SampleRange> sampleRange(std::uint32_t highest);
 /// "X,Y,W,H", X and Y below `highest`, W and H from 1 to `highest`.

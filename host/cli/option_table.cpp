@@ -149,6 +149,8 @@ std::vector<Option> executionOptions() {
            orAbsent(duration(0), "auto"), [](auto& a) -> auto& { return a.hangTimeout; }),
     valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails for good: `cpu` for the reference tracer, which marks the film as mixed"},
            choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
+    valued({"--memory", kReadingScenes | kFilm | kMerge, kGroup, "memory that may be used; what needs more is refused before it is allocated"},
+           orAbsent(byteCount(), "the machine's"), [](auto& a) -> auto& { return a.memory; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
     flag({"--no-cache", kTracing | kTune, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},
          [](auto& a) -> auto& { return a.noCache; }),

@@ -3,12 +3,17 @@
 #include <filesystem>
 #include <string>
 
+#include "host/cli/arguments.h"
+
 namespace candela::cli {
 
 /// Throws FileError unless the folder exists and is writable.
 void requireWritableFile(const std::filesystem::path& file);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
+/// Throws UsageError if a file that the command writes is one that it reads. `merge` may replace one of its films, and
+/// a render the film that it goes on from.
+void requireSeparateFiles(const Arguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);
 

@@ -9,10 +9,8 @@
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
-#include "host/core/physical_memory.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"
-#include "host/film/film_memory.h"
 #include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
@@ -108,8 +106,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
   render::requireIntegrator(scene, arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
   requireCropWithin(arguments.settings.image);
-  film::requireMemoryForFilm(arguments.settings.image.window().extent());
-  requireMemoryForScene(scene, physicalMemory());
+  requireMemoryForRender(scene, arguments);
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }

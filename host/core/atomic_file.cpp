@@ -71,6 +71,13 @@ int openNameless(const fs::path& folder) {
   return -1;
 }
 
+/// Opens a device or pipe. A pipe that nobody reads is an error (ENXIO), instead of waiting for a reader.
+int openInPlace(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return descriptor;
+}
+
 /// Syncs the folder, so that the rename survives a power failure. Errors are ignored, since not every file system can
 /// sync a folder.
 void syncFolder(const fs::path& folder) {
@@ -84,7 +91,7 @@ AtomicFile::AtomicFile(const fs::path& file)
     : name_(file),
       inPlace_(isSpecialFile(file)),
       target_(inPlace_ ? file : resolveLinks(file)),
-      descriptor_(inPlace_ ? ::open(target_.c_str(), O_WRONLY | O_CLOEXEC) : openNameless(target_.parent_path())) {
+      descriptor_(inPlace_ ? openInPlace(target_) : openNameless(target_.parent_path())) {
   if (!inPlace_ && !descriptor_.isOpen()) openNamed();
   if (!descriptor_.isOpen()) failWithErrno(name_);
 }

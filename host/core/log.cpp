@@ -3,12 +3,25 @@
 
 #include <ostream>
 #include <sstream>
+#include <string>
 
 namespace candela {
+namespace {
+
+// Names of files may contain any bytes, and a terminal would obey control characters.
+std::string withoutControls(std::string line) {
+  for (char& c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\t') || byte == 0x7f) c = '?';
+  }
+  return line;
+}
+
+}  // namespace
 
 void Log::problem(const std::string& text) const {
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) sink_ << "candela: " << line << std::endl;
+  for (std::string line; std::getline(lines, line);) sink_ << "candela: " << withoutControls(line) << std::endl;
 }
 
 void Log::warning(const std::string& text) const {

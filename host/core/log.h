@@ -8,7 +8,7 @@ namespace candela {
 enum class Verbosity { quiet, normal, verbose };
 
 /// Writes to `sink` (stderr), each line after the name of the program. A message appears if the verbosity is at least
-/// its own; a `problem` always appears.
+/// its own; a `problem` always appears. Control characters are replaced by question marks.
 class Log {
  public:
   Log(std::ostream& sink, Verbosity verbosity) : sink_(sink), verbosity_(verbosity) {}

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/device/device_memory.h"
 #include "host/device/tile_cursor.h"
 #include "host/device/unfinished_rows.h"
 #include "host/device/wavefront.h"
@@ -73,11 +74,16 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 
 }  // namespace
 
+std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& settings) {
+  const std::uint64_t width = settings.image.window().width;
+  return (kernel.stateBytes + sizeof(gpu::FilmRows)) * width + resultBytes(kernel, settings, width);
+}
+
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes) {
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
   // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
-  const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, info.memoryBytes / 4});
+  const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, usableMemory(info) / 4});
   const std::uint64_t head = headBytes(kernel, 0);
   const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
   if (rows == 0) {

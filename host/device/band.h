@@ -29,6 +29,9 @@ struct BandRows {
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes);
 
+/// Returns the bytes of all buffers of a band of one row.
+std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& settings);
+
 /// Buffers for one band. They are created once and used for one band of the image after the other.
 class Band {
  public:

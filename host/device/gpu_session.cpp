@@ -8,6 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
+#include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
@@ -55,6 +56,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   prepared_.seconds["build"] = watch.lap();
   prepared_.seconds["structure"] = flat_.structureSeconds;
 
+  requireDeviceMemory(info, std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
   deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat_, loadsFor(info, flat_, settings_));
   flat_.rows = {};
   prepared_.seconds["upload"] = watch.lap();

@@ -8,6 +8,7 @@
 #include "host/core/errors.h"
 #include "host/film/film_channels.h"
 #include "host/image/byte_cursor.h"
+#include "host/image/exr_attribute.h"
 
 namespace candela::film {
 namespace {
@@ -36,7 +37,9 @@ Attributes takeAttributes(image::ByteCursor& cursor) {
     if (name.empty()) return attributes;
     const std::string_view type = cursor.takeUntil(isNul);
     const std::uint32_t size = takeWord(cursor);
-    if (!attributes.emplace(name, Attribute{type, cursor.take(size)}).second) {
+    const std::span<const std::byte> value = cursor.take(size);
+    image::requireExrAttribute(type, value);
+    if (!attributes.emplace(name, Attribute{type, value}).second) {
       throw FileError("an attribute occurs twice");
     }
   }

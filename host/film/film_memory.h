@@ -4,8 +4,7 @@
 
 namespace candela::film {
 
-/// Throws OutOfMemoryError if a film of this size is larger than the machine's memory: it could be allocated, but would
-/// make the machine swap.
+/// Throws OutOfMemoryError, as requireMemory() does, if a film of this size exceeds the memory budget.
 void requireMemoryForFilm(const render::Extent& size);
 
 }  // namespace candela::film

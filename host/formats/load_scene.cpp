@@ -29,7 +29,7 @@ std::span<const scene::Loader> allLoaders() {
 }
 
 scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
-  const std::string bytes = scene::readFile(path);
+  const std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
   const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
   scene::LoadedScene loaded = chooseLoader(allLoaders(), file).load(file, options);
   if (options.hasEnvironment()) surround(loaded, options.environment);

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "host/core/physical_memory.h"
+#include "host/core/memory_budget.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
@@ -176,9 +176,9 @@ void SceneAssembly::requireRoom(const Value& place, const scene::Mesh& mesh, std
   if (triangles > 0 && copies > (kMaxTriangles - triangleCount_) / triangles) {
     place.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
   }
-  if (copies > (physicalMemory() - byteCount_) / bytes) {
-    throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that this machine has",
-                                       place.pointer(), physicalMemory() >> 20));
+  if (copies > (memoryBudget() - byteCount_) / bytes) {
+    throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that it may have",
+                                       place.pointer(), memoryBudget() >> 20));
   }
   triangleCount_ += triangles * copies;
   byteCount_ += bytes * copies;

@@ -12,6 +12,7 @@
 
 #include "host/core/errors.h"
 #include "host/image/byte_cursor.h"
+#include "host/image/exr_attribute.h"
 #include "host/image/exr_pixels.h"
 
 namespace candela::image {
@@ -45,23 +46,21 @@ std::uint32_t takeWord(ByteCursor& cursor) {
   return word;
 }
 
-/// Checks the headers before OpenEXR reads them, since OpenEXR trusts the size of an attribute, up to 2 GiB, before it
-/// looks for the bytes.
-void checkAttributeSizes(ByteView bytes) {
-  constexpr std::uint32_t kMultiPart = 0x1000;
+/// Checks the header before OpenEXR reads it: deep files and files of several parts are refused, since their decoders
+/// are the largest part of OpenEXR, and OpenEXR trusts the size of an attribute, up to 2 GiB, before it looks for the
+/// bytes.
+void checkHeader(ByteView bytes) {
+  constexpr std::uint32_t kDeep = 0x800, kMultiPart = 0x1000;
   const auto isNul = [](char c) { return c == 0; };
   ByteCursor cursor(bytes);
   cursor.take(4);  // magic number
-  const bool multiPart = (takeWord(cursor) & kMultiPart) != 0;
-  bool headerIsEmpty = false;
-  do {  // an empty name ends a header, an empty header the list of several
-    headerIsEmpty = true;
-    while (!cursor.takeUntil(isNul).empty()) {
-      headerIsEmpty = false;
-      cursor.takeUntil(isNul);  // type
-      cursor.take(takeWord(cursor));
-    }
-  } while (multiPart && !headerIsEmpty);
+  const std::uint32_t flags = takeWord(cursor);
+  if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
+  if ((flags & kMultiPart) != 0) throw FileError("EXR files of several parts are not read");
+  while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
+    const std::string_view type = cursor.takeUntil(isNul);
+    requireExrAttribute(type, cursor.take(takeWord(cursor)));
+  }
 }
 
 /// Limits what OpenEXR allocates while it opens a file, before checkImageSize can see the size.
@@ -125,7 +124,7 @@ std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
 
 Image decode(ByteView bytes) {
   limitSizes();
-  checkAttributeSizes(bytes);
+  checkHeader(bytes);
   MemoryInput input(bytes);
   Imf::InputFile file(input, kNoExrThreads);
   const Imf::Header& header = file.header();

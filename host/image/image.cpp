@@ -132,6 +132,7 @@ Image toImage(const Film& film) {
   Image image;
   image.width = film.width();
   image.height = film.height();
+  image.rgb.reserve(film.pixels().size());
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
       image.rgb.emplace_back(film.mean(x, y));

@@ -76,10 +76,10 @@ bool isEightBit(const std::filesystem::path& file);
 /// UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that EXR
 /// reserves, or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
-/// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. For EXR it reads the
-/// data window of the first part: R, G and B, or Y alone as grey, `variance.Y`, `samples`, `badSamples` and the string
-/// attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of PFM's scale is ignored; only its sign is
-/// used. Invalid files give a FileError, never a crash.
+/// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. Of an EXR file,
+/// which must be of one flat part, it reads the data window: R, G and B, or Y alone as grey, `variance.Y`, `samples`,
+/// `badSamples` and the string attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of PFM's scale
+/// is ignored; only its sign is used. Invalid files give a FileError, never a crash.
 Image readImage(const std::filesystem::path& file);
 /// Reads the pixels of a PNG or JPEG file as stored. Grey becomes equal channels, palettes are resolved, 16 bits are
 /// rounded to 8, transparent pixels are composited over black, and a PNG that states a gamma other than that of sRGB is

@@ -95,11 +95,19 @@ class JpegReader {
   jpeg_progress_mgr progress_{};
 };
 
+/// Refuses files that claim more pixels than they can contain. Each block of 8x8 pixels takes at least one bit in the
+/// Huffman codes of its first coefficient; arithmetic codes get the benefit of a factor of eight.
+void requirePlausible(std::uint64_t pixelCount, std::size_t fileSize) {
+  constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 8 * 64;
+  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid JPEG file: it is truncated");
+}
+
 }  // namespace
 
 Pixels8 decodeJpeg(ByteView file) {
   JpegReader reader(file);
   checkImageSize(reader.width(), reader.height());
+  requirePlausible(std::uint64_t{reader.width()} * reader.height(), file.size());
   const std::size_t byteCount = std::size_t{3} * reader.width() * reader.height();
   Pixels8 pixels{reader.width(), reader.height(), std::vector<std::uint8_t>(byteCount)};
   reader.readRgb(pixels.rgb.data());

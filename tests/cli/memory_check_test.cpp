@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
+#include "host/core/memory_budget.h"
 #include "host/scene/memory.h"
 #include "host/scene/scene_builder.h"
 
@@ -21,11 +22,17 @@ scene::Scene heavyScene(std::size_t count) {
   return scene;
 }
 
-std::string refusalOf(const scene::Scene& scene, std::uint64_t present) {
+/// The message that refuses a render of one pixel under a budget.
+std::string refusalOf(const scene::Scene& scene, std::uint64_t budget) {
+  Arguments arguments;
+  arguments.settings.image.size = {1, 1};
+  limitMemory(budget);
   try {
-    requireMemoryForScene(scene, present);
+    requireMemoryForRender(scene, arguments);
+    limitMemory(0);
     return "";
   } catch (const OutOfMemoryError& error) {
+    limitMemory(0);
     CHECK(error.code() == ExitCode::outOfMemory);
     return error.what();
   }
@@ -37,8 +44,12 @@ TEST_CASE("a scene is refused if building its structure exceeds the memory, alth
   const scene::Scene scene = heavyScene(100'000);
   const std::uint64_t own = scene::memoryOf(scene).total;
   CHECK(own < 3'000'000);
-  CHECK(refusalOf(scene, own + 30'000'000).empty());
-  CHECK(refusalOf(scene, own + 29'999'999).starts_with("heavy.glb: rendering 100000 primitives needs about"));
+  const std::uint64_t film = 2 * sizeof(image::FilmPixel);
+  CHECK(refusalOf(scene, own + film + 30'000'000).empty());
+  const std::string refusal = refusalOf(scene, own + film + 29'999'999);
+  CHECK(refusal.starts_with("heavy.glb: rendering 100000 primitives to 1x1 pixels needs about"));
+  CHECK(refusal.find("; --memory allows") != std::string::npos);
+  CHECK(refusal.ends_with("render fewer primitives"));
 }
 
 }  // namespace candela::cli

@@ -82,6 +82,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--segments-per-dispatch", "N", "auto"},
       {"--hang-timeout", "TIME", "auto"},
       {"--fallback", "none|cpu", "none"},
+      {"--memory", "SIZE", "the machine's"},
       {"--untuned", "", ""},
       {"--no-cache", "", ""},
       {"-t,--threads", "N", "0"},

@@ -1,0 +1,20 @@
+// Limits the size, since a report has some kilobytes.
+#include "host/bench/report_file.h"
+
+#include <fmt/format.h>
+
+#include "host/core/errors.h"
+#include "host/core/input_file.h"
+
+namespace candela::bench {
+
+nlohmann::json readReport(const std::filesystem::path& file) {
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+  try {
+    return nlohmann::json::parse(readInputFile(file, kMaxBytes, InputKind::regularFileOrPipe));
+  } catch (const nlohmann::json::exception& error) {
+    throw FileError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace candela::bench

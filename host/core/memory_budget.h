@@ -1,0 +1,20 @@
+// The memory that the program may use, and the refusal of what does not fit.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace candela {
+
+/// Returns the size of the machine's memory in bytes.
+std::uint64_t physicalMemory();
+
+/// Returns the memory that the program may use in bytes: what limitMemory() set, else physicalMemory().
+std::uint64_t memoryBudget();
+/// Sets the budget of the process (--memory); 0: that of the machine. Call it before other threads are started.
+void limitMemory(std::uint64_t bytes);
+
+/// Throws OutOfMemoryError unless `bytes` are within the budget: allocating them could succeed, but would make the
+/// machine swap. The message says that `what` needs them, and what would help: `remedy` is a clause.
+void requireMemory(const std::string& what, std::uint64_t bytes, const std::string& remedy);
+
+}  // namespace candela

@@ -1,0 +1,13 @@
+// The reader of benchmark reports: the input stands for both files.
+#include "host/bench/report_comparison.h"
+#include "host/bench/report_file.h"
+#include "tests/fuzz/fuzz.h"
+
+void candela::fuzz::run(Input input) {
+  expectErrors([&] {
+    const nlohmann::json report = bench::readReport(fileOf(input));
+    const auto comparison = bench::compareReports(report, "old", report, "new", 0.05);
+    bench::toText(comparison);
+    bench::toMarkdown(comparison);
+  });
+}

@@ -1,0 +1,11 @@
+// The description in a film file, which its checksum keeps from the target `film`.
+#include "host/film/film_header.h"
+
+#include "tests/fuzz/fuzz.h"
+
+void candela::fuzz::run(Input input) {
+  expectErrors([&] {
+    const film::FilmHeader header = film::headerFromJson(textOf(input));
+    if (film::headerFromJson(film::toJson(header)) != header) throw std::logic_error("not the same after writing");
+  });
+}

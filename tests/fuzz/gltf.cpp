@@ -1,0 +1,10 @@
+// The reader of glTF, as JSON and GLB. It finds no other files.
+#include "host/gltf/gltf_loader.h"
+#include "tests/fuzz/fuzz.h"
+
+void candela::fuzz::run(Input input) {
+  const std::string bytes = textOf(input);
+  scene::LoadOptions options;
+  options.time = 0.5;
+  expectErrors([&] { gltf::loadGltf({bytes, "input", "/nonexistent"}, options); });
+}
