@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host/core/errors.h"
-#include "host/core/physical_memory.h"
+#include "host/core/memory_budget.h"
 #include "host/gltf/uri.h"
 #include "host/image/texels.h"
 #include "host/scene/hash.h"
@@ -86,9 +86,9 @@ std::uint32_t Textures::imageOf(const Value& texture) {
   if (const auto known = indices_.find(index); known != indices_.end()) return known->second;
   images_.push_back(readImage(root_.require("images")[index]));
   byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t);
-  if (byteCount_ > physicalMemory()) {
+  if (byteCount_ > memoryBudget()) {
     throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that this machine has",
-                                       source.pointer(), physicalMemory() >> 20));
+                                       source.pointer(), memoryBudget() >> 20));
   }
   return indices_[index] = static_cast<std::uint32_t>(images_.size() - 1);
 }
