@@ -272,8 +272,10 @@ TEST_CASE("glass is reciprocal in both directions, up to factors that depend on 
   for (const float roughness : {0.2f, 0.5f, 1.0f}) {
     materials.push_back(materialOf({.roughness = roughness, .transmissionWeight = 1, .isThinWalled = false}));
   }
+  // Single precision cannot resolve the transmittance of microfacets at grazing incidence, which is nearly 0.
+  constexpr double kResolved = 1e-5;
   const MaterialLeaves leaves(materials);
-  const std::vector<glm::vec3> first = randomNumbers(2000, 307), second = randomNumbers(2000, 308);
+  const std::vector<glm::vec3> first = randomNumbers(8000, 307), second = randomNumbers(8000, 308);
   const auto turned = [](const dvec3& v) { return dvec3(v.x, v.y, -v.z); };
   for (std::uint32_t material = 0; material < materials.size(); ++material) {
     int compared = 0;
@@ -292,7 +294,7 @@ TEST_CASE("glass is reciprocal in both directions, up to factors that depend on 
         there *= f[0].f.x * f[1].f.x;
         back *= f[2].f.x * f[3].f.x;
       }
-      if (std::min(there, back) < 1e-12) continue;
+      if (std::min(there, back) < kResolved) continue;
       CHECK(there == Approx(back).epsilon(2000 * kRounding));
       ++compared;
     }
