@@ -2,25 +2,19 @@
 // normal, with z along the normal; wo and wi point away from the surface.
 #ifndef CANDELA_BSDF_GLSL
 #define CANDELA_BSDF_GLSL
+#include "bsdf_sample.glsl"
 #include "material.glsl"
 #include "options.glsl"
 #include "sampling.glsl"
 #include "shared/render_data.h"
-
-struct BsdfSample {
-  vec3 wi;
-  vec3 weight;  // f |cos| / pdf
-  float pdf;    // solid angle, whole mixture; 0: delta
-  uint lobe;    // kLobe...; kLobeNone: the path ends
-};
-
-const BsdfSample kAbsorbed = BsdfSample(vec3(0.0), vec3(0.0), 0.0, kLobeNone);
+#include "surface.glsl"
 
 float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielectricWeight; }
 
 // Returns whether some lobe with a density scatters to this side of the surface. Light sampling can only contribute
 // there.
 bool scattersTo(Material m, bool transmitted) {
+  if (kHasSurfaces && m.isSurface) return !transmitted || (kHasTransmission && m.surface.transmissionWeight > 0.0);
   return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
 }
 
@@ -67,11 +61,18 @@ void addGlossy(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
 // direction of the sphere. Each lobe adds to both on the side of the surface to which it scatters. The integrator
 // multiplies f by |wi.z|.
 vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
+  if (kHasSurfaces && m.isSurface) return evaluateSurface(m.lobes, wo, wi, pdf);
   vec3 f = vec3(0.0);
   pdf = 0.0;
   addDiffuse(m, wo, wi, f, pdf);
   if (kHasGlossy && m.glossyWeight > 0.0) addGlossy(m, wo, wi, f, pdf);
   return f;
+}
+
+// Computes what depends on wo. Must be called before a material is evaluated or sampled. `outside`: wo is on the side to
+// which the primitive's own normal points.
+void prepareLobes(inout Material m, vec3 wo, bool outside) {
+  if (kHasSurfaces && m.isSurface) m.lobes = lobesAt(m.surface, wo, outside);
 }
 
 BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
@@ -115,6 +116,7 @@ BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
 
 // Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
 BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
+  if (kHasSurfaces && m.isSurface) return sampleSurface(m.lobes, wo, numbers);
   if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);
   if (total <= 0.0) return kAbsorbed;

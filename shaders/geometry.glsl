@@ -14,6 +14,7 @@ struct Ray {
   uint leaving;    // slot of the origin primitive | kLeavingInward, or kNoSlot
   bvec2 along;     // the direction's largest component is x, or y; else it is z
   vec3 shear;      // coefficients of `sheared`; set if the scene has triangles
+  uint opacityKey; // of the decisions which transparent triangles it hits; set if the scene has any
 };
 
 // Permutes the components cyclically so that the one that `along` names becomes z.
@@ -32,7 +33,7 @@ Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
     vec3 d = largestLast(direction, along);
     shear = vec3(-d.x / d.z, -d.y / d.z, 1.0 / d.z);
   }
-  return Ray(origin, direction, leaving, along, shear);
+  return Ray(origin, direction, leaving, along, shear, 0u);
 }
 
 // The shear of Woop, Benthin and Wald (JCGT 2013). It maps the ray's origin to 0 and its direction to (0, 0, 1).

@@ -48,6 +48,7 @@ void advancePixel(uvec2 inRegion) {
     if (!goesOn) {
       addSample(sums, path.radiance, sampleIndex);
       path.depth = 0u;
+      path.volume = 0u;
       sampleIndex += 1u;
     }
     segments += 1u;
@@ -60,6 +61,7 @@ void advancePixel(uvec2 inRegion) {
   pathStates[pixelIndex] = packPath(path, sampleIndex,
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps + work.steps));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);
+  if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
   if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
   if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);
 }

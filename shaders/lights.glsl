@@ -38,6 +38,20 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false);
 }
 
+// Returns the factor of the emission at a point of the triangle whose records begin at `row`: the texel of its texture,
+// if it has one, times the opacity.
+vec3 emissionFactor(uint row, vec2 weights, vec2 jitter) {
+  uint kind = sceneRow(row + 2u).w;
+  uint attributes = constants.firstAttributeRow + sceneRow(row).w;
+  vec3 factor = vec3(1.0);
+  if ((kind & kFlagTexCoords) != 0u) {
+    uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
+    if (reference != 0u) factor = linearColour(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));
+  }
+  if (kHasTransparency && (kind & kFlagTransparent) != 0u) factor *= opacityAt(attributes, kind, weights, jitter);
+  return factor;
+}
+
 LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   if (from.slot == light.slot) return kNoLight;
   uint row = primitiveRow(light.slot);
@@ -51,7 +65,9 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   vec3 wi = toPoint / distance;
   float cosine = -dot(triangleNormal(edge1, edge2), wi);
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
-  return LightSample(wi, light.emission, distance, light.probability * distanceSquared / (light.area * abs(cosine)), false);
+  vec3 emission = light.emission;
+  if (kHasTextures) emission *= emissionFactor(row, weights, from.jitter.zw);
+  return LightSample(wi, emission, distance, light.probability * distanceSquared / (light.area * abs(cosine)), false);
 }
 
 LightSample samplePointLight(Light light, Surface from) {

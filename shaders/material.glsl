@@ -3,8 +3,52 @@
 #define CANDELA_MATERIAL_GLSL
 #include "primitives.glsl"
 #include "scene_access.glsl"
+#include "textures.glsl"
+
+// The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
+struct SurfaceParameters {
+  vec3 baseColour;
+  float metalness;
+  vec3 specularColour;
+  float specularWeight;
+  float roughness;
+  float ior;
+  float transmissionWeight;
+  bool isThinWalled;
+  float coatWeight;
+  float coatRoughness;
+};
+
+// The part of a surface that reflects and transmits light: section 5.5.
+struct Glass {
+  bool isThin;
+  float eta;         // index of refraction beyond the surface, relative to wo's side
+  float all;         // factor of the microfacets with a reflectance of 1
+  vec3 transmitted;  // factor of the microfacets with a transmittance of 1
+  vec3 normal;       // reflectance at normal incidence, and its rise to grazing angles
+  vec3 grazing;
+};
+
+// The lobes of a surface as seen from one direction: section 5.4.
+struct SurfaceLobes {
+  vec3 diffuse;         // albedo
+  vec3 specular;        // factor of the microfacets at normal incidence
+  vec3 grazing;         // factor of (1 - wo.h)^5
+  float alpha;
+  float diffuseShare;   // probabilities of the lobes
+  float specularShare;
+  float glassShare;
+  Glass glass;
+  float coat;           // factor of the coat's microfacets
+  float coatAlpha;
+  float coatShare;      // probability of the coat, and the light that it takes from the lobes below
+};
 
 struct Material {
+  bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
+  SurfaceParameters surface;
+  uint volume;         // number of the volume that the surface bounds; 0: none
+  SurfaceLobes lobes;  // computed by prepareLobes()
   vec3 diffuse;
   float diffuseWeight;
   vec3 glossy;
@@ -14,13 +58,29 @@ struct Material {
   float dielectricWeight;
   float exponent;
   float ior;
+  float untinted;  // the part of the glossy lobe's colour that the base colour's texture does not scale
   bool mirror;
 };
+
+uint surfaceRow(uint index) { return constants.firstSurfaceRow + index * kSurfaceRows; }
+
+SurfaceParameters loadSurface(uint index, out uint volume) {
+  uint row = surfaceRow(index);
+  vec4 base = sceneRowFloat(row);
+  vec4 specular = sceneRowFloat(row + 1u);
+  vec4 shape = sceneRowFloat(row + 2u);
+  float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
+  volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y, shape.z, volume == 0u, coat,
+                           shape.w);
+}
 
 // Loads a material by its index in the scene.
 Material loadMaterial(uint index) {
   uint row = constants.firstMaterialRow + index * kMaterialRows;
   Material material;
+  material.isSurface = false;
+  material.volume = 0u;
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;
@@ -40,19 +100,71 @@ Material loadMaterial(uint index) {
   }
   material.exponent = 0.0;
   material.ior = 1.0;
+  material.untinted = 0.0;
   material.mirror = false;
-  if (kHasGlossy || kHasMirror || kHasDielectric) {
-    vec4 last = sceneRowFloat(row + 3u);
-    material.exponent = last.x;
-    material.ior = last.y;
-    material.mirror = last.z != 0.0;
+  if (kHasGlossy || kHasMirror || kHasDielectric || kHasSurfaces) {
+    uvec4 last = sceneRow(row + 3u);
+    material.exponent = uintBitsToFloat(last.x);
+    material.ior = uintBitsToFloat(last.y);
+    material.mirror = uintBitsToFloat(last.z) != 0.0;
+    if (kHasSurfaces && last.w != 0u) {
+      material.isSurface = true;
+      material.surface = loadSurface(last.w - 1u, material.volume);
+    }
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;
+  if (kHasMirror || kHasDielectric || ((kHasTextures || kHasColours) && kHasGlossy)) {
+    vec4 specular = sceneRowFloat(row + 4u);
+    material.specular = specular.xyz;
+    material.untinted = specular.w;
+  }
   return material;
 }
 
+void scaleBaseColour(inout Material material, vec3 scale) {
+  if (kHasSurfaces) material.surface.baseColour *= scale;
+  material.diffuse *= scale;
+  material.glossy = (material.glossy - material.untinted) * scale + material.untinted;
+  material.specular *= scale;
+}
+
+// Returns the texel of a slot, or `absent` if the material has no such texture.
+uint texelOf(uint material, uint slot, Surface surface, uint absent) {
+  uint reference = textureOf(material, slot);
+  return reference == 0u ? absent : textureTexel(reference, surface.texCoords, surface.jitter.xy);
+}
+
+void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
+  const uint white = 0xffffffffu;
+  uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
+  parameters.roughness *= float((metallicRoughness >> 8) & 255u) * (1.0 / 255.0);
+  parameters.metalness *= float((metallicRoughness >> 16) & 255u) * (1.0 / 255.0);
+  parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
+  uint specularColour = textureOf(index, kSlotSpecularColour);
+  if (specularColour != 0u) {
+    parameters.specularColour *= linearColour(textureTexel(specularColour, surface.texCoords, surface.jitter.xy));
+  }
+}
+
+void applyTextures(inout Material material, uint index, Surface surface) {
+  uint baseColour = textureOf(index, kSlotBaseColour);
+  if (baseColour != 0u) {
+    scaleBaseColour(material, linearColour(textureTexel(baseColour, surface.texCoords, surface.jitter.xy)));
+  }
+  if (kHasSurfaces && material.isSurface) scaleSurface(material.surface, index, surface);
+  uint emission = kHasEmission ? textureOf(index, kSlotEmission) : 0u;
+  if (emission != 0u) {
+    material.emission *= linearColour(textureTexel(emission, surface.texCoords, surface.jitter.xy));
+  }
+}
+
 // The only source of what integrators know about a material. It depends on nothing but the surface point.
-Material materialAt(Surface surface) { return loadMaterial(surface.kind >> kMaterialShift); }
+Material materialAt(Surface surface) {
+  uint index = surface.kind >> kMaterialShift;
+  Material material = loadMaterial(index);
+  if (kHasColours) scaleBaseColour(material, surface.colour);
+  if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
+  return material;
+}
 
 #endif

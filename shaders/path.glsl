@@ -10,6 +10,7 @@
 #include "normals.glsl"
 #include "trace.glsl"
 #include "traversal.glsl"
+#include "volumes.glsl"
 
 struct Path {
   Ray ray;
@@ -17,6 +18,7 @@ struct Path {
   vec3 throughput;
   vec3 radiance;
   uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
+  uint volume;      // number of the volume that the ray is in; 0: none
 };
 
 // Decisions of a segment, for comparison with another tracer.
@@ -41,6 +43,7 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   path.throughput = vec3(1.0);
   path.radiance = vec3(0.0);
   path.depth = 1u;
+  path.volume = 0u;
 }
 
 // A vertex in the local frame of its shading normal.
@@ -84,6 +87,14 @@ vec3 backgroundFound(Path path, SampleKey key) {
   return tap.radiance * (weighted ? powerHeuristic(path.pdf, tap.pdf) : 1.0);
 }
 
+// Returns a contribution of light that was scattered `scatterings` times before it reached the camera, or with a limit for
+// indirect light at most the limit, in the same hue.
+vec3 limitedContribution(vec3 contribution, uint scatterings) {
+  if (!kLimitsIndirect || scatterings < 2u) return contribution;
+  float highest = largest(contribution);
+  return highest > constants.indirectLimit ? contribution * (constants.indirectLimit / highest) : contribution;
+}
+
 // A ray to a light sample, and its contribution to the path if it is unoccluded.
 struct ShadowRay {
   bool wanted;    // false: there is no shadow ray, and the other members are undefined
@@ -116,7 +127,11 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
-  precise vec3 radiance = path.throughput * weighed;
+  if (kHasVolumes && lit.distance < kLargestFloat) {
+    weighed *= volumeTransmittance(transmitted ? volumeBeyond(material, shading.outside, path.volume) : path.volume,
+                                   lit.distance);
+  }
+  precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
   shadow = ShadowRay(true, rayFrom(surface, lit.wi), light.slot, lit.distance, radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -132,6 +147,10 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
+  if (kHasVolumes && next.lobe == kLobeRefract) {
+    countVolumeFault(material, shading.outside, path.volume);
+    path.volume = volumeBeyond(material, shading.outside, path.volume);
+  }
   noteScattering(next, direction);
   // A value that is not finite must not end a path silently: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {
@@ -159,24 +178,32 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   counts.bounce += path.depth > 1u ? 1u : 0u;
   if (hit.t >= kNoHit) {
-    path.radiance += path.throughput * backgroundFound(path, key);
+    if (kHasVolumes && path.volume != 0u) volumeFaults += 1u;
+    path.radiance += limitedContribution(path.throughput * backgroundFound(path, key), path.depth - 1u);
     return false;
   }
   counts.vertices += 1u;
   decisions.index = hit.index;
+  if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   noteSurface(path.ray, surface, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
-  if (kHasEmission) path.radiance += path.throughput * emissionFound(path, surface, material, hit.t);
+  if (kHasEmission) {
+    vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
+    path.radiance += limitedContribution(found, path.depth - 1u);
+  }
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
+  prepareLobes(material, shading.wo, shading.outside);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {
     uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
     lobeNumber = toUnit(numbers.w);
     if (kHasLights && hasSmoothLobe(material)) {
       sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
+      if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
     }
   }
   counts.shadow += shadow.wanted ? 1u : 0u;
@@ -198,6 +225,7 @@ uint traceShadow(ShadowRay shadow, inout vec3 radiance, inout Work work) {
 
 // Traces the path's ray and computes everything up to the next ray. Returns true if the path continues.
 bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
+  if (kHasTransparency) path.ray.opacityKey = opacityKey(key, path.depth, false);
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;
   bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);

@@ -7,10 +7,12 @@
 // Members of a PathState and of a WaveState by name. These are macros, because a function would copy the whole state
 // from its buffer, and its result could not be assigned to.
 #define sampleIndexOf(pathState) pathState.radianceSample.w
-#define depthOf(pathState) pathState.throughputDepth.w
+#define depthOf(pathState) (pathState.throughputDepth.w & kDepthMask)
 #define radianceBitsOf(pathState) pathState.radianceSample.xyz
 #define hitOf(waveState) waveState.hit.xyz
 #define shadedDepthOf(waveState) waveState.hit.w
+
+const uint kDepthMask = (1u << kVolumeShift) - 1u;
 
 Path unpackPath(PathState state) {
   Path path;
@@ -19,6 +21,7 @@ Path unpackPath(PathState state) {
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
   path.depth = depthOf(state);
+  path.volume = state.throughputDepth.w >> kVolumeShift;
   path.radiance = uintBitsToFloat(radianceBitsOf(state));
   return path;
 }
@@ -26,7 +29,7 @@ Path unpackPath(PathState state) {
 PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
   return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
                    uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
-                   uvec4(floatBitsToUint(path.throughput), path.depth),
+                   uvec4(floatBitsToUint(path.throughput), path.depth | (kHasVolumes ? path.volume << kVolumeShift : 0u)),
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }
 

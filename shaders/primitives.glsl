@@ -2,7 +2,9 @@
 // that shading needs.
 #ifndef CANDELA_PRIMITIVES_GLSL
 #define CANDELA_PRIMITIVES_GLSL
+#include "attributes.glsl"
 #include "geometry.glsl"
+#include "opacity.glsl"
 #include "scene_access.glsl"
 
 struct PrimitiveHit {
@@ -45,6 +47,7 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
 PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
   float t = hitDistance(ray, rows, kind, leaves(ray, slot), (ray.leaving & kLeavingInward) != 0u);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
+  if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, rows, t)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
 }
 
@@ -64,6 +67,9 @@ struct Surface {
   uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
   bool flatSurface; // the origin of rays that start here is offset
+  vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
+  vec3 colour;      // vertex colour; 1 if the primitive has none
+  vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
 
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
@@ -85,7 +91,14 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
   surface.light = extra;
-  if (kHasSmooth && (surface.kind & kFlagSmooth) != 0u) smoothTriangle(surface, constants.firstNormalRow + extra, weights);
+  uint row = constants.firstAttributeRow + extra;
+  bool hasNormals = kHasSmooth && (surface.kind & kFlagSmooth) != 0u;
+  if (hasNormals) smoothTriangle(surface, row, weights);
+  bool hasTexCoords = kHasTextures && (surface.kind & kFlagTexCoords) != 0u;
+  bool hasColours = kHasColours && (surface.kind & kFlagColours) != 0u;
+  if ((hasTexCoords || hasColours) && !hasNormals) surface.light = sceneRow(row).x;
+  if (hasTexCoords) surface.texCoords = texCoordsAt(row, surface.kind, weights);
+  if (hasColours) surface.colour = colourAt(row, surface.kind, weights).xyz;
 }
 
 // Returns the surface point of a slot at distance t along a ray that hits it.
@@ -106,6 +119,9 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.light = 0u;
   surface.outward = vec3(0.0, 0.0, 1.0);
   surface.flatSurface = true;
+  surface.texCoords = vec4(0.0);
+  surface.colour = vec3(1.0);
+  surface.jitter = vec4(0.0);
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
     surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);
     if ((surface.kind & kFlagInsideOnly) != 0u) surface.outward = -surface.outward;

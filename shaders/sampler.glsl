@@ -129,7 +129,7 @@ uvec4 stratifiedGroup(SampleKey key, uint group) {
   if (n < 2u || key.sampleIndex >= n * n) return jitter;
   uvec4 keys = pcg4d(uvec4(key.pixel, 1u, group, key.seed ^ kScrambleSeed));
   const uint firstVertexGroup = kCameraDimensionCount / kGroupSize;
-  bool isEnvironment = kHasEnvironment && group >= kEnvironmentDimensions / kGroupSize;
+  bool isEnvironment = kHasEnvironment && group / (kEnvironmentDimensions / kGroupSize) == 1u;
   if (!isEnvironment && group >= firstVertexGroup && (group - firstVertexGroup) % 2u == 0u) {
     uint first = stratifySingle(key, n, keys.x, jitter.x);
     uvec2 middle = stratifyPair(key, n, keys.y, jitter.yz);

@@ -37,7 +37,7 @@ void noteLightChoice(uint k) {
 }
 
 void noteShadowRay(Light light, LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
-  if (!lit.delta) traced.lightPlace.y = sceneRow(primitiveRow(light.slot) + 1u).w;
+  if (light.slot != kNoSlot) traced.lightPlace.y = sceneRow(primitiveRow(light.slot) + 1u).w;
   traced.lightDirectionDistance = vec4(lit.wi, lit.distance);
   traced.lightDensities = vec4(lit.pdf, bsdfPdf, weight, 0.0);
   traced.lightRadiance = vec4(radiance, 0.0);

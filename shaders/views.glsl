@@ -6,6 +6,7 @@
 vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
 
 vec3 albedo(Material m) {
+  if (kHasSurfaces && m.isSurface) return m.surface.baseColour;
   if (kHasMirror && m.mirror) return m.specular;
   // If the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
   vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);
@@ -21,7 +22,9 @@ float openness(Surface surface, Normals normals, SampleKey key, inout Work work,
   precise vec3 direction = unit(frameAround(normals.shading) * sampleCosineHemisphere(numbers));
   if (dot(direction, normals.geometric) <= 0.0) return 0.0;
   counts.shadow += 1u;
-  bool blocked = traceAny(rayFrom(surface, direction), kNoSlot, constants.aoDistance, work);
+  Ray ray = rayFrom(surface, direction);
+  if (kHasTransparency) ray.opacityKey = opacityKey(key, 1u, true);
+  bool blocked = traceAny(ray, kNoSlot, constants.aoDistance, work);
   decisions.shadow = blocked ? kShadowOccluded : kShadowVisible;
   return blocked ? 0.0 : 1.0;
 }
@@ -30,6 +33,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kView == kViewDepth) return vec3(hit.t);
   if (kView == kViewId) return indexColour(hit.index);
   Surface surface = surfaceAt(ray, hit.slot, hit.t);
+  if (kHasTextures) surface.jitter = textureJitter(key, 1u);
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));
@@ -41,6 +45,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
 vec3 viewSample(Ray ray, SampleKey key, inout Work work, inout RayCounts counts, out Decisions decisions) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
   uint stepsBefore = work.steps;
+  if (kHasTransparency) ray.opacityKey = opacityKey(key, 1u, false);
   Hit hit = traceClosest(ray, work);
   bool missed = hit.t >= kNoHit;
   counts.vertices += missed ? 0u : 1u;

@@ -12,7 +12,6 @@ void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
 
 // Records the decisions. Whether the shadow ray is occluded is not known yet.
 void record(uint pixelIndex, uint depth, Decisions decisions) {
-  shadedDepthOf(waves[pixelIndex]) = depth;
   if (depth > kRecordedVertices) return;
   uint word = recordWord(pixelIndex, depth);
   uvec2 packed = packDecisions(decisions);
@@ -36,6 +35,8 @@ void main() {
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+  if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
+  if (kRecordPaths || kHasTransparency) shadedDepthOf(waves[pixelIndex]) = depth;
   if (kRecordPaths) record(pixelIndex, depth, decisions);
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);

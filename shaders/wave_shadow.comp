@@ -15,8 +15,13 @@ void main() {
   uint pixelIndex;
   if (!takePixel(kQueueShadow, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
   vec3 radiance = uintBitsToFloat(radianceBitsOf(waves[pixelIndex].path));
+  ShadowRay shadow = loadShadowRay(pixelIndex);
+  if (kHasTransparency) {
+    SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(waves[pixelIndex].path));
+    shadow.ray.opacityKey = opacityKey(key, shadedDepthOf(waves[pixelIndex]), true);
+  }
   Work work = Work(0u, 0u);
-  uint outcome = traceShadow(loadShadowRay(pixelIndex), radiance, work);
+  uint outcome = traceShadow(shadow, radiance, work);
   radianceBitsOf(waves[pixelIndex].path) = floatBitsToUint(radiance);
   addSteps(pixelIndex, work);
   uint depth = shadedDepthOf(waves[pixelIndex]);

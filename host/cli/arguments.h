@@ -60,6 +60,7 @@ struct Arguments {
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   image::DisplayTransform display;
+  std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
 
   std::optional<render::SampleRange> samples;  ///< part of the samples of each pixel; empty: all
   std::filesystem::path checkpoint;            ///< film file; empty for none

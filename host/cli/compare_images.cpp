@@ -6,6 +6,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
+#include "host/cli/display_choice.h"
 #include "host/cli/image_verdict.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
@@ -36,7 +37,8 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   const image::Image a = image::readImage(arguments.files[0]);
   const image::Image reference = image::readImage(arguments.files[1]);
   const image::ImageComparison comparison = compareImages(a, reference);
-  const image::FlipResult flip = computeFlip(displayed(a, arguments.display), displayed(reference, arguments.display));
+  const image::DisplayTransform display = chooseDisplay(arguments, reference);
+  const image::FlipResult flip = computeFlip(displayed(a, display), displayed(reference, display));
   const ImageVerdict verdict = judgeImages(arguments, a, reference, comparison);
 
   writePictures(arguments, a, reference, flip);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "host/image/exposure.h"
 #include "host/image/false_colour.h"
 
 namespace candela::cli {
@@ -19,10 +20,14 @@ double valueAtOne(const image::DisplayTransform& display) {
 
 image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image) {
   image::DisplayTransform display = arguments.display;
+  display.exposure = arguments.exposure ? *arguments.exposure : automaticExposure(image);
   if (arguments.given.contains("--tonemap")) return display;
   if (arguments.settings.image.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
   if (arguments.settings.image.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
-  if (isFalseColour(display.toneMap)) display.scale = falseColourScale(image, display.toneMap);
+  if (isFalseColour(display.toneMap)) {
+    display.exposure = arguments.exposure.value_or(0);
+    display.scale = falseColourScale(image, display.toneMap);
+  }
   return display;
 }
 

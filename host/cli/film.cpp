@@ -5,6 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/bias_text.h"
 #include "host/cli/commands.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/film_description.h"
@@ -38,6 +39,9 @@ image::Image pictureOf(const film::FilmHeader& header, const image::Film& film) 
                                          {"candela.samplesPerPixel", fmt::to_string(header.samplesPerPixel)},
                                          {verify::kSeedMetadata, fmt::to_string(header.seed)},
                                          {"candela.interrupted", header.isComplete() ? "no" : "yes"}});
+  const auto limit = header.settings.find("clamp-indirect");
+  if (limit != header.settings.end() && limit->second != "off")
+    image.metadata[verify::kBiasMetadata] = biasText(limit->second);
   return image;
 }
 

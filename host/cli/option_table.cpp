@@ -52,11 +52,9 @@ const std::vector<std::pair<std::string, render::Integrator>> kIntegrators{
     {"id", render::Integrator::id},         {"cost", render::Integrator::cost}};
 const std::vector<std::pair<std::string, verify::LightTestMethod>> kLightTests{
     {"paired", verify::LightTestMethod::paired}, {"independent", verify::LightTestMethod::independent}};
-const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{{"none", image::ToneMap::none},
-                                                                    {"srgb", image::ToneMap::srgb},
-                                                                    {"aces", image::ToneMap::aces},
-                                                                    {"agx", image::ToneMap::agx},
-                                                                    {"neutral", image::ToneMap::neutral}};
+const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{
+    {"none", image::ToneMap::none}, {"srgb", image::ToneMap::srgb},           {"aces", image::ToneMap::aces},
+    {"agx", image::ToneMap::agx},   {"pbr-neutral", image::ToneMap::neutral}, {"neutral", image::ToneMap::neutral}};
 
 std::string defaultDepths() {
   return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
@@ -95,6 +93,8 @@ std::vector<Option> imageOptions() {
            choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.image.pixelOrigin; }),
     valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.image.lightSize; }),
+    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
+           orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),
   };
@@ -166,8 +166,8 @@ std::vector<Option> outputOptions() {
           [](auto& a) -> auto& { return a.outputs; }),
     valued({"--tonemap", kRender | kCompare | kFilm, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare | kFilm, kGroup, "exposure of 8-bit files and of FLIP; each stop doubles the brightness"},
-           realNumber<float>("STOPS", -64, 64), [](auto& a) -> auto& { return a.display.exposure; }),
+    valued({"--exposure", kRender | kCompare | kFilm, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
+           orAbsent(realNumber<float>("STOPS", -64, 64), "auto"), [](auto& a) -> auto& { return a.exposure; }),
   };
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/bad_samples.h"
+#include "host/cli/bias_text.h"
 #include "host/cli/commands.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/json_output.h"
@@ -45,6 +46,7 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const ren
   if (job.arguments.samples) {
     metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
   }
+  if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
   return metadata;
 }
 
@@ -107,6 +109,9 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
   report.badSamples.add(result.film, job.settings.image);
   for (const std::string& line : badSampleLines(report.badSamples, job)) log.problem(line);
+  if (const std::uint64_t faults = result.statistics.volumeFaults; faults > 0) {
+    log.warning(fmt::format("{} rays found volumes that are open or overlap; absorption is wrong there", faults));
+  }
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));

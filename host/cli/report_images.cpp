@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
 #include "host/cli/report_page.h"
 #include "host/core/hash_text.h"
@@ -100,7 +101,7 @@ Report imageReport(const Arguments& arguments, const image::Image& a, const imag
   page.nameB = arguments.files[1];
   page.a = a;
   page.b = reference;
-  page.display = arguments.display;
+  page.display = chooseDisplay(arguments, reference);
   page.comparison = comparison;
   page.flip = flip;
   if (verdict.films) page.tests = report::LightTests{verdict.films->regions, verdict.films->level};

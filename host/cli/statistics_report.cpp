@@ -129,6 +129,7 @@ ordered_json toJson(const RenderReport& report) {
   const scene::SceneMemory memory = scene::memoryOf(report.job.scene);
   json["sceneBytes"] = memory.total;
   json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
+  json["textureBytes"] = memory.textures;
   json["samples"] = statistics.samples;
   json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;
@@ -136,6 +137,7 @@ ordered_json toJson(const RenderReport& report) {
   json["msamplesPerSecond"] = ratio(static_cast<double>(statistics.samples) / 1e6, traceSeconds);
   json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
+  json["volumeFaults"] = statistics.volumeFaults;
   json["badSamples"] = statistics.badSamples;
   json["badPixels"] = report.badSamples.pixels();
   json["firstBadPixels"] = firstPixelsJson(report.badSamples, report.job);

@@ -110,6 +110,7 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint
   rows_ = rows;
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
+  volumeFaultsBefore_ = 0;
   cursor_.reset();
   governor_.reset();
   device_.run([&](vulkan::CommandRecorder& recorder) {
@@ -141,6 +142,7 @@ void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t
 
 void Band::clearCounters() {
   truncatedBefore_ += counters().truncated;
+  volumeFaultsBefore_ += counters().volumeFaults;
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.fillBuffer(results_, 0, 0, sizeof(gpu::Counters));
     recorder.fillBuffer(counters_, 0);
@@ -243,6 +245,7 @@ void Band::addCounts(render::RenderStatistics& statistics) const {
   }
   statistics.cameraRays -= samplesBefore_;
   statistics.truncated += truncated();
+  statistics.volumeFaults += volumeFaultsBefore_ + counters().volumeFaults;
 }
 
 void Band::readRecords(render::PathRecords& paths) const {

@@ -82,9 +82,10 @@ class Band {
   const render::RenderSettings& settings_;
   std::uint32_t width_;
   BandRows rows_;
-  std::uint32_t samplesSeen_ = 0;      ///< last value of the wrapping counter
-  std::uint64_t samplesBefore_ = 0;    ///< sum of the sample indices at which load() started the pixels
-  std::uint64_t truncatedBefore_ = 0;  ///< in ranges that are finished
+  std::uint32_t samplesSeen_ = 0;         ///< last value of the wrapping counter
+  std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels
+  std::uint64_t truncatedBefore_ = 0;     ///< in ranges that are finished
+  std::uint64_t volumeFaultsBefore_ = 0;  ///< in ranges that are finished
   std::optional<TileCursor>
       cursor_;  ///< continues from one range to the next, so that every tile is processed regularly
   std::optional<Governor> governor_;  ///< preserves its measurements from one range to the next

@@ -57,6 +57,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
   std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
                                                 {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
                                                 {gpu::kSpecOneSided, settings.image.oneSided},
+                                                {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
                                                 {gpu::kSpecSampler, samplerOf(settings.image.sampler)},

@@ -29,6 +29,8 @@ const char* materialWord(const scene::Material& material) {
       return "dielectric";
     case scene::MaterialKind::mirror:
       return "mirror";
+    case scene::MaterialKind::surface:
+      return "surface";
     case scene::MaterialKind::mixture:
       break;
   }
@@ -48,7 +50,7 @@ std::string materialWords(std::uint32_t material, const scene::Scene& scene) {
 }
 
 std::string lightWords(std::uint32_t primitive, const scene::Scene& scene) {
-  return primitive == render::LightTrace::kPointLight ? "a light without extent"
+  return primitive == render::LightTrace::kPointLight ? "a light that is no primitive"
                                                       : "primitive " + primitiveWords(primitive, scene);
 }
 

@@ -43,14 +43,24 @@ void checkLimits(const scene::Scene& scene) {
 
 void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
   flat.constants.firstMaterialRow = rowCount(flat.rows);
-  for (const scene::Material& material : scene.materials) {
+  const SurfaceOrder order = orderSurfaces(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const scene::Material& material = scene.materials[i];
     const Lobes lobes = lobesFor(integrator, material);
     flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
     flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
-    flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), 0});
-    flat.rows.push_back(row(lobes.specularColour, 0.0));
+    flat.rows.push_back(
+        {floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), order.numbers[i]});
+    flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
   }
+  const Rows surfaces = surfaceRows(scene, order);
+  flat.constants.firstSurfaceRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
+  flat.constants.firstEnergyRow = rowCount(flat.rows);
+  if (surfaces.empty()) return;
+  const Rows energy = energyRows(order.volumeCount > 0);
+  flat.rows.insert(flat.rows.end(), energy.begin(), energy.end());
 }
 
 // Returns the slot of every primitive, for the lights.
@@ -148,13 +158,13 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
-  Rows normals;
+  Rows attributes;
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
-    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, normals);
+    appendPrimitive(scene, {.primitive = primitive, .light = lightOf[primitive]}, flat.rows, attributes);
   }
-  flat.constants.firstNormalRow = rowCount(flat.rows);
-  flat.rows.insert(flat.rows.end(), normals.begin(), normals.end());
+  flat.constants.firstAttributeRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
 }
 
 // Copies the records of slots to the uniform buffer.
@@ -184,6 +194,7 @@ void setConstants(const scene::Scene& scene, const render::RenderSettings& setti
   constants.strataPerSide = strataPerSide(settings);
   constants.maxDepth = settings.image.maxDepth;
   constants.rouletteStart = settings.image.rouletteStart;
+  constants.indirectLimit = settings.image.indirectLimit.value_or(0);
 }
 
 // Returns whether the settings request a structure explicitly.
@@ -235,6 +246,11 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
     flat.constants.stateRows = treeRows(flat.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, slotsOf(order), flat);
+  }
+  flat.constants.firstTextureRow = rowCount(flat.rows);
+  if (flat.features.textures) {
+    const Rows textures = textureRows(scene);
+    flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
   }
   flat.constants.firstSkyRow = rowCount(flat.rows);
   if (scene.sky) {

@@ -25,7 +25,15 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
+    features.colours |= !meshOf(scene, primitive).colours.empty();
   }
+}
+
+void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& features) {
+  features.surfaces = true;
+  features.transmission |= surface.transmissionWeight > 0;
+  features.volumes |= surface.hasVolume();
+  features.coats |= surface.coatWeight > 0;
 }
 
 void noteMaterial(const scene::Material& material, render::Integrator integrator, SceneFeatures& features) {
@@ -34,8 +42,12 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.glossy |= lobes.glossy > 0;
   features.dielectric |= lobes.dielectric > 0;
   features.mirror |= lobes.mirror;
-  features.mixtures |= (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
+  if (material.surface) noteSurface(*material.surface, features);
+  features.mixtures |= material.surface.has_value() ||
+                       (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.transparency |= material.opacity.has_value();
+  features.textures |= isTextured(material) || material.opacity.has_value();
 }
 
 }  // namespace

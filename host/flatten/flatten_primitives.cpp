@@ -1,4 +1,4 @@
-// Stores primitives as 16-byte records.
+// Stores primitives and attributes as 16-byte records.
 #include "host/flatten/flatten_primitives.h"
 
 #include <cmath>
@@ -36,16 +36,57 @@ void appendNormals(const scene::VertexNormals& normals, std::uint32_t light, Row
   rows.push_back(row(glm::dvec3(normals.n[2]), 0u));
 }
 
+// Coordinates that a mesh lacks are 0.
+void appendTexCoords(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows) {
+  for (std::uint32_t corner = 0; corner < 3; ++corner) {
+    const std::size_t vertex = vertexIndex(mesh, triangle, corner);
+    gpu::uvec4 words(0);
+    for (int set = 0; set < 2; ++set) {
+      const std::vector<glm::vec2>& coords = mesh.texCoords[static_cast<std::size_t>(set)];
+      if (coords.empty()) continue;
+      words[2 * set] = floatBits(double{coords[vertex].x});
+      words[2 * set + 1] = floatBits(double{coords[vertex].y});
+    }
+    rows.push_back(words);
+  }
+}
+
+void appendColours(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows) {
+  for (const glm::vec4& colour : attributeOf(mesh, mesh.colours, triangle)) {
+    rows.push_back(row(glm::dvec3(colour), double{colour.w}));
+  }
+}
+
+// Returns the flags that name a triangle's attributes.
+std::uint32_t attributeFlags(const scene::Scene& scene, const scene::Primitive& triangle) {
+  const scene::Material& material = scene.materials[triangle.material];
+  const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
+  return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (hasTexture ? gpu::kFlagTexCoords : 0) |
+         (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours);
+}
+
+// Appends the attributes that the flags of a triangle name.
+void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
+                      std::uint32_t flags, Rows& rows) {
+  if (flags & gpu::kFlagSmooth) {
+    appendNormals(vertexNormalsOf(scene, triangle), context.light, rows);
+  } else {
+    rows.push_back({context.light, 0, 0, 0});
+  }
+  if (flags & gpu::kFlagTexCoords) appendTexCoords(meshOf(scene, triangle), triangle.index, rows);
+  if (flags & gpu::kFlagColours) appendColours(meshOf(scene, triangle), triangle.index, rows);
+}
+
 void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-                    Rows& rows, Rows& normals) {
+                    Rows& rows, Rows& attributes) {
   const scene::Triangle triangle = triangleOf(scene, primitive);
-  const bool smooth = isSmooth(scene, primitive);
-  const std::uint32_t extra = smooth ? static_cast<std::uint32_t>(normals.size()) : context.light;
-  const std::uint32_t kind = gpu::kKindTriangle | (smooth ? gpu::kFlagSmooth : 0);
-  if (smooth) appendNormals(vertexNormalsOf(scene, primitive), context.light, normals);
+  const std::uint32_t flags = attributeFlags(scene, primitive);
+  const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
+  const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
+  if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);
   rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
   rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
-  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, primitive, kind)));
+  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, primitive, gpu::kKindTriangle | flags | passed)));
 }
 
 void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
@@ -85,13 +126,13 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
   rows[1] = row(k, rows[1].w);
 }
 
-void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& normals) {
+void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
   const scene::Primitive& primitive = scene.primitives[context.primitive];
   switch (primitive.kind) {
     case scene::PrimitiveKind::sphere:
       return appendSphere(scene, context, primitive, primitives);
     case scene::PrimitiveKind::triangle:
-      return appendTriangle(scene, context, primitive, primitives, normals);
+      return appendTriangle(scene, context, primitive, primitives, attributes);
     case scene::PrimitiveKind::box:
       return appendBox(scene, context, primitive, primitives);
     case scene::PrimitiveKind::cone:

@@ -1,4 +1,4 @@
-// Stores primitives and vertex normals as 16-byte records.
+// Stores primitives and the attributes of vertices as 16-byte records.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -18,8 +18,8 @@ struct PrimitiveContext {
 /// centre to the anchor.
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);
 
-/// Appends the records of one primitive to `primitives`, and those of its vertex normals, if it has any, to `normals`.
-/// A smooth triangle refers to `normals` by the index of a record within that section.
-void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& normals);
+/// Appends the records of one primitive to `primitives`, and those of its vertices' attributes, if it has any, to
+/// `attributes`. A triangle refers to `attributes` by the index of a record within that section.
+void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes);
 
 }  // namespace candela::flatten

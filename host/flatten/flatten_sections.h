@@ -23,6 +23,26 @@ void appendWideNodes(const accel::WideBvh& wide, Rows& rows);
 /// (0: points) that face the camera's target: see docs/light-transport.md section 9.
 Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
 
+/// The surfaces of a scene's materials in the order of their records.
+struct SurfaceOrder {
+  std::vector<std::uint32_t> materials;  ///< of each surface; those that bound volumes come first
+  std::vector<std::uint32_t> numbers;    ///< by material: index of its surface + 1, or 0
+  std::uint32_t volumeCount = 0;
+};
+
+/// Throws FileError if there are more volumes than a path's record can name.
+SurfaceOrder orderSurfaces(const scene::Scene& scene);
+Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order);
+/// Returns the records of the energy tables, and of the glass tables if `hasVolumes`.
+Rows energyRows(bool hasVolumes);
+
+/// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
+Rows srgbTableRows();
+
+/// Returns the table of srgbTableRows(), the references of materials to images, and the images. Throws FileError beyond
+/// kMaxTextureRows records.
+Rows textureRows(const scene::Scene& scene);
+
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
 

@@ -1,18 +1,8 @@
 // Stores the sky box as 16-byte records.
 #include "host/flatten/flatten_sections.h"
-#include "host/image/colour_transfer.h"
 
 namespace candela::flatten {
 namespace {
-
-double linearFromByte(std::uint32_t byte) { return image::srgbDecode(byte / 255.0); }
-
-void appendTable(Rows& rows) {
-  for (std::uint32_t i = 0; i < 256; i += 4) {
-    rows.push_back({floatBits(linearFromByte(i)), floatBits(linearFromByte(i + 1)), floatBits(linearFromByte(i + 2)),
-                    floatBits(linearFromByte(i + 3))});
-  }
-}
 
 void appendTexels(const std::vector<std::uint32_t>& texels, Rows& rows) {
   for (std::size_t i = 0; i < texels.size(); i += 4) {
@@ -33,7 +23,8 @@ Rows skyRows(const scene::Sky& sky) {
       texels.push_back(face.rgb[i] | std::uint32_t{face.rgb[i + 1]} << 8 | std::uint32_t{face.rgb[i + 2]} << 16);
     }
   }
-  appendTable(rows);
+  const Rows table = srgbTableRows();
+  rows.insert(rows.end(), table.begin(), table.end());
   appendTexels(texels, rows);
   return rows;
 }

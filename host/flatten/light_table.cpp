@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "host/flatten/emission_mean.h"
 #include "host/image/film.h"
 
 namespace candela::flatten {
@@ -81,8 +82,12 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
   if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
   if (kind > LightKind::point) return punctualPower(scene.punctualLights[index]);
   const scene::Primitive& primitive = scene.primitives[index];
-  const double emitted = image::luminance(glm::dvec3(scene.materials[primitive.material].emission));
-  if (kind == LightKind::triangle) return triangleArea(triangleOf(scene, primitive)) * emitted;
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  if (kind == LightKind::triangle) {
+    return triangleArea(triangleOf(scene, primitive)) *
+           image::luminance(emission * meanEmissionTexel(scene, primitive));
+  }
+  const double emitted = image::luminance(emission);
   const double radius = scene.spheres[primitive.index].radius;
   return 4 * std::numbers::pi * radius * radius * emitted;
 }

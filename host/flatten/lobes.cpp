@@ -14,6 +14,7 @@ Lobes lobesOf(const scene::Material& material) {
     lobes.glossy = material.glossy->weight;
     lobes.glossyColour = material.glossy->colour;
     lobes.exponent = material.glossy->exponent;
+    lobes.untinted = material.glossy->untinted;
   }
   if (material.dielectric) {
     lobes.dielectric = material.dielectric->weight;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "host/generate/databases.h"
+#include "host/generate/gltf_scenes.h"
 
 namespace candela::generate {
 
@@ -16,7 +17,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 14> table{{
+  static constexpr std::array<Kind, 17> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -31,6 +32,12 @@ std::span<const Kind> kindTable() {
       {"terrain", "hills, one mesh of N x N vertices", 2, 708, terrainPrimitives, writeTerrain},
       {"sphere", "bumpy sphere, one mesh in a closed room with a light", 1, 76, spherePrimitives, writeSphere},
       {"cornell", "Cornell box with a mirror and a glass ball, one mesh each", 1, 29, cornellPrimitives, writeCornell},
+      {"material-table", "glTF: balls of six roughnesses, of metal, plastic and glass", 8, 32, materialTablePrimitives,
+       writeMaterialTable},
+      {"material-furnace", "glTF: balls that absorb nothing, for --env white", 8, 32, materialFurnacePrimitives,
+       writeMaterialFurnace},
+      {"still-life", "glTF: a vase, glasses, a bowl and balls on tiles, for --env", 8, 64, stillLifePrimitives,
+       writeStillLife},
   }};
   return table;
 }

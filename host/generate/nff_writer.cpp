@@ -79,6 +79,8 @@ void NffWriter::meshFace(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   endLine();
 }
 
+void NffWriter::text(std::string_view text) { buffer_.append(text); }
+
 void NffWriter::finish() {
   sink_({buffer_.data(), buffer_.size()});
   buffer_.clear();

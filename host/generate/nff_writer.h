@@ -63,6 +63,9 @@ class NffWriter {
   /// Writes a face. Indices of vertices begin at 1.
   void meshFace(std::uint64_t a, std::uint64_t b, std::uint64_t c);
 
+  /// Writes text of another format as it is.
+  void text(std::string_view text);
+
   /// Passes the rest of the text to the sink.
   void finish();
 

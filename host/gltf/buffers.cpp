@@ -76,15 +76,19 @@ Bytes Buffers::buffer(const Value& reference) {
 std::string Buffers::readBuffer(const Value& buffer) const {
   const std::optional<Value> uri = buffer.find("uri");
   if (!uri) buffer.fail("the buffer has no \"uri\", and there is no binary chunk for it");
-  if (isDataUri(uri->text())) return decodeDataUri(*uri);
+  return readUri(*uri);
+}
+
+std::string Buffers::readUri(const Value& uri) const {
+  if (isDataUri(uri.text())) return decodeDataUri(uri);
   try {
-    const std::filesystem::path path = file_.folder / decodePath(*uri);
+    const std::filesystem::path path = file_.folder / decodePath(uri);
     guard_.require(path);
     return scene::readFile(path);
   } catch (const PlaceError&) {
     throw;
   } catch (const FileError& error) {
-    uri->fail(error.what());
+    uri.fail(error.what());
   }
 }
 

@@ -34,6 +34,9 @@ class Buffers {
   /// or its buffer does not fit or cannot be read.
   BufferView view(const Value& reference);
 
+  /// The bytes of a data URI, or of a file that the guard permits. Throws PlaceError at the URI.
+  std::string readUri(const Value& uri) const;
+
   /// The 64-bit FNV-1a hash of all other files that were read, continued from `hash`, in the order of the buffers.
   std::uint64_t hashFiles(std::uint64_t hash) const;
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "host/gltf/extensions.h"
 #include "host/gltf/scene_assembly.h"
 #include "host/scene/hash.h"
@@ -12,9 +14,10 @@
 namespace candela::gltf {
 namespace {
 
-// Hash of everything that decides the scene: the file, its buffers, and the options.
-std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers) {
-  std::uint64_t hash = buffers.hashFiles(scene::fnv1aOfText(file.bytes));
+// Hash of everything that decides the scene: the file, its buffers and images, and the options.
+std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers,
+                     const Textures& textures) {
+  std::uint64_t hash = textures.hashFiles(buffers.hashFiles(scene::fnv1aOfText(file.bytes)));
   if (options.camera) hash = scene::fnv1aOfText("camera " + *options.camera, hash);
   if (options.time) hash = scene::fnv1aOfText(fmt::format("time {}", *options.time), hash);
   return hash;
@@ -27,10 +30,20 @@ void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
   for (scene::PunctualLight& light : scene.punctualLights) light.reach = reach;
 }
 
+/// Returns whether the file states light. Emission that a texture shapes, as of headlights and displays, does not
+/// count.
+bool statesLight(const scene::Scene& scene) {
+  const auto shines = [&](const scene::Primitive& primitive) {
+    const scene::Material& material = scene.materials[primitive.material];
+    return isEmissive(material) && !textureOf(material, scene::TextureSlot::emission);
+  };
+  return !scene.punctualLights.empty() || std::ranges::any_of(scene.primitives, shines);
+}
+
 /// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
 /// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
 std::string lightUp(scene::Scene& scene, const scene::LoadOptions& options) {
-  if (hasLight(scene)) return "as in the file";
+  if (statesLight(scene)) return "as in the file";
   if (options.hasEnvironment()) return "none in the file";
   constexpr float kBackground = 0.25f;
   constexpr float kIrradiance = 2.25f;
@@ -72,6 +85,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   SceneAssembly assembly(root, nodes, pose, accessors, buffers, log);
   assembly.addMaterials();
   assembly.addNodes();
+  assembly.dropUselessOpacity();
   log.throwIfErrors();
   assembly.reportOmissions();
   scene::Scene& scene = assembly.scene();
@@ -81,7 +95,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   setReach(assembly.bounds(), scene);
   checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();
-  scene.hash = hashOf(file, options, buffers);
+  scene.hash = hashOf(file, options, buffers, assembly.textures());
   return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light)};
 }
 

@@ -12,7 +12,8 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior"};
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior",
+                           "KHR_materials_specular", "KHR_materials_clearcoat"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -47,21 +48,38 @@ void noteTexture(const Value& object, const char* key, const char* name, GltfMat
   if (object.find(key)) result.unread.insert(name);
 }
 
-void readMetallicRoughness(const Value& pbr, GltfMaterial& result) {
+std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
+                                                 const TextureReader& readTexture) {
+  const std::optional<Value> info = object.find(key);
+  return info ? std::optional(readTexture(*info)) : std::nullopt;
+}
+
+void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, GltfMaterial& result) {
   result.baseColour = fractions(pbr, "baseColorFactor", glm::vec4(1));
   result.metallic = fraction(pbr, "metallicFactor", 1);
   result.roughness = fraction(pbr, "roughnessFactor", 1);
-  noteTexture(pbr, "baseColorTexture", "base colour texture", result);
-  noteTexture(pbr, "metallicRoughnessTexture", "metallic-roughness texture", result);
+  result.baseColourTexture = textureIn(pbr, "baseColorTexture", readTexture);
+  result.metallicRoughnessTexture = textureIn(pbr, "metallicRoughnessTexture", readTexture);
 }
 
-void readEmission(const Value& material, GltfMaterial& result) {
+void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.emission = fractions(material, "emissiveFactor", glm::vec3(0));
   if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
-  result.hasEmissiveTexture = material.find("emissiveTexture").has_value();
-  if (result.hasEmissiveTexture && result.emission != glm::vec3(0)) result.unread.insert("emissive texture");
+  result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
+}
+
+void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  const std::optional<Value> specular = material.extension("KHR_materials_specular");
+  if (!specular) return;
+  result.specular = fraction(*specular, "specularFactor", 1);
+  result.specularColour = specular->vectorOr("specularColorFactor", glm::vec3(1));
+  for (int c = 0; c < 3; ++c) {
+    if (result.specularColour[c] < 0) specular->require("specularColorFactor").fail("a component is negative");
+  }
+  result.specularTexture = textureIn(*specular, "specularTexture", readTexture);
+  result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
 }
 
 void readTransmission(const Value& material, GltfMaterial& result) {
@@ -74,11 +92,23 @@ void readTransmission(const Value& material, GltfMaterial& result) {
   if (!transmission) return;
   result.transmission = fraction(*transmission, "transmissionFactor", 0);
   noteTexture(*transmission, "transmissionTexture", "transmission texture", result);
-  if (result.roughness > 0) result.unread.insert("rough transmission");
   const std::optional<Value> volume = material.extension("KHR_materials_volume");
   if (!volume) return;
   result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
-  if (volume->find("attenuationDistance")) result.unread.insert("attenuation in volumes");
+  result.attenuationColour = fractions(*volume, "attenuationColor", glm::vec3(1));
+  if (!volume->find("attenuationDistance")) return;
+  result.attenuationDistance = atLeastZero(*volume, "attenuationDistance", 0);
+  if (result.attenuationDistance == 0) volume->require("attenuationDistance").fail("0 is not positive");
+}
+
+void readClearcoat(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> coat = material.extension("KHR_materials_clearcoat");
+  if (!coat) return;
+  result.clearcoat = fraction(*coat, "clearcoatFactor", 0);
+  result.clearcoatRoughness = fraction(*coat, "clearcoatRoughnessFactor", 0);
+  noteTexture(*coat, "clearcoatTexture", "clearcoat texture", result);
+  noteTexture(*coat, "clearcoatRoughnessTexture", "clearcoat roughness texture", result);
+  noteTexture(*coat, "clearcoatNormalTexture", "clearcoat normal texture", result);
 }
 
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
@@ -95,13 +125,16 @@ void noteExtensions(const Value& material, GltfMaterial& result) {
 
 }  // namespace
 
-GltfMaterial readMaterial(const Value& material) {
+GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture) {
   GltfMaterial result;
-  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness")) readMetallicRoughness(*pbr, result);
-  readEmission(material, result);
+  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
+    readMetallicRoughness(*pbr, readTexture, result);
+  readEmission(material, readTexture, result);
+  readSpecular(material, readTexture, result);
   readTransmission(material, result);
+  readClearcoat(material, result);
   result.alphaMode = alphaModeOf(material);
-  if (result.alphaMode != AlphaMode::opaque) result.unread.insert("alpha mode " + material.textOr("alphaMode", ""));
+  result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
   noteTexture(material, "normalTexture", "normal texture", result);

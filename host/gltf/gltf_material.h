@@ -1,9 +1,12 @@
 // The materials of glTF, as the file states them.
 #pragma once
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "host/gltf/value.h"
+#include "host/scene/texture.h"
 
 namespace candela::gltf {
 
@@ -15,18 +18,32 @@ struct GltfMaterial {
   double metallic = 1;
   double roughness = 1;
   glm::vec3 emission{0, 0, 0};  ///< emissiveFactor times KHR_materials_emissive_strength
-  bool hasEmissiveTexture = false;
+  std::optional<scene::TextureReference> baseColourTexture{};
+  std::optional<scene::TextureReference> emissionTexture{};
+  std::optional<scene::TextureReference> metallicRoughnessTexture{};
+  std::optional<scene::TextureReference> specularTexture{};
+  std::optional<scene::TextureReference> specularColourTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
+  double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;
-  bool isUnlit = false;     ///< KHR_materials_unlit
-  double ior = 1.5;         ///< KHR_materials_ior; 0 or at least 1
-  double transmission = 0;  ///< KHR_materials_transmission
-  double thickness = 0;     ///< KHR_materials_volume; 0: a thin wall
+  bool isUnlit = false;                  ///< KHR_materials_unlit
+  double ior = 1.5;                      ///< KHR_materials_ior; 0 or at least 1
+  double specular = 1;                   ///< KHR_materials_specular
+  glm::vec3 specularColour{1, 1, 1};     ///< KHR_materials_specular; may exceed 1
+  double transmission = 0;               ///< KHR_materials_transmission
+  double thickness = 0;                  ///< KHR_materials_volume; 0: a thin wall
+  glm::vec3 attenuationColour{1, 1, 1};  ///< KHR_materials_volume
+  double attenuationDistance = 0;        ///< KHR_materials_volume; 0: infinite
+  double clearcoat = 0;                  ///< KHR_materials_clearcoat
+  double clearcoatRoughness = 0;         ///< KHR_materials_clearcoat
   /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_sheen".
   std::set<std::string> unread;
 };
 
-/// Throws PlaceError where a factor is missing or out of range.
-GltfMaterial readMaterial(const Value& material);
+/// Reads a `textureInfo`, as Textures::read() does.
+using TextureReader = std::function<scene::TextureReference(const Value&)>;
+
+/// Throws PlaceError where a factor is missing or out of range, and what `readTexture` throws.
+GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);
 
 }  // namespace candela::gltf

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "host/core/memory_budget.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
 #include "host/gltf/transform.h"
 #include "host/scene/scene_builder.h"
+#include "host/scene/shrink_images.h"
 
 namespace candela::gltf {
 namespace {
@@ -24,6 +27,12 @@ std::uint64_t bytesOf(const scene::Mesh& mesh) {
          mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
 }
 
+float leastAlphaOf(const scene::TextureImage& image) {
+  std::uint32_t least = 255;
+  for (const std::uint32_t texel : image.texels) least = std::min(least, texel >> 24);
+  return static_cast<float>(least) / 255;
+}
+
 template <class Vector>
 Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector& absent) {
   return values.empty() ? absent : values[i];
@@ -33,7 +42,13 @@ Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector&
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
                              Buffers& buffers, scene::DiagnosticLog& log)
-    : root_(root), nodes_(nodes), pose_(pose), accessors_(accessors), buffers_(buffers), log_(log) {}
+    : root_(root),
+      nodes_(nodes),
+      pose_(pose),
+      accessors_(accessors),
+      buffers_(buffers),
+      log_(log),
+      textures_(root, buffers) {}
 
 template <class Action>
 void SceneAssembly::attempt(const Action& action) {
@@ -50,12 +65,16 @@ void SceneAssembly::addMaterials() {
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     scene_.materials.emplace_back();
     attempt([&] {
-      const GltfMaterial material = readMaterial((*list)[i]);
+      const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
       scene_.materials.back() = fromGltf(material);
       unread_.insert(material.unread.begin(), material.unread.end());
     });
   }
+  scene_.images = textures_.takeImages();
+  const std::vector<std::string> shrunk = scene::shrinkImages(scene_.images);
+  if (!shrunk.empty()) log_.warn("images", {}, fmt::format("{}", fmt::join(shrunk, "; ")));
   counts_["material"] = scene_.materials.size();
+  counts_["image"] = scene_.images.size();
 }
 
 void SceneAssembly::addNodes() {
@@ -113,8 +132,8 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     return;
   }
   ++counts_["primitive"];
-  if (!geometry->mesh.colours.empty()) unread_.insert("vertex colours");
   const std::uint32_t material = materialOf(primitive);
+  noteAlpha(geometry->mesh, material);
   dropUnusedVertices(*geometry);
   const std::optional<Value> skin = node.find("skin");
   if (skin && !geometry->influences.joints.empty()) {
@@ -130,6 +149,24 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     scene::Mesh placed = geometry->mesh;
     place(placed, nodes_.world(index) * instance, node);
     scene::addMesh(scene_, std::move(placed), material);
+  }
+}
+
+void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
+  float least = 1;
+  for (const glm::vec4& colour : mesh.colours) least = std::min(least, colour.w);
+  const auto [known, isNew] = leastAlpha_.emplace(material, least);
+  known->second = std::min(known->second, least);
+}
+
+void SceneAssembly::dropUselessOpacity() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    std::optional<scene::Opacity>& opacity = scene_.materials[i].opacity;
+    if (!opacity) continue;
+    const auto vertices = leastAlpha_.find(static_cast<std::uint32_t>(i));
+    float least = opacity->factor * (vertices == leastAlpha_.end() ? 1 : vertices->second);
+    if (opacity->texture) least *= leastAlphaOf(scene_.images[opacity->texture->image]);
+    if (least >= opacity->cutoff.value_or(1)) opacity.reset();
   }
 }
 

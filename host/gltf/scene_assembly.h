@@ -9,6 +9,7 @@
 #include "host/gltf/cameras.h"
 #include "host/gltf/geometry.h"
 #include "host/gltf/nodes.h"
+#include "host/gltf/textures.h"
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/load.h"
 
@@ -24,11 +25,14 @@ class SceneAssembly {
   void addMaterials();
   /// Adds the meshes and lights of the visible nodes, in the order of NodeTree::visible(). Call addMaterials() first.
   void addNodes();
+  /// Removes the opacity of materials that every ray hits. Call addNodes() first.
+  void dropUselessOpacity();
   /// Warnings about everything that was left out.
   void reportOmissions();
 
   scene::Scene& scene() { return scene_; }
   const scene::StatementCounts& counts() const { return counts_; }
+  const Textures& textures() const { return textures_; }
   /// Returns the bounds of all vertices of triangles; nothing if there are none.
   std::optional<Box> bounds() const;
 
@@ -43,6 +47,7 @@ class SceneAssembly {
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
   std::uint32_t materialOf(const Value& primitive);
+  void noteAlpha(const scene::Mesh& mesh, std::uint32_t material);
   /// Runs an action; an error becomes an entry of the log.
   template <class Action>
   void attempt(const Action& action);
@@ -53,10 +58,12 @@ class SceneAssembly {
   Accessors& accessors_;
   Buffers& buffers_;
   scene::DiagnosticLog& log_;
+  Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
-  std::set<std::string> unread_{};   ///< names of what materials and meshes have that is not rendered
-  std::size_t defaultMaterial_ = 0;  ///< its index, once it exists
+  std::set<std::string> unread_{};               ///< names of what materials and meshes have that is not rendered
+  std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
+  std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
   std::size_t triangleCount_ = 0;
   std::uint64_t byteCount_ = 0;
 };

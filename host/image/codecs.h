@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/image/image.h"
+#include "host/image/texels.h"
 
 namespace candela::image {
 
@@ -16,12 +17,18 @@ using ByteView = std::span<const std::byte>;
 /// call it before they allocate memory.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
+/// Refuses PNG files that claim more pixels than they can contain. Throws FileError.
+void checkPngPlausible(std::uint64_t pixelCount, std::size_t fileSize);
+
 /// Decoders accept any bytes and throw FileError, without the name of the file, if they are not an image.
 Pixels8 decodePng(ByteView file);
 Pixels8 decodeJpeg(ByteView file);
 Image decodeHdr(ByteView file);
 Image decodePfm(ByteView file);
 Image decodeExr(ByteView file);
+/// As decodeTexels() does.
+Texels decodePngTexels(ByteView file);
+Texels decodeWebp(ByteView file);
 
 /// Encoders require images that pass checkImageSize.
 Bytes encodePng(const Pixels8& pixels);

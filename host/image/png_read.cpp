@@ -36,20 +36,19 @@ class PngReader {
   png_image image_{};
 };
 
-/// Refuses files that claim more pixels than they can contain: deflate expands one byte to at most 1032, and a byte has
-/// at most 8 pixels.
-void checkPlausible(std::uint64_t pixelCount, std::size_t fileSize) {
+}  // namespace
+
+// Deflate expands one byte to at most 1032, and a byte has at most 8 pixels.
+void checkPngPlausible(std::uint64_t pixelCount, std::size_t fileSize) {
   constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 1032;
   if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is truncated");
 }
-
-}  // namespace
 
 Pixels8 decodePng(ByteView file) {
   PngReader reader(file);
   checkImageSize(reader.width(), reader.height());
   const std::uint64_t pixelCount = std::uint64_t{reader.width()} * reader.height();
-  checkPlausible(pixelCount, file.size());
+  checkPngPlausible(pixelCount, file.size());
   Pixels8 pixels{reader.width(), reader.height(), std::vector<std::uint8_t>(3 * pixelCount)};
   reader.readRgb(pixels.rgb.data());
   return pixels;

@@ -25,6 +25,7 @@ Bsdf::Bsdf(const scene::Material& material) : mirror_(material.mirror.has_value(
     glossy_ = lobe->weight;
     glossyColour_ = lobe->colour;
     exponent_ = lobe->exponent;
+    untinted_ = lobe->untinted;
   }
   if (const auto& lobe = material.dielectric) {
     dielectric_ = lobe->weight;
@@ -32,6 +33,12 @@ Bsdf::Bsdf(const scene::Material& material) : mirror_(material.mirror.has_value(
     ior_ = lobe->ior;
   }
   if (material.mirror) specularColour_ = material.mirror->colour;
+}
+
+void Bsdf::scaleBaseColour(const dvec3& scale) {
+  diffuseColour_ *= scale;
+  specularColour_ *= scale;
+  glossyColour_ = untinted_ + scale * (glossyColour_ - untinted_);
 }
 
 dvec3 Bsdf::albedo() const {
@@ -46,6 +53,7 @@ render::Lobe Bsdf::chooseLobe(double u) const {
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
+  if (surface_) return surface_->evaluate(wi);
   BsdfValue value;
   addDiffuse(wo, wi, value);
   if (glossy_ > 0) addGlossy(wo, wi, value);

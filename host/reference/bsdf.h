@@ -4,7 +4,10 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
+#include "host/reference/bsdf_value.h"
+#include "host/reference/surface_bsdf.h"
 #include "host/render/path_record.h"
 #include "host/scene/scene.h"
 
@@ -18,12 +21,6 @@ enum class Side : std::uint8_t { reflection, transmission };
 
 inline Side sideOf(const dvec3& wi) { return wi.z < 0 ? Side::transmission : Side::reflection; }
 
-/// A value of f, and the density per solid angle with which the choice of a lobe and its sampling choose the direction.
-struct BsdfValue {
-  dvec3 f{0};
-  double pdf = 0;
-};
-
 /// A direction without density (mirror, dielectric). `weight` replaces f |cos| / pdf.
 struct DeltaSample {
   dvec3 wi;
@@ -35,12 +32,22 @@ class Bsdf {
  public:
   explicit Bsdf(const scene::Material& material);
 
+  /// Replaces the lobes by those of a surface as seen from `wo`. `outside`: wo is on the side to which it is oriented.
+  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside) {
+    surface_.emplace(surface, wo, outside);
+  }
+
   bool isMirror() const { return mirror_; }
-  bool isBlack() const { return !mirror_ && weightSum() == 0; }
+  bool isBlack() const { return !surface_ && !mirror_ && weightSum() == 0; }
+  /// Multiplies the colours of the lobes by that of a texture.
+  void scaleBaseColour(const dvec3& scale);
   /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
   /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
-  bool scattersTo(Side side) const { return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0); }
+  bool scattersTo(Side side) const {
+    if (surface_) return side == Side::reflection || surface_->transmits();
+    return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0);
+  }
   bool hasSmoothLobe() const { return scattersTo(Side::reflection) || scattersTo(Side::transmission); }
 
   /// Returns diffuse, glossy, or `refract` for the dielectric lobe. Not for mirrors and black surfaces.
@@ -51,6 +58,7 @@ class Bsdf {
   /// Samples a direction from lobe `diffuse` or `glossy`. It may be on a side to which the lobe does not scatter; its
   /// density is then 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
+  const std::optional<SurfaceBsdf>& surface() const { return surface_; }
 
   DeltaSample sampleMirror(const dvec3& wo) const;
   /// `into`: the ray arrived on the side to which the surface is oriented. The weight includes the choice of the lobe.
@@ -61,6 +69,7 @@ class Bsdf {
   void addDiffuse(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
   void addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
 
+  std::optional<SurfaceBsdf> surface_;
   double diffuse_ = 0;
   double glossy_ = 0;
   double dielectric_ = 0;
@@ -69,6 +78,7 @@ class Bsdf {
   dvec3 glossyColour_{0};
   dvec3 specularColour_{0};  ///< of the dielectric or of the mirror
   double exponent_ = 0;
+  double untinted_ = 0;  ///< part of the glossy colour that is not scaled
   double ior_ = 1;
 };
 

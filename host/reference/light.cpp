@@ -53,14 +53,14 @@ std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec
   const double projected = dot(wi, triangle_.areaNormal());
   if (projected == 0 || (oneSided_ && projected > 0)) return std::nullopt;
   const double pdf = 2 * distance * distance / std::abs(projected);
-  return LightSample{wi, distance, radiance_, pdf, primitive_};
+  return LightSample{wi, distance, radiance_, pdf, primitive_, b};
 }
 
 double TriangleLight::pdf(const Ray& ray, double distance, double probability) const {
   return probability * 2 * distance * distance / std::abs(dot(ray.direction, triangle_.areaNormal()));
 }
 
-double TriangleLight::power() const { return area() * image::luminance(radiance_); }
+double TriangleLight::power() const { return area() * image::luminance(radiance_ * meanTexel_); }
 
 std::optional<LightSample> PointLight::sample(const Surface& from, const dvec2&) const {
   const dvec3 toLight = position_ - from.position;

@@ -23,6 +23,7 @@ struct LightSample {
   dvec3 radiance;             ///< pi times the colour of a point light; the irradiance of a punctual light
   std::optional<double> pdf;  ///< per solid angle, given the choice of the light; none: a light that rays never hit
   std::uint32_t primitive;    ///< kNoPrimitive for a light that is not a primitive
+  dvec2 barycentrics{0};      ///< of the point of a triangle, whose radiance is without its texture
 };
 
 /// Emits outwards and inwards; only inwards with a negative radius.
@@ -44,8 +45,10 @@ class SphereLight {
 /// Emits from both sides, or only from its front.
 class TriangleLight {
  public:
-  TriangleLight(const scene::Triangle& triangle, const dvec3& radiance, std::uint32_t primitive, bool oneSided)
-      : triangle_(triangle), radiance_(radiance), primitive_(primitive), oneSided_(oneSided) {}
+  /// `meanTexel`: the mean of the texture of its emission.
+  TriangleLight(const scene::Triangle& triangle, const dvec3& radiance, std::uint32_t primitive, bool oneSided,
+                const dvec3& meanTexel = dvec3(1))
+      : triangle_(triangle), radiance_(radiance), primitive_(primitive), oneSided_(oneSided), meanTexel_(meanTexel) {}
 
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray& ray, double distance, double probability) const;
@@ -57,6 +60,7 @@ class TriangleLight {
   dvec3 radiance_;
   std::uint32_t primitive_;
   bool oneSided_;
+  dvec3 meanTexel_;
 };
 
 class PointLight {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "host/reference/textured_material.h"
+
 namespace candela::reference {
 namespace {
 
@@ -43,7 +45,8 @@ void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primiti
   if (emitter.kind == scene::PrimitiveKind::sphere) {
     entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[emitter.index], material.emission, primitive));
   } else if (emitter.kind == scene::PrimitiveKind::triangle) {
-    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided);
+    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided,
+                              meanEmissionTexel(scene, emitter));
     if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
   }
 }

@@ -22,7 +22,11 @@ MeshAttributes attributesAt(const scene::Scene& scene, const scene::Primitive& t
   MeshAttributes attributes;
   for (std::size_t set = 0; set < mesh.texCoords.size(); ++set) {
     if (mesh.texCoords[set].empty()) continue;
-    attributes.texCoords[set] = interpolate<glm::dvec2>(attributeOf(mesh, mesh.texCoords[set], triangle.index), b);
+    const auto corners = attributeOf(mesh, mesh.texCoords[set], triangle.index);
+    attributes.texCoords[set] = interpolate<glm::dvec2>(corners, b);
+    for (const glm::vec2& corner : corners) {
+      attributes.texCoordScale[set] = glm::max(attributes.texCoordScale[set], glm::abs(glm::dvec2(corner)));
+    }
   }
   if (!mesh.colours.empty()) {
     attributes.colour = interpolate<glm::dvec4>(attributeOf(mesh, mesh.colours, triangle.index), b);

@@ -10,8 +10,9 @@ namespace candela::reference {
 /// The attributes at a point of a mesh's triangle. They are 0 if the mesh does not have them, and for other primitives.
 struct MeshAttributes {
   std::array<glm::dvec2, 2> texCoords{};
-  dvec3 tangent{0};    ///< unit vector along which the first texture coordinate increases
-  dvec3 bitangent{0};  ///< the vertices' handedness times cross(normal, tangent)
+  std::array<glm::dvec2, 2> texCoordScale{};  ///< largest magnitudes at the vertices
+  dvec3 tangent{0};                           ///< unit vector along which the first texture coordinate increases
+  dvec3 bitangent{0};                         ///< the vertices' handedness times cross(normal, tangent)
   glm::dvec4 colour{0};
 };
 

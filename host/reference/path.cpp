@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/reference/sampling.h"
+#include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
 
 namespace candela::reference {
@@ -22,13 +23,15 @@ double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
 struct PathTracer::VertexNumbers {
   SampleNumbers& numbers;
+  std::uint32_t depth;
   std::uint32_t block;
   std::uint32_t environmentBlock;
 
-  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t depth)
+  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t vertex)
       : numbers(pathNumbers),
-        block(kCameraDimensionCount + (depth - 1) * kVertexDimensionCount),
-        environmentBlock(kEnvironmentDimensions + (depth - 1) * kEnvironmentDimensionCount) {}
+        depth(vertex),
+        block(kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount),
+        environmentBlock(kEnvironmentDimensions + (vertex - 1) * kEnvironmentDimensionCount) {}
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
@@ -47,15 +50,22 @@ struct PathTracer::VertexNumbers {
 
 struct PathTracer::Vertex {
   const Surface& surface;
-  const Bsdf& bsdf;
+  Bsdf bsdf;
   Frame frame;
   dvec3 wo;  ///< in the local frame
 
-  Vertex(const Surface& at, const Bsdf& material, const dvec3& rayDirection, Rounding& rounding)
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
       : surface(at),
-        bsdf(material),
+        bsdf(material.bsdf),
         frame(at.shadingNormal),
-        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {}
+        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside);
+  }
+
+  /// `wi` is in the local frame.
+  BsdfValue valueOf(const dvec3& wi, Rounding& rounding) const {
+    return rounding.bsdfValue(bsdf.evaluate(wo, wi), bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
+  }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
@@ -94,24 +104,30 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   dvec3 radiance(0);
   dvec3 beta(1);
   std::optional<double> pdf;
+  Volumes volumes(scene());
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     rounding.startVertex(depth, ray);
+    ray.opacityKey = opacityKeyOf(numbers, depth, false);
     const Hit hit = tracing().closest(ray, counters, rounding);
     rounding.decide(hit.primitive);
     const VertexNumbers u(numbers, depth);
-    if (!hit) return radiance + beta * background(ray, pdf, u, rounding);
+    if (!hit) counters.volumeFaults += volumes.isInside() ? 1 : 0;
+    if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
+    beta *= volumes.transmittance(hit.distance);
 
     ++counters.vertices;
-    const Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    Surface surface = rounding.surfaceAt(scene(), ray, hit);
+    jitterTextures(surface, numbers, depth);
     rounding.decide(surface.fromOutside);
     notes.hit(hit, surface);
-    radiance += beta * emission(ray, hit.distance, surface, pdf, notes, rounding);
+    const SurfaceMaterial material = materialAt(surface, rounding);
+    radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, materialAt(surface).bsdf, ray.direction, rounding);
+    const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += beta * directLight(vertex, u, counters, notes, rounding);
+      radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
     }
     const Scattering next = scatter(vertex, u, rounding);
     rounding.decide(static_cast<std::uint64_t>(next.lobe));
@@ -129,6 +145,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
       if (!survives) return radiance;
       beta /= survival;
     }
+    if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
     ray = vertex.rayTowards(next.wi);
     pdf = next.pdf;
     ++counters.bounceRays;
@@ -144,14 +161,19 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNu
   return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
 }
 
+dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
+  if (!settings_.image.indirectLimit || scatterings < 2) return contribution;
+  const double limit = *settings_.image.indirectLimit;
+  return contribution * (limit / std::max(largestChannel(contribution), limit));
+}
+
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
   if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.environmentPlace());
   return lights_.sample(entry, surface, u.light());
 }
 
-dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf,
-                           PathNotes& notes, Rounding& rounding) const {
-  const SurfaceMaterial& material = materialAt(surface);
+dvec3 PathTracer::emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                           std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const {
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
@@ -162,27 +184,32 @@ dvec3 PathTracer::emission(const Ray& ray, double distance, const Surface& surfa
   return found;
 }
 
-dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
-                              Rounding& rounding) const {
+dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters,
+                              PathNotes& notes, Rounding& rounding) const {
   const LightChoice choice = lights_.choose(u.lightChoice());
   notes.lightChoice(choice);
-  const std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
+  std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
+  light->radiance *= emissionFactor(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, wi));
-  if (bsdf.f == dvec3(0)) return dvec3(0);
+  const BsdfValue bsdf = vertex.valueOf(wi, rounding);
+  if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  const bool occluded = tracing().isOccluded(vertex.rayTowards(light->wi), light->distance, light->primitive, counters,
-                                             rounding);
+  Ray shadowRay = vertex.rayTowards(light->wi);
+  shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
+  const bool occluded = tracing().isOccluded(shadowRay, light->distance, light->primitive, counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
-  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf;
+  Volumes beyond = volumes;
+  if (side == Side::transmission) beyond.cross(vertex.surface);
+  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf *
+                         beyond.transmittance(light->distance);
   notes.lit(weight, arriving);
   rounding.decideLit(arriving);
   return arriving;
@@ -190,6 +217,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, Counters& c
 
 PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
   if (vertex.bsdf.isBlack()) return {};
+  if (vertex.bsdf.surface()) return scatterSurface(vertex, u, rounding);
   const bool mirror = vertex.bsdf.isMirror();
   const render::Lobe lobe = mirror ? render::Lobe::mirror
                                    : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
@@ -208,9 +236,22 @@ PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::L
                                                  Rounding& rounding) const {
   const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
-  const BsdfValue bsdf = rounding.bsdfValue(vertex.bsdf.evaluate(vertex.wo, local));
+  const BsdfValue bsdf = vertex.valueOf(local, rounding);
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
   return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
+}
+
+PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
+  const double choice = rounding.absolute(u.lobe(), kRoundingBounds.surfaceChoice);
+  SurfaceSample sample = vertex.bsdf.surface()->sample(choice, u.bsdf());
+  sample.wi = sample.alpha > 0 ? rounding.microfacetDirection(sample.wi, sample.alpha)
+                               : rounding.sampledDirection(sample.wi);
+  if (!sample.isOnItsSide()) return {};
+  const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
+  const BsdfValue bsdf = vertex.valueOf(sample.wi, rounding);
+  if (bsdf.pdf == 0) return {};
+  if (!vertex.isOn(sideOf(sample.wi), wi)) return {.lobe = sample.lobe, .pdf = 0.0};
+  return {sample.lobe, wi, bsdf.f * std::abs(sample.wi.z) / bsdf.pdf, bsdf.pdf};
 }
 
 }  // namespace candela::reference

@@ -14,6 +14,8 @@
 
 namespace candela::reference {
 
+class Volumes;
+
 class PathTracer final : public PixelTracer {
  public:
   /// The scene, which has a camera, must outlive the object.
@@ -42,13 +44,16 @@ class PathTracer final : public PixelTracer {
              Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;
+  /// Returns a contribution to the path, which is darkened if light that was scattered `scatterings` times has a limit.
+  dvec3 limited(const dvec3& contribution, std::uint32_t scatterings) const;
   /// Returns a sample of an entry of the light table as seen from a surface.
   std::optional<LightSample> sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const;
-  dvec3 emission(const Ray& ray, double distance, const Surface& surface, std::optional<double> pdf, PathNotes& notes,
-                 Rounding& rounding) const;
-  dvec3 directLight(const Vertex& vertex, VertexNumbers u, Counters& counters, PathNotes& notes,
+  dvec3 emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
+                 std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const;
+  dvec3 directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
+  Scattering scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
   Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u, Rounding& rounding) const;
 
   render::RenderSettings settings_;

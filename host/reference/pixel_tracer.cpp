@@ -1,7 +1,20 @@
 // Traces the samples of one pixel.
 #include "host/reference/pixel_tracer.h"
 
+#include <algorithm>
+
+#include "host/reference/opacity.h"
+#include "shaders/shared/dimensions.h"
+
 namespace candela::reference {
+namespace {
+
+bool variesOverTriangles(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.materials, scene::isTextured) ||
+         std::ranges::any_of(scene.meshes, [](const scene::Mesh& mesh) { return !mesh.colours.empty(); });
+}
+
+}  // namespace
 
 PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
     : scene_(scene),
@@ -9,8 +22,23 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_),
       hasLens_(scene.camera->aperture > 0),
+      variesOverTriangles_(variesOverTriangles(scene)),
+      isTransparent_(std::ranges::any_of(scene.materials, [](const auto& m) { return m.opacity.has_value(); })),
       tracing_(scene, settings),
       materials_(scene.materials.begin(), scene.materials.end()) {}
+
+void PixelTracer::jitterTextures(Surface& surface, SampleNumbers& numbers, std::uint32_t vertex) const {
+  if (!variesOverTriangles_) return;
+  const std::uint32_t block = kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount;
+  surface.textureJitter = {numbers.unit(block + kDimensionTextureU), numbers.unit(block + kDimensionTextureV)};
+  surface.lightTextureJitter = {numbers.unit(block + kDimensionLightTextureU),
+                                numbers.unit(block + kDimensionLightTextureV)};
+}
+
+std::uint32_t PixelTracer::opacityKeyOf(const SampleNumbers& numbers, std::uint32_t vertex, bool isShadowRay) const {
+  if (!isTransparent_) return 0;
+  return opacityKey(numbers.pixel(), numbers.sample(), image_.seed, vertex, isShadowRay);
+}
 
 void PixelTracer::setSeed(std::uint32_t seed) {
   image_.seed = seed;

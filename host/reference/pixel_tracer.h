@@ -9,6 +9,7 @@
 #include "host/reference/sampler.h"
 #include "host/reference/surface.h"
 #include "host/reference/surface_material.h"
+#include "host/reference/textured_material.h"
 #include "host/reference/tracing.h"
 #include "host/render/path_record.h"
 #include "host/render/path_trace.h"
@@ -43,7 +44,15 @@ class PixelTracer {
  protected:
   const scene::Scene& scene() const { return scene_; }
   /// The only source of what integrators know about a material. It depends on nothing but the surface point.
-  const SurfaceMaterial& materialAt(const Surface& surface) const { return materials_[surface.material]; }
+  SurfaceMaterial materialAt(const Surface& surface, Rounding& rounding) const {
+    SurfaceMaterial material = materials_[surface.material];
+    if (variesOverTriangles_) applyTextures(scene_, surface, material, rounding);
+    return material;
+  }
+  /// Sets the numbers with which the textures of a path's vertex are looked up. `vertex` counts from 1.
+  void jitterTextures(Surface& surface, SampleNumbers& numbers, std::uint32_t vertex) const;
+  /// Ray::opacityKey of the ray that ends at a path's vertex, or of the shadow ray from there. `vertex` counts from 1.
+  std::uint32_t opacityKeyOf(const SampleNumbers& numbers, std::uint32_t vertex, bool isShadowRay) const;
   SampleNumbers numbersOf(const render::PixelSample& place, NumberCache* cache = nullptr) const {
     return SampleNumbers(sampler_, place.x, place.y, place.index, cache);
   }
@@ -61,6 +70,8 @@ class PixelTracer {
   Sampler sampler_;
   CameraRays camera_;
   bool hasLens_;
+  bool variesOverTriangles_;  ///< some material has textures, or some mesh vertex colours
+  bool isTransparent_;        ///< some material has an opacity
   Tracing tracing_;
   std::vector<SurfaceMaterial> materials_;
 };

@@ -18,6 +18,7 @@ struct Ray {
   dvec3 direction;
   std::uint32_t leaving = kNoPrimitive;
   dvec3 leavingNormal{0};
+  std::uint32_t opacityKey = 0;  ///< of the decisions which transparent triangles it hits
 
   dvec3 at(double distance) const { return origin + distance * direction; }
 };

@@ -138,6 +138,7 @@ void ReferenceSession::addCounters(const Counters& counters) {
   statistics_.bounceRays += counters.bounceRays;
   statistics_.shadowRays += counters.shadowRays;
   statistics_.vertices += counters.vertices;
+  statistics_.volumeFaults += counters.volumeFaults;
   statistics_.traversalSteps += counters.traversalSteps;
   if (settings_.image.integrator != render::Integrator::whitted) return;
   if (!statistics_.treeRays) statistics_.treeRays.emplace();

@@ -96,9 +96,9 @@ std::optional<LightSample> Rounding::lightSample(std::optional<LightSample> ligh
   return light;
 }
 
-BsdfValue Rounding::bsdfValue(BsdfValue value) {
+BsdfValue Rounding::bsdfValue(BsdfValue value, double units) {
   if (!perturbs_) return value;
-  return {relative(value.f, kRoundingBounds.bsdf), relative(value.pdf, kRoundingBounds.bsdf)};
+  return {relative(value.f, units), relative(value.pdf, units)};
 }
 
 }  // namespace candela::reference

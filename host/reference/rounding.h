@@ -25,25 +25,29 @@ inline constexpr double kRoundoff = 0x1p-24;
 /// the quantity in `shaders/`. Vulkan's precision ("Precision and Operation of SPIR-V Instructions"): 1 for + - *, 5
 /// for a division (2.5 ulp), 4 for inversesqrt, hence 6.4 for sqrt (1 / inversesqrt). docs/testing.md has the table.
 struct RoundingBounds {
-  double cameraDirection = 5;   ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
-                                ///< division
-  double lensPoint = 5;         ///< relative, per axis
-  double triangleTest = 6;      ///< of the farthest vertex: differences, shear (a division), products of coordinates
-  double sphereTest = 4;        ///< of the distance to the anchor: differences, products, sums
-  double boxTest = 6;           ///< of the farthest corner: differences, reciprocal of the direction
-  double coneTest = 8;          ///< of the distance to the base plus the height: axis, products, sums
-  double planeTest = 3;         ///< of the distance to the plane's point: difference, products, sums
-  double hitDistance = 8;       ///< relative: quotient of the last step, between primitives at equal distances
-  double position = 6;          ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
-  double normal = 3;            ///< of a unit vector, per axis, apart from the position's error
-  double frame = 4;             ///< of a direction turned into or out of the shading frame, per axis
+  double cameraDirection = 5;  ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
+                               ///< division
+  double lensPoint = 5;        ///< relative, per axis
+  double triangleTest = 6;     ///< of the farthest vertex: differences, shear (a division), products of coordinates
+  double sphereTest = 4;       ///< of the distance to the anchor: differences, products, sums
+  double boxTest = 6;          ///< of the farthest corner: differences, reciprocal of the direction
+  double coneTest = 8;         ///< of the distance to the base plus the height: axis, products, sums
+  double planeTest = 3;        ///< of the distance to the plane's point: difference, products, sums
+  double hitDistance = 8;      ///< relative: quotient of the last step, between primitives at equal distances
+  double position = 6;         ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
+  double normal = 3;           ///< of a unit vector, per axis, apart from the position's error
+  double texCoord = 9;  ///< of the sum of the magnitudes of its terms and 1: interpolation (a division), transform
+  double frame = 4;     ///< of a direction turned into or out of the shading frame, per axis
   double sampledDirection = 6;  ///< relative, per local axis: roots of the warps
   double lightDirection = 3;    ///< of a unit vector, per axis
   double lightDistance = 7;     ///< relative: a square root
   double mapDirection = 8;      ///< of a unit vector, per axis: its coordinates in the environment's map
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
+  double surface = 18;          ///< relative, f and pdf of surfaces: energy, distribution and visibility
   double choice = 6;            ///< of a probability that a random number is compared with
+  double surfaceChoice = 14;    ///< of the probability of a surface's lobe: quotient of albedos
+  double roughDirection = 16;   ///< of a direction sampled by microfacets, per axis, times alpha, besides `frame`
   double throughput = 8;        ///< relative: quotient of f and pdf
   double survival = 7;          ///< relative: a square root
   double radiance = 2;          ///< relative: a product and a sum
@@ -101,10 +105,14 @@ class Rounding {
   Surface surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit);
 
   std::optional<LightSample> lightSample(std::optional<LightSample> light);
-  BsdfValue bsdfValue(BsdfValue value);
+  BsdfValue bsdfValue(BsdfValue value, double units);
   /// In the shading frame.
   dvec3 sampledDirection(const dvec3& local) {
     return perturbs_ ? normalize(relative(local, kRoundingBounds.sampledDirection)) : local;
+  }
+  /// A direction that microfacets of this alpha reflect or refract, in the shading frame.
+  dvec3 microfacetDirection(const dvec3& local, double alpha) {
+    return turned(local, kRoundingBounds.frame + alpha * kRoundingBounds.roughDirection);
   }
 
   std::uint64_t decisions() const { return decisions_; }

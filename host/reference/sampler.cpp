@@ -95,7 +95,7 @@ Stratification stratificationOf(std::uint32_t dimension) {
     if (dimension == kDimensionLensU || dimension == kDimensionLensV) return pairFrom(kDimensionLensU, dimension);
     return {false, false, slot};
   }
-  if (dimension >= kEnvironmentDimensions) {
+  if (dimension / kEnvironmentDimensions == 1) {
     return pairFrom(slot < kDimensionPlaceX ? kDimensionTapX : kDimensionPlaceX, slot);
   }
   const std::uint32_t name = (dimension - kCameraDimensionCount) % kVertexDimensionCount;

@@ -78,6 +78,9 @@ class SampleNumbers {
   std::uint32_t word(std::uint32_t dimension);
   double unit(std::uint32_t dimension) { return toUnit(word(dimension)); }
 
+  std::uint32_t pixel() const { return pixel_; }
+  std::uint32_t sample() const { return sample_; }
+
  private:
   static constexpr std::uint32_t kNoGroup = ~0u;
 

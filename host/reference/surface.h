@@ -15,6 +15,8 @@ struct Surface {
   std::uint32_t primitive;
   std::uint32_t material;
   MeshAttributes attributes{};  ///< 0 if the mesh has none
+  dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
+  dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
 };
 
 /// `hit` must be a hit of `ray`.

@@ -6,13 +6,25 @@
 namespace candela::reference {
 
 struct SurfaceMaterial {
-  Bsdf bsdf;
-  dvec3 emission;  ///< radiance, on both sides
+  Bsdf bsdf;                                        ///< of a material without surface parameters
+  std::optional<scene::SurfaceParameters> surface;  ///< the lobes follow from these at every hit
+  dvec3 emission;                                   ///< radiance, on both sides
   bool emits;
   std::optional<scene::WhittedMaterial> whitted;
 
+  /// Multiplies what follows from the base colour.
+  void scaleBaseColour(const dvec3& scale) {
+    if (surface) surface->baseColour = glm::vec3(dvec3(surface->baseColour) * scale);
+    bsdf.scaleBaseColour(scale);
+  }
+  dvec3 albedo() const { return surface ? dvec3(surface->baseColour) : bsdf.albedo(); }
+
   explicit SurfaceMaterial(const scene::Material& material)
-      : bsdf(material), emission(material.emission), emits(isEmissive(material)), whitted(material.whitted) {}
+      : bsdf(material),
+        surface(material.surface),
+        emission(material.emission),
+        emits(isEmissive(material)),
+        whitted(material.whitted) {}
 };
 
 }  // namespace candela::reference

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/reference/opacity.h"
+
 namespace candela::reference {
 namespace {
 
@@ -59,11 +61,12 @@ Counters& Counters::operator+=(const Counters& other) {
   refractedRays += other.refractedRays;
   shadowRays += other.shadowRays;
   vertices += other.vertices;
+  volumeFaults += other.volumeFaults;
   traversalSteps += other.traversalSteps;
   return *this;
 }
 
-Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) {
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
   std::vector<Bounds> boxes;
@@ -134,7 +137,8 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool o
   const std::uint32_t index = scene.primitives[primitive].index;
   const auto append = [&](auto& shapes, const auto& source) {
     shapes.emplace_back(source);
-    items_.push_back({kind, oneSided, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
+    const bool transparent = isTransparent(scene, scene.primitives[primitive]);
+    items_.push_back({kind, oneSided, transparent, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
   };
   switch (kind) {
     case scene::PrimitiveKind::sphere:
@@ -171,6 +175,13 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
       return flat(planes_[item.shape], planes_[item.shape].unitNormal);
   }
   return kNoHit;
+}
+
+bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
+  if (!item.transparent) return false;
+  dvec2 errorSign(0);
+  if (word != 0) errorSign = {Rounding::signOf(word, item.primitive), Rounding::signOf(~word, item.primitive)};
+  return !isThere(*scene_, item.primitive, ray, errorSign);
 }
 
 // Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit`
@@ -230,7 +241,7 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
     const double itemDistance = distance(item, ray);
     const bool nearer = itemDistance < nearest.distance;
     const bool wins = itemDistance == nearest.distance && itemDistance < kNoHit && item.primitive < nearest.primitive;
-    if (nearer || wins) nearest = {itemDistance, item.primitive};
+    if ((nearer || wins) && !passes(item, ray, 0)) nearest = {itemDistance, item.primitive};
     return false;
   });
   return nearest;
@@ -239,7 +250,7 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
 bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, Counters& counters) const {
   bool occluded = false;
   visitItems(ray, distance, counters, [&](const Item& item) {
-    occluded = item.primitive != light && this->distance(item, ray) < distance;
+    occluded = item.primitive != light && this->distance(item, ray) < distance && !passes(item, ray, 0);
     return occluded;
   });
   return occluded;
@@ -262,7 +273,7 @@ Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
     const double exact = distance(item, tested);
     if (!(exact < nearest.distance * (1 + kTie))) return false;
     const double rounded = exact * (1 + kTie / 2 * Rounding::signOf(word, item.primitive));
-    if (!(rounded < nearest.distance)) return false;
+    if (!(rounded < nearest.distance) || passes(item, tested, word)) return false;
     nearest = {rounded, item.primitive};
     hitOrigin = tested.origin;
     return false;
@@ -282,7 +293,8 @@ bool Tracing::isOccluded(const Ray& ray, double distance, std::uint32_t light, C
     if (item.primitive == light) return false;
     tested.origin = testedOrigin(item, ray.origin, signs);
     const double exact = this->distance(item, tested);
-    occluded = exact < distance * (1 - kTie / 2 * Rounding::signOf(word, item.primitive));
+    occluded = exact < distance * (1 - kTie / 2 * Rounding::signOf(word, item.primitive)) &&
+               !passes(item, tested, word);
     return occluded;
   });
   return occluded;

@@ -23,6 +23,7 @@ struct Counters {
   std::uint64_t refractedRays = 0;
   std::uint64_t shadowRays = 0;
   std::uint64_t vertices = 0;
+  std::uint64_t volumeFaults = 0;    ///< rays whose volumes are not nested or not closed
   std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
 
   Counters& operator+=(const Counters& other);
@@ -55,12 +56,15 @@ class Tracing {
   struct Item {
     scene::PrimitiveKind kind;
     bool oneSided;
+    bool transparent;
     std::uint32_t shape;
     std::uint32_t primitive;
   };
 
   void addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
+  /// Whether a ray passes an item that it would hit. `word`: of the rounding of a replica; 0: exactly.
+  bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
   /// The rounding in an item's test has the effect of a displaced ray: by `units` of kRoundoff of the distance of the
   /// ray's origin from `centre`, plus `radius`.
   struct RoundingReach {
@@ -80,6 +84,7 @@ class Tracing {
   template <class Visit>
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
+  const scene::Scene* scene_;
   std::vector<Item> items_;       ///< in the structure's order, then those outside of the structure
   std::size_t firstOutside_ = 0;  ///< index of the first item outside of the structure
   std::vector<SphereShape> spheres_;

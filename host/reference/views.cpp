@@ -41,6 +41,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   const std::uint64_t stepsBefore = counters.traversalSteps;
   rounding.startVertex(1, ray);
   Ray tested = ray;
+  tested.opacityKey = opacityKeyOf(numbers, 1, false);
   const Hit hit = tracing().closest(tested, counters, rounding);
   rounding.decide(hit.primitive);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
@@ -51,7 +52,9 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   if (view_ == render::Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
-    value = valueAt(hit, rounding.surfaceAt(scene(), tested, hit), numbers, counters, vertex, rounding);
+    Surface surface = rounding.surfaceAt(scene(), tested, hit);
+    jitterTextures(surface, numbers, 1);
+    value = valueAt(hit, surface, numbers, counters, vertex, rounding);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
@@ -63,7 +66,7 @@ dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers&
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return materialAt(surface).bsdf.albedo();
+      return materialAt(surface, rounding).albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:
@@ -84,7 +87,7 @@ bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters
   if (!above) return false;
 
   ++counters.shadowRays;
-  const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
+  const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, opacityKeyOf(numbers, 1, true)};
   const bool blocked = tracing().isOccluded(ray, aoDistance_, kNoPrimitive, counters, rounding);
   rounding.decide(blocked);
   record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;

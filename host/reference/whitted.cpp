@@ -82,7 +82,7 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   if (node.depth == 1) ++state.counters.cameraHits;
   const Surface surface = rounding.surfaceAt(scene(), ray, hit);
   rounding.decide(surface.fromOutside);
-  const SurfaceMaterial& material = materialAt(surface);
+  const SurfaceMaterial material = materialAt(surface, rounding);
   const scene::WhittedMaterial& whitted = material.whitted.value();
   dvec3 sum = material.emission + double{whitted.ka} * dvec3(whitted.diffuse);
   sum += direct(node, surface, state, record);
@@ -109,7 +109,7 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
                             render::VertexRecord& record) const {
-  const scene::WhittedMaterial& material = materialAt(surface).whitted.value();
+  const scene::WhittedMaterial material = materialAt(surface, state.rounding).whitted.value();
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
   Rounding& rounding = state.rounding;
   dvec3 sum(0);
@@ -149,7 +149,7 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
 }
 
 WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const {
-  const scene::WhittedMaterial& material = materialAt(surface).whitted.value();
+  const scene::WhittedMaterial material = materialAt(surface, rounding).whitted.value();
   if (material.kind == scene::WhittedKind::opaque) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);

@@ -11,6 +11,7 @@
   X(glossy, kLobeGlossy, 2u)   \
   X(mirror, kLobeMirror, 3u)   \
   X(reflect, kLobeReflect, 4u) \
-  X(refract, kLobeRefract, 5u)
+  X(refract, kLobeRefract, 5u) \
+  X(coat, kLobeCoat, 6u)
 
 #endif

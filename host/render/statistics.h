@@ -58,7 +58,9 @@ struct RenderStatistics {
   std::optional<TreeRays> treeRays;  ///< of the Whitted tracer
   std::uint64_t vertices = 0;        ///< surface hits of camera and bounce rays
   std::uint64_t traversalSteps = 0;  ///< nodes or cells visited plus primitives tested
-  std::uint64_t truncated = 0;   ///< loops that ended before their work was done; any other value than 0 is an error
+  std::uint64_t truncated = 0;  ///< loops that ended before their work was done; any other value than 0 is an error
+  std::uint64_t
+      volumeFaults = 0;  ///< rays whose volumes are not nested or not closed: docs/light-transport.md section 5.6
   std::uint64_t badSamples = 0;  ///< samples that were not finite or beyond the film's range
 
   std::uint64_t rays() const { return cameraRays + bounceRays + shadowRays; }

@@ -2,9 +2,14 @@
 // 5 and 9. Every file format has one function that derives a material from its own statements (nff_material.h); tracers
 // use nothing else.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+
+#include "host/scene/surface_parameters.h"
+#include "host/scene/texture.h"
 
 namespace candela::scene {
 
@@ -21,6 +26,7 @@ struct GlossyLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
   float exponent = 1;  ///< >= 0
+  float untinted = 0;  ///< the part of each channel of `colour` that a base colour texture does not scale, 0 to colour
 
   bool operator==(const GlossyLobe&) const = default;
 };
@@ -57,9 +63,20 @@ struct WhittedMaterial {
   bool operator==(const WhittedMaterial&) const = default;
 };
 
-/// The lobes of a surface, at most one of each kind; a surface without lobes is black. Weights sum to at most 1, except
-/// for rounding. A mirror lobe is the only lobe of its material.
+/// How much of the light a surface stops, by the alpha at a point: the product of `factor`, of the texture's alpha and
+/// of the vertex colours' alpha. Rays that do not hit pass the surface as if it were not there.
+struct Opacity {
+  float factor = 1;                           ///< 0 to 1
+  std::optional<float> cutoff{};              ///< rays hit where alpha is at least this; empty: with probability alpha
+  std::optional<TextureReference> texture{};  ///< of which only alpha is used
+
+  bool operator==(const Opacity&) const = default;
+};
+
+/// Either `surface` or lobes, at most one of each kind; a material with neither is black. The lobes' weights sum to at
+/// most 1, except for rounding. A mirror lobe is the only lobe of its material.
 struct Material {
+  std::optional<SurfaceParameters> surface;
   std::optional<DiffuseLobe> diffuse;
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
@@ -67,6 +84,9 @@ struct Material {
   glm::vec3 emission{0, 0, 0};             ///< radiance, W/(sr m^2) in arbitrary units, >= 0
   bool opaque = true;                      ///< with `--one-sided`, the backs of its triangles and planes are not hit
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
+  /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
+  std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
+  std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 
   bool operator==(const Material&) const = default;
 };
@@ -76,8 +96,16 @@ inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }
 
-/// The name of a material with one lobe is that of the lobe.
-enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture };
+inline const std::optional<TextureReference>& textureOf(const Material& material, TextureSlot slot) {
+  return material.textures[static_cast<std::size_t>(slot)];
+}
+
+inline bool isTextured(const Material& material) {
+  return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
+}
+
+/// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface };
 
 MaterialKind kindOf(const Material& material);
 

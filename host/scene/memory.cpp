@@ -35,6 +35,8 @@ SceneMemory memoryOf(const Scene& scene) {
   memory.total = memory.triangles + bytesOf(scene.materials, scene.primitives, scene.spheres, scene.boxes, scene.cones,
                                             scene.planes, scene.pointLights, scene.punctualLights);
   memory.triangles += memory.triangleCount * sizeof(Primitive);
+  for (const TextureImage& image : scene.images) memory.textures += sizeof(TextureImage) + bytesOf(image.texels);
+  memory.total += memory.textures;
   if (scene.sky) {
     for (const SkyFace& face : scene.sky->faces) memory.total += face.rgb.size();
   }

@@ -104,6 +104,9 @@ SceneReport::Materials materialsOf(const Scene& scene) {
       case MaterialKind::mixture:
         ++materials.mixture;
         break;
+      case MaterialKind::surface:
+        ++materials.surface;
+        break;
     }
   }
   return materials;

@@ -28,8 +28,9 @@ struct SceneReport {
   };
   /// By kindOf(); `emitting` counts across the kinds.
   struct Materials {
-    std::uint64_t diffuse = 0, glossy = 0, mirror = 0, dielectric = 0, mixture = 0, black = 0, emitting = 0;
-    std::uint64_t total() const { return diffuse + glossy + mirror + dielectric + mixture + black; }
+    std::uint64_t diffuse = 0, glossy = 0, mirror = 0, dielectric = 0, mixture = 0, surface = 0, black = 0,
+                  emitting = 0;
+    std::uint64_t total() const { return diffuse + glossy + mirror + dielectric + mixture + surface + black; }
   };
 
   std::string name;

@@ -39,9 +39,11 @@ std::string statementsText(const StatementCounts& counts) {
 }
 
 std::string memoryText(const SceneMemory& memory) {
-  const std::string total = fmt::format("{} bytes", memory.total);
-  const std::optional<double> perTriangle = memory.bytesPerTriangle();
-  return perTriangle ? fmt::format("{}; {:.1f} bytes per triangle", total, *perTriangle) : total;
+  std::string text = fmt::format("{} bytes", memory.total);
+  if (const auto perTriangle = memory.bytesPerTriangle())
+    text += fmt::format("; {:.1f} bytes per triangle", *perTriangle);
+  if (memory.textures > 0) text += fmt::format("; {} bytes of textures", memory.textures);
+  return text;
 }
 
 /// Spot and directional lights, which only some formats have, appear if there are any.
@@ -69,9 +71,10 @@ std::string toText(const SceneReport& r) {
                                  spheres, triangles, boxes, cones, planes));
   line("bounds", r.bounds ? fmt::format("{} to {}", toText(r.bounds->min), toText(r.bounds->max)) : "none");
   line("lights", lightsText(lights));
-  line("materials", fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, black {}; {} emit",
-                                materials.total(), materials.diffuse, materials.glossy, materials.mirror,
-                                materials.dielectric, materials.mixture, materials.black, materials.emitting));
+  line("materials",
+       fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, surface {}, black {}; {} emit",
+                   materials.total(), materials.diffuse, materials.glossy, materials.mirror, materials.dielectric,
+                   materials.mixture, materials.surface, materials.black, materials.emitting));
   line("camera", r.camera ? toText(*r.camera) : "none");
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
@@ -115,6 +118,7 @@ json toJson(const SceneReport& r) {
         {"mirror", r.materials.mirror},
         {"dielectric", r.materials.dielectric},
         {"mixture", r.materials.mixture},
+        {"surface", r.materials.surface},
         {"black", r.materials.black},
         {"emitting", r.materials.emitting}}},
       {"camera", orNull(r.camera, camera)},
@@ -122,7 +126,10 @@ json toJson(const SceneReport& r) {
       {"skySide", orNull(r.skySide, same)},
       {"requestedAccel", orNull(r.requestedAccel, same)},
       {"requestedSamples", orNull(r.requestedSamples, same)},
-      {"memory", {{"bytes", r.memory.total}, {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)}}},
+      {"memory",
+       {{"bytes", r.memory.total},
+        {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)},
+        {"textures", r.memory.textures}}},
       {"warnings", r.warnings},
   };
 }

@@ -125,6 +125,7 @@ struct Scene {
   glm::vec3 up{0, 1, 0};  ///< signed coordinate axis that points up, for the placement of an environment
 
   std::vector<Material> materials;
+  std::vector<TextureImage> images;
   std::vector<Primitive> primitives;
   std::vector<Sphere> spheres;
   std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes

@@ -55,6 +55,9 @@ std::optional<std::string> whyNotTestable(const std::string& name, const image::
     return fmt::format("{} does not state its seed ({}), and the test requires images of different seeds", name,
                        kSeedMetadata);
   }
+  if (const auto bias = image.metadata.find(kBiasMetadata); bias != image.metadata.end()) {
+    return fmt::format("{} is biased on purpose ({}: {})", name, kBiasMetadata, bias->second);
+  }
   for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
     if (image.sampleCounts[pixel] < 2)
       return name + " has pixels with fewer than two samples: render it with a larger --spp";

@@ -21,6 +21,9 @@ namespace candela::verify {
 /// The metadata of the images contain the seed under this name.
 inline constexpr const char* kSeedMetadata = "candela.seed";
 
+/// Images whose light is wrong on purpose have a sentence about it under this name. They get no verdict.
+inline constexpr const char* kBiasMetadata = "candela.bias";
+
 struct FilmTestResult {
   double alpha = 0;                   ///< probability of a false alarm
   double level = 0;                   ///< level of each region's test, by Sidak
@@ -37,8 +40,8 @@ struct FilmTestResult {
 bool carriesVariance(const image::Image& image);
 
 /// Returns why two images of equal size cannot be tested, as a clause about "A" and "B", or nothing if they can. Both
-/// need variances, at least two samples in every pixel, finite values, and different seeds that are stated: with equal
-/// random numbers, both have the same noise, which then says nothing about their difference.
+/// need variances, at least two samples in every pixel, finite values, no bias on purpose, and different seeds that are
+/// stated: with equal random numbers, both have the same noise, which then says nothing about their difference.
 std::optional<std::string> whyNotTestable(const image::Image& a, const image::Image& reference);
 
 /// Tests whether two images for which whyNotTestable() is empty show the same light; `alpha` in (0, 1).

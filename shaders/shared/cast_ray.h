@@ -27,7 +27,7 @@ CANDELA_CONST uint kCastUnit = 8u;
 
 // Push constants, one per dispatch.
 struct CastConstants {
-  uint first;        // index of a ray or of a pixel
+  uint first;  // index of a ray or of a pixel
   uint end;
   uint invocations;  // per workgroup
   uint unitStride;   // see cast_rays.comp

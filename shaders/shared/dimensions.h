@@ -29,9 +29,16 @@ CANDELA_DIMENSION kDimensionBsdfU = 4u;
 CANDELA_DIMENSION kDimensionBsdfV = 5u;
 CANDELA_DIMENSION kDimensionRoulette = 6u;
 CANDELA_DIMENSION kVertexDimensionCount = 8u;
+// Textures are looked up with numbers that are far outside of the blocks, so that they do not change the others:
+// offsets too, but larger than any path is long.
+CANDELA_DIMENSION kDimensionTextureU = 0x80000004u;
+CANDELA_DIMENSION kDimensionTextureV = 0x80000005u;
+CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled point of a light
+CANDELA_DIMENSION kDimensionLightTextureV = 0x80000007u;
 
 // The environment's numbers of path vertex n start at kEnvironmentDimensions + (n - 1) * kEnvironmentDimensionCount:
-// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever.
+// above the blocks of the longest path, so that scenes without an environment use the same numbers as ever, and below
+// twice their start.
 CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
 CANDELA_DIMENSION kDimensionTapX = 0u;
 CANDELA_DIMENSION kDimensionTapY = 1u;

@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids from 30 to 39 are free.
+// use are compiled out. Other ids are in specialization.h; ids 38, 39 and 81 to 89 are free.
 #define CANDELA_FEATURES(X)                                                              \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                           \
   X(triangles, kHasTriangles, 3)                                                         \
@@ -29,6 +29,13 @@
   X(sky, kHasSky, 16)                                                                    \
   X(environment, kHasEnvironment, 33)                                                    \
   X(environmentLight, kHasEnvironmentLight, 34) /* it is in the light table */           \
-  X(mixtures, kHasMixtures, 25)                 /* some material has more than one lobe */
+  X(mixtures, kHasMixtures, 25)                 /* some material has more than one lobe */ \
+  X(textures, kHasTextures, 35)                                                          \
+  X(transparency, kHasTransparency, 36) /* some triangle may be passed */                \
+  X(colours, kHasColours, 37)           /* some triangle has vertex colours */           \
+  X(surfaces, kHasSurfaces, 30)         /* some material has surface parameters */       \
+  X(transmission, kHasTransmission, 31) /* some surface transmits light */               \
+  X(volumes, kHasVolumes, 32)           /* some transmitting surface bounds a volume */  \
+  X(coats, kHasCoat, 80)                /* some surface has a coat */
 
 #endif

@@ -20,7 +20,7 @@ struct RenderConstants {
   vec3 lensRight;             // a u
   float inverseFocal;         // 1 / focal
   vec3 lensUp;                // a v
-  float unused0;
+  uint firstSurfaceRow;  // first record of the parameters of surfaces
   vec3 background;
   float aoDistance;  // maximum distance of ambient occlusion rays
   uint imageWidth;   // pixels of the film
@@ -35,18 +35,18 @@ struct RenderConstants {
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstNormalRow;
+  uint firstAttributeRow;
   uint firstSkyRow;
   uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
   vec3 gridLow;     // lower corner
   float gridReach;  // the grid's largest coordinate in magnitude
   vec3 gridHigh;    // upper corner
-  float unused1;
+  uint firstEnergyRow;  // first record of the energy tables
   vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
-  float unused2;
+  uint firstTextureRow;
   vec3 gridWidth;  // size of a cell
-  float unused3;
+  float indirectLimit;  // maximum of a contribution of light that was scattered twice or more
   uvec3 gridSides;               // cells along each axis
   uint firstItemRow;             // first record of the grid's items
   uvec3 gridStrides;             // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
@@ -96,10 +96,12 @@ struct PathCounts {
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
   uvec4 directionLeaving;  // ray direction, leaving (slot of the origin primitive | kLeavingInward, or kNoSlot)
-  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started)
+  uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started) | volume << kVolumeShift
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
 };
+
+CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 
 // A path of the wavefront, and the data that its stages pass on: 144 bytes.
 struct WaveState {
@@ -175,7 +177,7 @@ struct Counters {
   uint finishedPixels;   // invocations that reached the end of their sample range
   uint truncated;        // loops that ended before their work was done
   uint finishedSamples;  // wraps: the host adds up differences
-  uint unused;
+  uint volumeFaults;     // docs/light-transport.md section 5.6
 };
 
 CANDELA_CONST uint kLeavingInward = 0x80000000u;

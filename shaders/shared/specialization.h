@@ -8,26 +8,27 @@ CANDELA_BEGIN
 CANDELA_CONST uint kSpecWorkgroupX = 0u;
 CANDELA_CONST uint kSpecWorkgroupY = 1u;
 CANDELA_CONST uint kSpecOneSided = 17u;
-CANDELA_CONST uint kSpecLens = 18u;         // kLens...
-CANDELA_CONST uint kSpecFilter = 19u;       // kFilter...
-CANDELA_CONST uint kSpecSampler = 20u;      // kSampler...
-CANDELA_CONST uint kSpecStructure = 21u;    // kStructure...
-CANDELA_CONST uint kSpecTexels = 22u;       // the scene is read through the texel buffer
+CANDELA_CONST uint kSpecLens = 18u;       // kLens...
+CANDELA_CONST uint kSpecFilter = 19u;     // kFilter...
+CANDELA_CONST uint kSpecSampler = 20u;    // kSampler...
+CANDELA_CONST uint kSpecStructure = 21u;  // kStructure...
+CANDELA_CONST uint kSpecTexels = 22u;     // the scene is read through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
-CANDELA_CONST uint kSpecUniformSlots = 27u; // primitives whose records are in the uniform buffer; 0: none
-CANDELA_CONST uint kSpecRowsAhead = 28u;    // these records are read before anything else
+CANDELA_CONST uint kSpecUniformSlots = 27u;  // primitives whose records are in the uniform buffer; 0: none
+CANDELA_CONST uint kSpecRowsAhead = 28u;     // these records are read before anything else
 // Ids from 40 on belong to the Whitted tracer.
-CANDELA_CONST uint kSpecAreaLights = 40u;   // point lights have a size
+CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
-CANDELA_CONST uint kSpecView = 50u;         // kView...
+CANDELA_CONST uint kSpecView = 50u;  // kView...
+CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
 // Ids from 60 on belong to the kernels that trace rays alone.
-CANDELA_CONST uint kSpecOcclusion = 60u;    // any hit instead of the closest
+CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
 // Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
 CANDELA_CONST uint kSpecUniformKinds = 70u;
 CANDELA_CONST uint kUniformKindWords = 10u;
 
-CANDELA_CONST uint kStructureNone = 0u;     // brute force
+CANDELA_CONST uint kStructureNone = 0u;  // brute force
 CANDELA_CONST uint kStructureGrid = 1u;
 CANDELA_CONST uint kStructureBvh = 2u;      // binary
 CANDELA_CONST uint kStructureWideBvh = 3u;  // 8-wide, compressed
@@ -36,11 +37,11 @@ CANDELA_CONST uint kLensDisc = 1u;
 CANDELA_CONST uint kLensSquare = 2u;
 CANDELA_CONST uint kFilterBox = 0u;
 CANDELA_CONST uint kFilterTent = 1u;
-CANDELA_CONST uint kFilterNone = 2u;        // rays pass through the pixels' origins
+CANDELA_CONST uint kFilterNone = 2u;  // rays pass through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
-CANDELA_CONST uint kViewNone = 0u;          // an image of light
+CANDELA_CONST uint kViewNone = 0u;  // an image of light
 CANDELA_CONST uint kViewAo = 1u;
 CANDELA_CONST uint kViewNormal = 2u;
 CANDELA_CONST uint kViewAlbedo = 3u;

@@ -19,11 +19,11 @@ CANDELA_CONST uint kTracedSurvived = 64u;  // the path survived it
 
 // One vertex, 16 records: from the arriving ray to the choice of the next one.
 struct TracedVertex {
-  vec4 originDistance;          // of the ray; distance to the hit
-  vec4 directionPdf;            // of the ray; 0: delta
-  uvec4 throughputStages;       // of the ray; kTraced... of the vertex
+  vec4 originDistance;     // of the ray; distance to the hit
+  vec4 directionPdf;       // of the ray; 0: delta
+  uvec4 throughputStages;  // of the ray; kTraced... of the vertex
   uvec4 positionPrimitive;
-  uvec4 normalMaterial;         // geometric normal on the ray's side; index in Scene::materials
+  uvec4 normalMaterial;  // geometric normal on the ray's side; index in Scene::materials
   uvec4 shadingNormalLobe;
   vec4 emissionWeight;          // emission times its MIS weight; that weight
   vec4 lightDirectionDistance;  // of the shadow ray

@@ -56,7 +56,7 @@ TEST_CASE("repeated outputs add up, and of other repeated options the last one c
 }
 
 TEST_CASE("a negative number is a value, not an option") {
-  CHECK(parse({"a.p3f", "-o", "a.png", "--exposure", "-1.5"}).display.exposure == -1.5f);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--exposure", "-1.5"}).exposure == -1.5f);
 }
 
 TEST_CASE("a file whose name begins with a dash may follow two dashes") {

@@ -97,6 +97,53 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
 }
 
+TEST_CASE("a film under an environment can be divided") {
+  const TemporaryFolder folder;
+  requireEqualDivisions(kReference, folder, {"--env", "sun:30,200,3"});
+}
+
+TEST_CASE("a film goes on under the same environment only, whatever the name of its file") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  image::Image map{4, 2, std::vector<glm::vec3>(8, glm::vec3(0.5f)), {}, {}, {}, {}};
+  writeImage(folder.path("map.hdr"), map, {});
+  writeImage(folder.path("renamed.hdr"), map, {});
+  map.rgb[3].x = 0.75f;
+  writeImage(folder.path("changed.hdr"), map, {});
+  const std::string film = folder.path("film.exr");
+  kReference.film(scene, film, {"--samples", "0:4", "--env", folder.path("map.hdr")});
+  const auto refusal = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--resume", film});
+    return kReference.refusal(scene, options);
+  };
+  CHECK_THAT(refusal({}), Contains("the scene's hash is"));
+  CHECK_THAT(refusal({"--env", "white"}), Contains("the scene's hash is"));
+  CHECK_THAT(refusal({"--env", folder.path("changed.hdr")}), Contains("the scene's hash is"));
+  CHECK_THAT(refusal({"--env", folder.path("map.hdr"), "--env-rotate", "5"}), Contains("the scene's hash is"));
+  CHECK_THAT(refusal({"--env", folder.path("none.hdr")}), Contains("none.hdr"));
+  const ProgramResult result = kReference.run(
+      scene, {"--env", folder.path("renamed.hdr"), "--resume", film, "--checkpoint", folder.path("end.exr")});
+  CHECK(result.exitCode == 0);
+}
+
+TEST_CASE("pictures of limited indirect light say so, and get no verdict") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  for (const std::string seed : {"1", "2"}) {
+    kReference.film(scene, folder.path(seed + "film.exr"),
+                    {"--clamp-indirect", "0.5", "--seed", seed, "-o", folder.path(seed + ".exr")});
+  }
+  REQUIRE(runCandela({"film", folder.path("1film.exr"), "-o", folder.path("again.exr")}).exitCode == 0);
+  for (const char* name : {"1.exr", "again.exr"}) {
+    const image::Image picture = image::readImage(folder.path(name));
+    REQUIRE(picture.metadata.contains("candela.bias"));
+    CHECK_THAT(picture.metadata.at("candela.bias"), Contains("--clamp-indirect 0.5"));
+  }
+  const ProgramResult result = runCandela({"compare", folder.path("1.exr"), folder.path("2.exr")});
+  CHECK_THAT(result.out + result.err, Contains("biased on purpose"));
+  CHECK(runCandela({"compare", folder.path("1.exr"), folder.path("2.exr"), "--alpha", "1e-4"}).exitCode == 1);
+}
+
 TEST_CASE("with --resume-anyway a film goes on, and is marked as mixed for good") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

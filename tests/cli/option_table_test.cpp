@@ -66,9 +66,13 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--layout", "auto|bvh2|cwbvh", "auto"},
       {"--loads", "auto|texel|storage", "auto"},
       {"--grid-density", "M", "2"},
+      {"--clamp-indirect", "V", "off"},
       {"--one-sided", "", ""},
       {"--lenient", "", ""},
       {"--allow-path", "DIR", ""},
+      {"--env", "FILE", "none"},
+      {"--env-rotate", "DEG", "0"},
+      {"--env-scale", "S", "1"},
       {"--camera", "NAME|N", "the first, else none"},
       {"--time", "SECONDS", "the pose at rest"},
       {"--device", "cpu|N|SUBSTRING", "the best GPU"},
@@ -82,7 +86,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--untuned", "", ""},
       {"--no-cache", "", ""},
       {"-t,--threads", "N", "0"},
-      {"--tonemap", "none|srgb|aces|agx|neutral", "srgb"},
+      {"--tonemap", "none|srgb|aces|agx|pbr-neutral|neutral", "srgb"},
       {"--checkpoint", "FILE", ""},
       {"--checkpoint-every", "TIME", "60s"},
       {"--resume", "FILE", ""},
@@ -176,8 +180,12 @@ TEST_CASE("an option prints the value that it was given") {
       {"--tile", {"7x9", "auto"}},
       {"--segments-per-dispatch", {"1", "auto"}},
       {"--threads", {"2"}},
-      {"--tonemap", {"none", "srgb", "aces", "agx", "neutral"}},
-      {"--exposure", {"-1.5", "2"}},
+      {"--tonemap", {"none", "srgb", "aces", "agx", "pbr-neutral"}},
+      {"--clamp-indirect", {"10", "0.5", "off"}},
+      {"--env", {"a b.hdr", "white", "sun:30,120,3"}},
+      {"--env-rotate", {"-90", "12.5"}},
+      {"--env-scale", {"0", "2.5"}},
+      {"--exposure", {"-1.5", "2", "auto"}},
       {"--tolerance", {"0.001"}},
       {"--checkpoint-every", {"0s", "90s", "0.5s"}},
       {"--samples", {"0:1", "16:64"}},
@@ -191,6 +199,12 @@ TEST_CASE("an option prints the value that it was given") {
       CHECK(find(name).show(arguments).back() == value);
     }
   }
+}
+
+TEST_CASE("the curve pbr-neutral has a second name") {
+  Arguments arguments;
+  REQUIRE(find("--tonemap").apply(arguments, "neutral"));
+  CHECK(find("--tonemap").show(arguments).back() == "pbr-neutral");
 }
 
 TEST_CASE("a value out of range or of another kind is refused") {
@@ -212,6 +226,10 @@ TEST_CASE("a value out of range or of another kind is refused") {
       {"--grid-density", {"0", "-1", "65", "nan", "two"}},
       {"--threads", {"1025"}},
       {"--exposure", {"nan", "inf", "65", "1,5"}},
+      {"--clamp-indirect", {"0", "-1", "inf", "on"}},
+      {"--env", {""}},
+      {"--env-rotate", {"361", "nan"}},
+      {"--env-scale", {"-1", "inf"}},
       {"--tolerance", {"-1", "nan"}},
       {"--checkpoint-every", {"-1s", "s", "", "1d", "nan", "inf", "60 s"}},
       {"--samples", {"1:1", "2:1", "1", ":", "0:", ":4", "-1:4", "0:4:8", "0:1073741825"}},

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "host/formats/load_scene.h"
+
 namespace candela {
 
 const generate::Kind& kindNamed(const std::string& name) {
@@ -20,7 +22,9 @@ std::string generatedText(const std::string& kind, std::uint32_t size) {
 }
 
 scene::LoadedScene generatedScene(const std::string& kind, std::uint32_t size) {
-  return scene::parseScene(generatedText(kind, size), kind, ".");
+  const std::string text = generatedText(kind, size);
+  const scene::SceneFile file{text, kind, "."};
+  return chooseLoader(formats::allLoaders(), file).load(file, {});
 }
 
 }  // namespace candela

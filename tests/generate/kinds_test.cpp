@@ -39,6 +39,11 @@ TEST_CASE(
     const scene::LoadedScene loaded = generatedScene(std::string(kind.name), kind.minSize);
     for (const scene::Diagnostic& warning : loaded.warnings) UNSCOPED_INFO(toString(warning));
     CHECK(loaded.scene.camera);
+    CHECK(loaded.scene.primitives.size() == kind.primitiveCount(kind.minSize));
+    if (generatedText(std::string(kind.name), kind.minSize).starts_with("{")) {  // glTF may use what is not rendered
+      for (const scene::Diagnostic& warning : loaded.warnings) CHECK(warning.message.starts_with("not rendered yet"));
+      continue;
+    }
     const auto found = expected.find(kind.name);
     REQUIRE(loaded.warnings.size() == (found == expected.end() ? 0 : 1));
     if (found != expected.end()) CHECK(loaded.warnings[0].message.starts_with(found->second));

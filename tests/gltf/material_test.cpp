@@ -5,7 +5,16 @@
 namespace candela::gltf {
 namespace {
 
-scene::Material mapped(const json& material) { return fromGltf(readMaterial(Value(material, "/materials/0"))); }
+// A reference whose image is the index of the texture.
+scene::TextureReference textureOfIndex(const Value& info) {
+  return {.image = static_cast<std::uint32_t>(info.require("index").whole())};
+}
+
+scene::Material mapped(const json& material) {
+  return fromGltf(readMaterial(Value(material, "/materials/0"), textureOfIndex));
+}
+
+const scene::TextureReference kTexture7{.image = 7};
 
 json metallicRoughness(double metallic, double roughness) {
   return {{"pbrMetallicRoughness",
@@ -16,59 +25,92 @@ const glm::vec3 kBase{0.5f, 0.25f, 1};
 
 }  // namespace
 
-TEST_CASE("a dielectric is diffuse below a white coat of 4 percent") {
-  const scene::Material material = mapped(metallicRoughness(0, 0.5));
-  REQUIRE(material.diffuse);
-  REQUIRE(material.glossy);
-  CHECK(material.diffuse->colour == kBase);
-  CHECK(material.diffuse->weight == Approx(0.96));
-  CHECK(material.glossy->weight == Approx(0.04));
-  CHECK(material.glossy->colour == glm::vec3(1));
-  CHECK(material.glossy->exponent == Approx(30));  // 2 / (0.5^2)^2 - 2
+TEST_CASE("metallic-roughness factors are the parameters of a surface") {
+  const scene::Material material = mapped(metallicRoughness(0.25, 0.5));
+  REQUIRE(material.surface);
+  CHECK(*material.surface == scene::SurfaceParameters{.baseColour = kBase, .metalness = 0.25f, .roughness = 0.5f});
+  CHECK(kindOf(material) == scene::MaterialKind::surface);
 }
 
-TEST_CASE("a metal reflects its base colour, and a smooth one is a mirror") {
-  const scene::Material rough = mapped(metallicRoughness(1, 1));
-  CHECK_FALSE(rough.diffuse);
-  CHECK(rough.glossy == scene::GlossyLobe{1, kBase, 0});
-  const scene::Material smooth = mapped(metallicRoughness(1, 0));
-  CHECK(smooth.mirror == scene::MirrorLobe{kBase});
-  CHECK_FALSE(smooth.glossy);
+TEST_CASE("specular factors and the index of refraction are parameters, too") {
+  json material;
+  material["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5}, {"specularColorFactor", {1, 2, 0}}};
+  material["extensions"]["KHR_materials_ior"]["ior"] = 0;
+  const scene::SurfaceParameters expected{
+      .metalness = 1, .specularColour = {1, 2, 0}, .specularWeight = 0.5f, .ior = 0};
+  CHECK(mapped(material).surface == expected);
+  material["extensions"]["KHR_materials_specular"]["specularColorFactor"] = {1, -1, 0};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
 }
 
-TEST_CASE("weights of all mixtures sum to 1") {
-  for (const double metallic : {0.0, 0.3, 1.0}) {
-    for (const double transmission : {0.0, 0.6, 1.0}) {
-      json material = metallicRoughness(metallic, 0.3);
-      material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = transmission;
-      const scene::Material m = mapped(material);
-      const double sum = (m.diffuse ? m.diffuse->weight : 0) + (m.glossy ? m.glossy->weight : 0) +
-                         (m.dielectric ? m.dielectric->weight : 0);
-      CHECK(sum == Approx(1));
-    }
-  }
+TEST_CASE("textures of a surface are those of its slots") {
+  json material;
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 8;
+  material["extensions"]["KHR_materials_specular"] = {{"specularTexture", {{"index", 9}}},
+                                                      {"specularColorTexture", {{"index", 10}}}};
+  const scene::Material surface = mapped(material);
+  CHECK(textureOf(surface, scene::TextureSlot::baseColour)->image == 7);
+  CHECK(textureOf(surface, scene::TextureSlot::metallicRoughness)->image == 8);
+  CHECK(textureOf(surface, scene::TextureSlot::specular)->image == 9);
+  CHECK(textureOf(surface, scene::TextureSlot::specularColour)->image == 10);
 }
 
-TEST_CASE("what transmits refracts if it has a thickness, and lets light pass straight if it has none") {
+TEST_CASE("alpha modes decide the opacity of triangles") {
+  json material{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}, {"baseColorTexture", {{"index", 7}}}}}};
+  CHECK_FALSE(mapped(material).opacity);
+  material["alphaMode"] = "BLEND";
+  CHECK(mapped(material).opacity == scene::Opacity{.factor = 0.25f, .texture = kTexture7});
+  material["alphaMode"] = "MASK";
+  CHECK(mapped(material).opacity == scene::Opacity{.factor = 0.25f, .cutoff = 0.5f, .texture = kTexture7});
+  material["alphaCutoff"] = 0.125;
+  CHECK(mapped(material).opacity->cutoff == 0.125f);
+}
+
+TEST_CASE("what transmits bounds a volume if it has a thickness, and is a thin wall if it has none") {
+  json material = metallicRoughness(0, 0);
+  material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.75;
+  CHECK(mapped(material).surface->transmissionWeight == 0.75f);
+  CHECK_FALSE(mapped(material).surface->hasVolume());
+  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 0.1}};
+  CHECK(mapped(material).surface->hasVolume());
+  CHECK(mapped(material).surface->absorption == glm::vec3(0));
+  CHECK_FALSE(mapped(material).opaque);
+  material["extensions"]["KHR_materials_ior"]["ior"] = 0;
+  CHECK(mapped(material).surface->transmissionWeight == 0);
+}
+
+TEST_CASE("the attenuation colour remains of light at the attenuation distance") {
   json material = metallicRoughness(0, 0);
   material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 1;
-  CHECK(mapped(material).dielectric == scene::DielectricLobe{1, kBase, 1});
-  material["extensions"]["KHR_materials_volume"]["thicknessFactor"] = 0.1;
-  CHECK(mapped(material).dielectric == scene::DielectricLobe{1, kBase, 1.5f});
-  material["extensions"]["KHR_materials_ior"]["ior"] = 2;
-  CHECK(mapped(material).dielectric->ior == 2);
-  CHECK_FALSE(mapped(material).opaque);
+  json& volume = material["extensions"]["KHR_materials_volume"];
+  volume = {{"thicknessFactor", 1}, {"attenuationColor", {0.25, 1, 0}}, {"attenuationDistance", 2}};
+  const glm::vec3 absorption = mapped(material).surface->absorption;
+  CHECK(std::exp(-2 * absorption.x) == Approx(0.25));
+  CHECK(absorption.y == 0);
+  CHECK(std::exp(-2 * absorption.z) < 1e-37f);
+  volume["attenuationDistance"] = 0;
+  CHECK_THROWS_AS(mapped(material), PlaceError);
 }
 
-TEST_CASE("emission has a strength, and a textured one is left out, and unlit surfaces shine by their colour") {
+TEST_CASE("a clearcoat is the coat of a surface") {
+  json material;
+  material["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.25}};
+  CHECK(mapped(material).surface->coatWeight == 0.5f);
+  CHECK(mapped(material).surface->coatRoughness == 0.25f);
+}
+
+TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
   CHECK(mapped(material).emission == glm::vec3(8, 4, 0));
-  material["emissiveTexture"]["index"] = 0;
-  CHECK(mapped(material).emission == glm::vec3(0));
+  material["emissiveTexture"]["index"] = 7;
+  CHECK(textureOf(mapped(material), scene::TextureSlot::emission) == kTexture7);
   json unlit = metallicRoughness(0, 1);
+  unlit["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
   unlit["extensions"]["KHR_materials_unlit"] = json::object();
   CHECK(mapped(unlit).emission == kBase);
+  CHECK(textureOf(mapped(unlit), scene::TextureSlot::emission) == kTexture7);
   CHECK(kindOf(mapped(unlit)) == scene::MaterialKind::black);
 }
 
@@ -82,15 +124,15 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
   file.addMesh(file.primitive());
   const scene::Scene scene = sceneOf(file);
   CHECK(scene.materials.size() == 1);
-  CHECK(scene.materials[0].glossy == scene::GlossyLobe{1, {1, 1, 1}, 0});
+  CHECK(scene.materials[0].surface == scene::SurfaceParameters{.metalness = 1});
 }
 
 TEST_CASE("one warning lists what is not rendered") {
   GltfFile file = triangleFile();
-  json material{{"alphaMode", "BLEND"}, {"normalTexture", {{"index", 0}}}};
+  json material{{"normalTexture", {{"index", 0}}}};
   material["extensions"]["KHR_materials_sheen"] = json::object();
   file.root["materials"] = {material};
-  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, alpha mode BLEND, normal texture"));
+  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, normal texture"));
 }
 
 }  // namespace candela::gltf

@@ -1,8 +1,10 @@
 // Transfer function and tone curves against values computed elsewhere.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "host/image/colour_transfer.h"
+#include "host/image/exposure.h"
 #include "host/image/image.h"
 
 using namespace candela;
@@ -67,6 +69,15 @@ TEST_CASE("tone curves give the pixels of their published formulas") {
     CHECK(display(row.linear, ToneMap::agx) == row.agx);
     CHECK(display(row.linear, ToneMap::neutral) == row.neutral);
   }
+}
+
+TEST_CASE("the automatic exposure makes the geometric mean of the luminance 0.18") {
+  Image image{2, 2, {glm::vec3(0.09f), glm::vec3(0.36f), glm::vec3(0), glm::vec3(-1)}, {}, {}, {}, {}};
+  CHECK(automaticExposure(image) == Approx(0).margin(1e-6));
+  for (glm::vec3& pixel : image.rgb) pixel *= 8;
+  CHECK(automaticExposure(image) == Approx(-3));
+  image.rgb = {glm::vec3(0), glm::vec3(std::numeric_limits<float>::infinity()), glm::vec3(NAN), glm::vec3(0)};
+  CHECK(automaticExposure(image) == 0);
 }
 
 TEST_CASE("exposure is measured in stops") {

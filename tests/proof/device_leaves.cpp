@@ -2,6 +2,7 @@
 #include <bit>
 #include <catch2/catch.hpp>
 
+#include "spirv/environment_leaf.h"
 #include "spirv/light_leaf.h"
 #include "spirv/material_leaf.h"
 #include "spirv/ray_leaf.h"
@@ -87,7 +88,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
   std::vector<vec4> inputs;
   for (const DirectionPair& pair : pairs) {
     inputs.emplace_back(vec3(pair.wo), number(pair.material));
-    inputs.emplace_back(vec3(pair.wi), 0.0f);
+    inputs.emplace_back(vec3(pair.wi), pair.outside ? 1.0f : 0.0f);
   }
   const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), pairs.size(), 1);
   std::vector<ScatterValue> values;
@@ -148,6 +149,47 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
   std::vector<FoundLight> found;
   for (std::size_t i = 0; i < directions.size(); ++i) found.push_back({rows[2 * i].x, rows[2 * i].y});
   return found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct EnvironmentLeaves::Side {
+  device::SceneLeaf leaf;
+
+  // As environment_leaf.comp numbers them.
+  static constexpr std::uint32_t kSample = 0, kTap = 1;
+};
+
+EnvironmentLeaves::EnvironmentLeaves(const scene::Scene& scene)
+    : side_(new Side{device::SceneLeaf(spirv::environment_leaf, scene)}) {}
+EnvironmentLeaves::~EnvironmentLeaves() = default;
+
+std::vector<LitPoint> EnvironmentLeaves::sample(std::span<const EnvironmentQuery> queries) const {
+  std::vector<glm::uvec4> inputs;
+  for (const EnvironmentQuery& query : queries) {
+    inputs.emplace_back(query.wordU, query.wordV, std::bit_cast<std::uint32_t>(query.place.x),
+                        std::bit_cast<std::uint32_t>(query.place.y));
+    inputs.emplace_back(0);
+  }
+  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), queries.size(), Side::kSample);
+  std::vector<LitPoint> points;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    points.push_back({vec3(rows[2 * i]), 0, rows[2 * i].w, vec3(rows[2 * i + 1])});
+  }
+  return points;
+}
+
+std::vector<EnvironmentTap> EnvironmentLeaves::tap(std::span<const dvec3> directions,
+                                                   std::span<const vec3> jitter) const {
+  std::vector<vec4> inputs;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    inputs.emplace_back(vec3(directions[i]), 0.0f);
+    inputs.emplace_back(jitter[i], 0.0f);
+  }
+  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), directions.size(), Side::kTap);
+  std::vector<EnvironmentTap> taps;
+  for (std::size_t i = 0; i < directions.size(); ++i) taps.push_back({vec3(rows[2 * i]), rows[2 * i].w});
+  return taps;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

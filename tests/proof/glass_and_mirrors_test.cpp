@@ -91,3 +91,35 @@ TEST_CASE("a slab of glass transmits and reflects the sums of the series of its 
     CHECK(shown.y == Approx(slab.reflected()).margin(2e-3));
   }
 }
+
+TEST_CASE("a slab of absorbing glass shows the light that is left, and its volume is entered and left once each") {
+  constexpr double kThickness = 0.5, kReflectance = 0.04;
+  const vec3 absorption(0.5f, 1, 3);
+  scene::Material glass;
+  glass.surface = {.roughness = 0, .transmissionWeight = 1, .isThinWalled = false, .absorption = absorption};
+  SceneBuilder b;
+  b.material(glass).box({-50, -50, -kThickness}, {50, 50, 0});
+  b.scene.background = vec3(1);
+  b.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  render::RenderSettings settings = longPaths(16, 16, 256);
+  const render::RenderResult result = renderScene(b.scene, longPaths(16, 16, 256));
+  for (int c = 0; c < 3; ++c) {
+    const double left = std::exp(-double{absorption[c]} * kThickness);
+    const double expected = kReflectance + std::pow(1 - kReflectance, 2) * left / (1 - kReflectance * left);
+    CHECK(test::meanOf(result.film)[c] == Approx(expected).epsilon(0.01));
+  }
+  CHECK(result.statistics.volumeFaults == 0);
+}
+
+TEST_CASE("volumes that are open or overlap are counted") {
+  scene::Material glass;
+  glass.surface = {.roughness = 0, .transmissionWeight = 1, .isThinWalled = false};
+  SceneBuilder open;
+  open.material(glass).quad({-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0});
+  open.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  CHECK(renderScene(open.scene, longPaths(8, 8, 16)).statistics.volumeFaults > 8 * 8 * 16 / 2);
+  SceneBuilder nested;
+  nested.material(glass).box({-50, -50, -1}, {50, 50, 0}).material(glass).box({-50, -50, -2}, {50, 50, -0.5f});
+  nested.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  CHECK(renderScene(nested.scene, longPaths(8, 8, 16)).statistics.volumeFaults > 8 * 8 * 16 / 2);
+}

@@ -47,6 +47,7 @@ struct DirectionPair {
   std::uint32_t material = 0;
   dvec3 wo{0, 0, 1};
   dvec3 wi{0, 0, 1};
+  bool outside = true;
 };
 struct ScatterValue {
   dvec3 f{0};
@@ -93,6 +94,31 @@ class LightLeaves {
   std::vector<LitPoint> sample(std::uint32_t entry, const Viewpoint& from, std::span<const glm::vec3> numbers) const;
   /// Rays that find the emitter of `entry` by themselves.
   std::vector<FoundLight> find(std::uint32_t entry, const Viewpoint& from, std::span<const dvec3> directions) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
+/// Numbers of a light sample of an environment: words of light u and v, and the place around the texel.
+struct EnvironmentQuery {
+  std::uint32_t wordU = 0;
+  std::uint32_t wordV = 0;
+  glm::vec2 place{0.5f};
+};
+struct EnvironmentTap {
+  dvec3 radiance{0};
+  double pdf = 0;  ///< with which light samples choose direction and tap, with the choice of the light
+};
+/// The environment of a scene that has one.
+class EnvironmentLeaves {
+ public:
+  explicit EnvironmentLeaves(const scene::Scene& scene);
+  ~EnvironmentLeaves();
+  /// The distance is not set.
+  std::vector<LitPoint> sample(std::span<const EnvironmentQuery> queries) const;
+  /// Taps of directions, with as many pairs of numbers.
+  std::vector<EnvironmentTap> tap(std::span<const dvec3> directions, std::span<const glm::vec3> jitter) const;
 
  private:
   struct Side;

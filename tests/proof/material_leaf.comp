@@ -1,5 +1,5 @@
 // Lobes under proof, in the local frame. Input, two rows: (wo, material) and, to sample, (numbers of lobe, u and v,
-// 1 if wo is outside), to evaluate, (wi, .). Output, two rows: (wi, pdf) (weight, lobe), or (f, pdf) (.).
+// 1 if wo is outside), to evaluate, (wi, 1 if wo is outside). Output, two rows: (wi, pdf) (weight, lobe), or (f, pdf) (.).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bsdf.glsl"
@@ -15,6 +15,7 @@ void main() {
   vec4 first = inputs[2u * i];
   vec4 second = inputs[2u * i + 1u];
   Material material = loadMaterial(uint(first.w));
+  prepareLobes(material, first.xyz, second.w != 0.0);
   if (evaluates != 0u) {
     float pdf;
     vec3 f = evaluateBsdf(material, first.xyz, second.xyz, pdf);

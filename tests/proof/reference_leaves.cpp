@@ -1,9 +1,11 @@
 // The reference's side.
 #include "host/reference/bsdf.h"
+#include "host/reference/environment_map.h"
 #include "host/reference/lights.h"
 #include "host/reference/reference_renderer.h"
 #include "host/reference/sampling.h"
 #include "host/reference/surface.h"
+#include "host/reference/surface_material.h"
 #include "host/reference/tracing.h"
 #include "tests/proof/leaves.h"
 
@@ -31,12 +33,19 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct MaterialLeaves::Side {
-  std::vector<reference::Bsdf> bsdfs;
+  std::vector<reference::SurfaceMaterial> materials;
+
+  reference::Bsdf bsdfOf(std::uint32_t material, const dvec3& wo, bool outside) const {
+    reference::Bsdf bsdf = materials[material].bsdf;
+    if (materials[material].surface) bsdf.setSurface(*materials[material].surface, wo, outside);
+    return bsdf;
+  }
 
   // A path that continues from a vertex whose geometric and shading normals are equal.
   Scattered sample(const ScatterQuery& query) const {
-    const reference::Bsdf& bsdf = bsdfs[query.material];
+    const reference::Bsdf bsdf = bsdfOf(query.material, query.wo, query.outside);
     if (bsdf.isBlack()) return {};
+    if (bsdf.surface()) return ofSurface(bsdf, query);
     const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
     if (lobe == render::Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
     if (lobe == render::Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
@@ -46,11 +55,18 @@ struct MaterialLeaves::Side {
     return {lobe, wi, value.f * wi.z / value.pdf, value.pdf};
   }
 
+  static Scattered ofSurface(const reference::Bsdf& bsdf, const ScatterQuery& query) {
+    const auto [lobe, wi, alpha] = bsdf.surface()->sample(query.numbers.x, {query.numbers.y, query.numbers.z});
+    const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
+    if (value.pdf == 0 || (lobe == render::Lobe::refract) != (wi.z < 0)) return {};
+    return {lobe, wi, value.f * std::abs(wi.z) / value.pdf, value.pdf};
+  }
+
   static Scattered ofDelta(const reference::DeltaSample& sample) { return {sample.lobe, sample.wi, sample.weight, 0}; }
 };
 
 MaterialLeaves::MaterialLeaves(const std::vector<scene::Material>& materials) : side_(std::make_unique<Side>()) {
-  for (const scene::Material& material : materials) side_->bsdfs.emplace_back(material);
+  for (const scene::Material& material : materials) side_->materials.emplace_back(material);
 }
 
 MaterialLeaves::~MaterialLeaves() = default;
@@ -64,7 +80,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
 std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
   std::vector<ScatterValue> values;
   for (const DirectionPair& pair : pairs) {
-    const reference::BsdfValue value = side_->bsdfs[pair.material].evaluate(pair.wo, pair.wi);
+    const reference::BsdfValue value = side_->bsdfOf(pair.material, pair.wo, pair.outside).evaluate(pair.wo, pair.wi);
     values.push_back({value.f, value.pdf});
   }
   return values;
@@ -132,6 +148,41 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
   std::vector<FoundLight> found;
   for (const dvec3& direction : directions) found.push_back(side_->find(entry, from, direction));
   return found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+struct EnvironmentLeaves::Side {
+  scene::Scene scene;
+  reference::EnvironmentMap map;
+  double probability;
+
+  explicit Side(const scene::Scene& lights)
+      : scene(lights),
+        map(*scene.environment),
+        probability(reference::LightTable(scene, {}).environmentProbability()) {}
+};
+
+EnvironmentLeaves::EnvironmentLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+EnvironmentLeaves::~EnvironmentLeaves() = default;
+
+std::vector<LitPoint> EnvironmentLeaves::sample(std::span<const EnvironmentQuery> queries) const {
+  std::vector<LitPoint> points;
+  for (const EnvironmentQuery& query : queries) {
+    const auto lit = side_->map.sample(std::uint64_t{query.wordU} << 32 | query.wordV, dvec2(query.place));
+    points.push_back(lit ? LitPoint{lit->wi, 0, side_->probability * lit->pdf.value(), lit->radiance} : LitPoint{});
+  }
+  return points;
+}
+
+std::vector<EnvironmentTap> EnvironmentLeaves::tap(std::span<const dvec3> directions,
+                                                   std::span<const glm::vec3> jitter) const {
+  std::vector<EnvironmentTap> taps;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const reference::EnvironmentMap::Tap tap = side_->map.tap(directions[i], dvec2(jitter[i]));
+    taps.push_back({tap.radiance, side_->probability * tap.pdf});
+  }
+  return taps;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -180,5 +180,6 @@ TEST_CASE("every kind of light has the documented power") {
   CHECK(SphereLight({vec3(0), -2}, white, 0).power() == Approx(16 * kPi));
   CHECK(TriangleLight({{vec3(0), vec3(2, 0, 0), vec3(0, 3, 0)}}, white, 0, false).power() == Approx(3));
   CHECK(PointLight({vec3(0), vec3(5)}).power() == Approx(5));
-  CHECK(BackgroundLight().power() == 0);
+  CHECK(EnvironmentLight(false).power() == 0);
+  CHECK(EnvironmentLight(true).power() == 1);
 }

@@ -82,7 +82,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, lensRight),
                                                        MEMBER(RenderConstants, inverseFocal),
                                                        MEMBER(RenderConstants, lensUp),
-                                                       MEMBER(RenderConstants, unused0),
+                                                       MEMBER(RenderConstants, firstSurfaceRow),
                                                        MEMBER(RenderConstants, background),
                                                        MEMBER(RenderConstants, aoDistance),
                                                        MEMBER(RenderConstants, imageWidth),
@@ -97,18 +97,18 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstPrimitiveRow),
                                                        MEMBER(RenderConstants, firstMaterialRow),
                                                        MEMBER(RenderConstants, firstLightRow),
-                                                       MEMBER(RenderConstants, firstNormalRow),
+                                                       MEMBER(RenderConstants, firstAttributeRow),
                                                        MEMBER(RenderConstants, firstSkyRow),
                                                        MEMBER(RenderConstants, firstPlaneSlot),
                                                        MEMBER(RenderConstants, slotCount),
                                                        MEMBER(RenderConstants, gridLow),
                                                        MEMBER(RenderConstants, gridReach),
                                                        MEMBER(RenderConstants, gridHigh),
-                                                       MEMBER(RenderConstants, unused1),
+                                                       MEMBER(RenderConstants, firstEnergyRow),
                                                        MEMBER(RenderConstants, gridScale),
-                                                       MEMBER(RenderConstants, unused2),
+                                                       MEMBER(RenderConstants, firstTextureRow),
                                                        MEMBER(RenderConstants, gridWidth),
-                                                       MEMBER(RenderConstants, unused3),
+                                                       MEMBER(RenderConstants, indirectLimit),
                                                        MEMBER(RenderConstants, gridSides),
                                                        MEMBER(RenderConstants, firstItemRow),
                                                        MEMBER(RenderConstants, gridStrides),
@@ -135,7 +135,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
                                                 MEMBER(FilmRows, luminanceSquared)});
   CHECK(module.offsetsOf("Counters") == Offsets{MEMBER(Counters, finishedPixels), MEMBER(Counters, truncated),
-                                                MEMBER(Counters, finishedSamples), MEMBER(Counters, unused)});
+                                                MEMBER(Counters, finishedSamples), MEMBER(Counters, volumeFaults)});
 }
 
 TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin like the megakernel's") {

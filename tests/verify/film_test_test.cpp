@@ -130,6 +130,9 @@ TEST_CASE("films that cannot be tested are refused with the reason") {
   CHECK_THAT(*whyNotTestable(good, twoPixels(2, 2, 1, 1, 4, "1")), Contains("the same seed"));
   CHECK_THAT(*whyNotTestable(good, twoPixels(1, 1, 1, 1, 1, "2")),
              Contains("B has pixels with fewer than two samples"));
+  image::Image biased = twoPixels(1, 1, 1, 1, 4, "2");
+  biased.metadata[kBiasMetadata] = "too dark";
+  CHECK_THAT(*whyNotTestable(good, biased), Contains("B is biased on purpose"));
   CHECK_THAT(*whyNotTestable(twoPixels(1, 1, -1, 1, 4, "2"), good), Contains("A has values that are not finite"));
   CHECK_THAT(*whyNotTestable(twoPixels(1, NAN, 1, 1, 4, "2"), good), Contains("A has values that are not finite"));
   image::Image bare = good;

@@ -1,0 +1,37 @@
+// Tables of the energy that rough surfaces reflect, for both tracers: docs/light-transport.md section 5.3.
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace candela::energy {
+
+/// Roughness below which a surface is no smoother; alpha is the square of the roughness.
+inline constexpr double kMinRoughness = 0.01;
+
+/// Nodes of a table in each of its two dimensions, both over [0, 1]: node (i, j) has the index j * kNodes + i, belongs
+/// to the roughness rho = max(j / (kNodes - 1), kMinRoughness) and to the cosine at which c (1 + alpha) / (c + alpha)
+/// is i / (kNodes - 1).
+inline constexpr std::size_t kNodes = 48;
+using Table = std::array<float, kNodes * kNodes>;
+
+/// Directional albedo of white microfacets that reflect once.
+extern const Table kWhite;
+/// The mean of (1 - wo.h)^5 over that light is (1 - c - alpha t)^5 with the value t of this table.
+extern const Table kTilt;
+
+/// Nodes of the glass tables, whose first two dimensions are those above; node (i, j, k) has the index
+/// (k * kGlassRoughnesses + j) * kGlassCosines + i. The indices of refraction n are those at which (n - 1)/(n + 1) is
+/// k / 2 / (kGlassIors - 1), but at least kMinVolumeIor.
+inline constexpr std::size_t kGlassCosines = 24, kGlassRoughnesses = 32, kGlassIors = 16;
+inline constexpr double kMinVolumeIor = 1.01;
+using GlassTable = std::array<float, kGlassCosines * kGlassRoughnesses * kGlassIors>;
+
+/// Glass would gain energy where interpolation falls short of the albedo, by at most 0.4 % for n = 1.5.
+inline constexpr double kGlassMargin = 1.004;
+
+/// Directional albedo of rough glass that reflects or transmits once, seen from outside and from inside, times the
+/// margin.
+extern const GlassTable kGlassOutside;
+extern const GlassTable kGlassInside;
+
+}  // namespace candela::energy

@@ -1,0 +1,57 @@
+// Averages the texture of an emitter.
+#include "host/flatten/emission_mean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/image/colour_transfer.h"
+
+namespace candela::flatten {
+namespace {
+
+constexpr std::uint32_t kDivisions = 8;  // of each edge
+
+std::uint32_t texelAlong(double s, std::uint32_t count, scene::TextureWrap wrap) {
+  constexpr double kLimit = 8388608;
+  if (!(std::abs(s) < kLimit)) s = 0;
+  if (wrap == scene::TextureWrap::repeat) s -= std::floor(s);
+  if (wrap == scene::TextureWrap::mirroredRepeat) s = 1 - std::abs(s - 2 * std::floor(s / 2) - 1);
+  const double texel = std::floor(s * count);
+  return static_cast<std::uint32_t>(std::clamp(texel, 0.0, count - 1.0));
+}
+
+glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureReference& reference, const glm::dvec2& uv) {
+  const glm::dvec3 place(uv, 1);
+  const std::uint32_t x = texelAlong(glm::dot(glm::dvec3(reference.rowS), place), image.width, reference.wrapS);
+  const std::uint32_t y = texelAlong(glm::dot(glm::dvec3(reference.rowT), place), image.height, reference.wrapT);
+  const std::uint32_t texel = image.texels[std::size_t{y} * image.width + x];
+  const auto linear = [](std::uint32_t byte) { return double{static_cast<float>(image::srgbDecode(byte / 255.0))}; };
+  return {linear(texel & 255u), linear(texel >> 8 & 255u), linear(texel >> 16 & 255u)};
+}
+
+}  // namespace
+
+glm::dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle) {
+  const auto& reference = textureOf(scene.materials[triangle.material], scene::TextureSlot::emission);
+  if (!reference) return glm::dvec3(1);
+  const scene::Mesh& mesh = meshOf(scene, triangle);
+  const std::vector<glm::vec2>& coords = mesh.texCoords[reference->texCoordSet];
+  std::array<glm::vec2, 3> uv{};
+  if (!coords.empty()) uv = attributeOf(mesh, coords, triangle.index);
+  glm::dvec3 sum(0);
+  const auto add = [&](double i, double j) {
+    const double b1 = i / kDivisions;
+    const double b2 = j / kDivisions;
+    const glm::dvec2 at = (1 - b1 - b2) * glm::dvec2(uv[0]) + b1 * glm::dvec2(uv[1]) + b2 * glm::dvec2(uv[2]);
+    sum += colourAt(scene.images[reference->image], *reference, at);
+  };
+  for (std::uint32_t i = 0; i < kDivisions; ++i) {
+    for (std::uint32_t j = 0; i + j < kDivisions; ++j) {
+      add(i + 1.0 / 3, j + 1.0 / 3);
+      if (i + j + 1 < kDivisions) add(i + 2.0 / 3, j + 2.0 / 3);
+    }
+  }
+  return sum / double{kDivisions * kDivisions};
+}
+
+}  // namespace candela::flatten

@@ -1,0 +1,84 @@
+// Stores the parameters of surfaces, and the energy tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
+#include "host/energy/energy_tables.h"
+#include "host/flatten/flatten_sections.h"
+
+namespace candela::flatten {
+namespace {
+
+static_assert(gpu::kEnergyCells == energy::kNodes - 1);
+static_assert(gpu::kGlassCosineCells == energy::kGlassCosines - 1);
+static_assert(gpu::kGlassRoughnessCells == energy::kGlassRoughnesses - 1);
+static_assert(gpu::kGlassIorCells == energy::kGlassIors - 1);
+
+// Appends a record for every cell of a plane of `width` by `height` nodes.
+void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
+  for (std::size_t j = 0; j + 1 < height; ++j) {
+    for (const float* at = nodes + j * width; at + 1 < nodes + (j + 1) * width; ++at) {
+      rows.push_back({floatBits(at[0]), floatBits(at[1]), floatBits(at[width]), floatBits(at[width + 1])});
+    }
+  }
+}
+
+void appendGlass(const energy::GlassTable& table, Rows& rows) {
+  constexpr std::size_t kLayer = energy::kGlassCosines * energy::kGlassRoughnesses;
+  for (std::size_t k = 0; k < energy::kGlassIors; ++k) {
+    appendCells(table.data() + k * kLayer, energy::kGlassCosines, energy::kGlassRoughnesses, rows);
+  }
+}
+
+void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
+  rows.push_back(row(glm::dvec3(s.baseColour), double{s.metalness}));
+  rows.push_back(row(glm::dvec3(s.specularColour), double{s.specularWeight}));
+  rows.push_back(row(glm::dvec3(s.roughness, s.ior, s.transmissionWeight), double{s.coatRoughness}));
+  rows.push_back(row(glm::dvec3(s.absorption), double{s.coatWeight}));
+  rows.push_back({volume, 0, 0, 0});
+}
+
+}  // namespace
+
+SurfaceOrder orderSurfaces(const scene::Scene& scene) {
+  SurfaceOrder order;
+  order.numbers.resize(scene.materials.size());
+  const auto append = [&](bool hasVolume) {
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+      const auto& surface = scene.materials[i].surface;
+      if (!surface || surface->hasVolume() != hasVolume) continue;
+      order.materials.push_back(i);
+      order.numbers[i] = static_cast<std::uint32_t>(order.materials.size());
+    }
+  };
+  append(true);
+  order.volumeCount = static_cast<std::uint32_t>(order.materials.size());
+  append(false);
+  if (order.volumeCount > gpu::kMaxVolumeCount) {
+    throw FileError(fmt::format("{}: {} materials bound volumes; at most {} are supported", scene.name,
+                                order.volumeCount, gpu::kMaxVolumeCount));
+  }
+  return order;
+}
+
+Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order) {
+  Rows rows;
+  for (std::uint32_t i = 0; i < order.materials.size(); ++i) {
+    appendSurface(*scene.materials[order.materials[i]].surface, i < order.volumeCount ? i + 1 : 0, rows);
+  }
+  return rows;
+}
+
+Rows energyRows(bool hasVolumes) {
+  Rows white, tilt, rows;
+  appendCells(energy::kWhite.data(), energy::kNodes, energy::kNodes, white);
+  appendCells(energy::kTilt.data(), energy::kNodes, energy::kNodes, tilt);
+  for (std::size_t cell = 0; cell < white.size(); ++cell) rows.insert(rows.end(), {white[cell], tilt[cell]});
+  if (!hasVolumes) return rows;
+  appendGlass(energy::kGlassOutside, rows);
+  appendGlass(energy::kGlassInside, rows);
+  return rows;
+}
+
+}  // namespace candela::flatten

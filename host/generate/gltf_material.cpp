@@ -1,0 +1,30 @@
+// Writes only the extensions that a material uses.
+#include "host/generate/gltf_material.h"
+
+namespace candela::generate {
+
+GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
+  const glm::dvec3& colour = factors.colour;
+  GltfDocument::Json material;
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {colour.x, colour.y, colour.z, 1}},
+                                      {"metallicFactor", factors.metalness},
+                                      {"roughnessFactor", factors.roughness}};
+  GltfDocument::Json extensions;
+  if (factors.transmission > 0) {
+    extensions["KHR_materials_transmission"] = {{"transmissionFactor", factors.transmission}};
+  }
+  if (factors.thickness > 0) extensions["KHR_materials_volume"] = {{"thicknessFactor", factors.thickness}};
+  if (factors.thickness > 0 && factors.attenuationDistance > 0) {
+    const glm::dvec3& left = factors.attenuation;
+    extensions["KHR_materials_volume"]["attenuationColor"] = {left.x, left.y, left.z};
+    extensions["KHR_materials_volume"]["attenuationDistance"] = factors.attenuationDistance;
+  }
+  if (factors.clearcoat > 0) {
+    extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", factors.clearcoat},
+                                             {"clearcoatRoughnessFactor", factors.clearcoatRoughness}};
+  }
+  if (!extensions.empty()) material["extensions"] = extensions;
+  return material;
+}
+
+}  // namespace candela::generate

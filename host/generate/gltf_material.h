@@ -1,0 +1,23 @@
+// Materials of glTF as the generators state them.
+#pragma once
+#include "host/generate/gltf_document.h"
+
+namespace candela::generate {
+
+/// The factors of a material, with the defaults of the generators.
+struct MaterialFactors {
+  glm::dvec3 colour{1};
+  double metalness = 0;
+  double roughness = 0.5;
+  double transmission = 0;
+  double thickness = 0;  ///< of the body that transmits; 0: a thin wall
+  double clearcoat = 0;
+  double clearcoatRoughness = 0;
+  glm::dvec3 attenuation{1};       ///< colour that is left after `attenuationDistance`
+  double attenuationDistance = 0;  ///< 0: nothing is absorbed
+};
+
+/// Returns the JSON object.
+GltfDocument::Json gltfMaterial(const MaterialFactors& factors);
+
+}  // namespace candela::generate

@@ -1,0 +1,117 @@
+// Reads textures.
+#include "host/gltf/textures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host/core/errors.h"
+#include "host/core/memory_budget.h"
+#include "host/gltf/uri.h"
+#include "host/image/texels.h"
+#include "host/scene/hash.h"
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::uint64_t kRepeat = 10497;
+constexpr std::uint64_t kMirroredRepeat = 33648;
+constexpr std::uint64_t kClampToEdge = 33071;
+constexpr std::uint64_t kNearest = 9728;
+constexpr std::uint64_t kLinear = 9729;
+
+scene::TextureWrap wrapOf(const Value& sampler, const char* key) {
+  const std::uint64_t mode = sampler.wholeOr(key, kRepeat);
+  if (mode == kRepeat) return scene::TextureWrap::repeat;
+  if (mode == kMirroredRepeat) return scene::TextureWrap::mirroredRepeat;
+  if (mode != kClampToEdge) sampler.require(key).fail(fmt::format("{} is no wrapping mode", mode));
+  return scene::TextureWrap::clampToEdge;
+}
+
+/// There are no smaller copies of images (mipmaps), so that `minFilter` has no effect.
+void readSampler(const Value& sampler, scene::TextureReference& reference) {
+  reference.wrapS = wrapOf(sampler, "wrapS");
+  reference.wrapT = wrapOf(sampler, "wrapT");
+  const std::uint64_t filter = sampler.wholeOr("magFilter", kLinear);
+  if (filter != kNearest && filter != kLinear)
+    sampler.require("magFilter").fail(fmt::format("{} is no filter", filter));
+  reference.filter = filter == kNearest ? scene::TextureFilter::nearest : scene::TextureFilter::linear;
+}
+
+/// KHR_texture_transform: translation times rotation times scale.
+void readTransform(const Value& transform, scene::TextureReference& reference) {
+  const auto offset = transform.vectorOr("offset", glm::dvec2(0));
+  const auto scale = transform.vectorOr("scale", glm::dvec2(1));
+  const double rotation = transform.numberOr("rotation", 0);
+  const double c = std::cos(rotation);
+  const double s = std::sin(rotation);
+  reference.rowS = glm::vec3(glm::dvec3(c * scale.x, s * scale.y, offset.x));
+  reference.rowT = glm::vec3(glm::dvec3(-s * scale.x, c * scale.y, offset.y));
+}
+
+std::uint8_t texCoordSetOf(const Value& object, std::uint8_t absent) {
+  const std::uint64_t set = object.wholeOr("texCoord", absent);
+  if (set > 1) object.require("texCoord").fail(fmt::format("set {}; sets 0 and 1 are read", set));
+  return static_cast<std::uint8_t>(set);
+}
+
+std::string nameOf(const Value& image) {
+  const std::optional<Value> uri = image.find("uri");
+  if (uri && !isDataUri(uri->text())) return uri->text();
+  return image.textOr("name", image.pointer());
+}
+
+}  // namespace
+
+scene::TextureReference Textures::read(const Value& info) {
+  const Value list = root_.require("textures");
+  const Value texture = list[info.require("index").indexInto("textures", list.size())];
+  scene::TextureReference reference;
+  reference.texCoordSet = texCoordSetOf(info, 0);
+  if (const std::optional<Value> transform = info.extension("KHR_texture_transform")) {
+    readTransform(*transform, reference);
+    reference.texCoordSet = texCoordSetOf(*transform, reference.texCoordSet);
+  }
+  if (const std::optional<Value> index = texture.find("sampler")) {
+    readSampler(root_.require("samplers")[index->indexInto("samplers", root_.sizeOf("samplers"))], reference);
+  }
+  reference.image = imageOf(texture);
+  return reference;
+}
+
+std::uint32_t Textures::imageOf(const Value& texture) {
+  const std::optional<Value> webp = texture.extension("EXT_texture_webp");
+  const Value source = (webp ? *webp : texture).require("source");
+  const std::size_t index = source.indexInto("images", root_.sizeOf("images"));
+  if (const auto known = indices_.find(index); known != indices_.end()) return known->second;
+  images_.push_back(readImage(root_.require("images")[index]));
+  byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t);
+  if (byteCount_ > memoryBudget()) {
+    throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that they may have",
+                                       source.pointer(), memoryBudget() >> 20));
+  }
+  return indices_[index] = static_cast<std::uint32_t>(images_.size() - 1);
+}
+
+scene::TextureImage Textures::readImage(const Value& image) {
+  if (const std::optional<Value> view = image.find("bufferView")) return decode(image, buffers_.view(*view).bytes);
+  const std::string bytes = buffers_.readUri(image.require("uri"));
+  fileHashes_.push_back(scene::fnv1aOfText(bytes));
+  return decode(image, std::as_bytes(std::span(bytes)));
+}
+
+scene::TextureImage Textures::decode(const Value& image, Bytes bytes) const {
+  try {
+    image::Texels texels = image::decodeTexels(bytes);
+    return {nameOf(image), texels.width, texels.height, std::move(texels.rgba)};
+  } catch (const FileError& error) {
+    image.fail(error.what());
+  }
+}
+
+std::uint64_t Textures::hashFiles(std::uint64_t hash) const {
+  for (const std::uint64_t file : fileHashes_) hash = scene::fnv1aOfText(fmt::format("image {:x}", file), hash);
+  return hash;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,105 @@
+// Reads the stored channels of PNG files with libpng's sequential interface, because the simplified one converts
+// colours. Its errors use longjmp, so that no object with a destructor may live between setjmp and the jump.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+
+#include "host/core/errors.h"
+#include "host/image/codecs.h"
+
+namespace candela::image {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "bytes R G B A are the word of a texel");
+
+class PngTexelReader {
+ public:
+  explicit PngTexelReader(ByteView file) : rest_(file) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, leave, ignoreWarning);
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+    if (!info_ || !open()) fail();
+  }
+  PngTexelReader(const PngTexelReader&) = delete;
+  PngTexelReader& operator=(const PngTexelReader&) = delete;
+  ~PngTexelReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  std::uint32_t width() const { return png_get_image_width(png_, info_); }
+  std::uint32_t height() const { return png_get_image_height(png_, info_); }
+
+  void read(std::uint32_t* rgba) {
+    if (!decode(rgba)) fail();
+  }
+
+ private:
+  static void leave(png_structp png, png_const_charp message) {
+    auto* const reader = static_cast<PngTexelReader*>(png_get_error_ptr(png));
+    std::snprintf(reader->message_, sizeof reader->message_, "%s", message);
+    std::longjmp(reader->jump_, 1);
+  }
+  static void ignoreWarning(png_structp, png_const_charp) {}
+
+  static void take(png_structp png, png_bytep target, std::size_t count) {
+    auto* const reader = static_cast<PngTexelReader*>(png_get_io_ptr(png));
+    if (count > reader->rest_.size()) png_error(png, "it is truncated");
+    std::memcpy(target, reader->rest_.data(), count);
+    reader->rest_ = reader->rest_.subspan(count);
+  }
+
+  bool open() {
+    if (setjmp(jump_)) return false;
+    png_set_read_fn(png_, this, take);
+    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkImageSize() has our limits
+    png_read_info(png_, info_);
+    return true;
+  }
+
+  bool decode(std::uint32_t* rgba) {
+    if (setjmp(jump_)) return false;
+    png_set_expand(png_);
+    png_set_scale_16(png_);
+    png_set_gray_to_rgb(png_);
+    png_set_add_alpha(png_, 255, PNG_FILLER_AFTER);
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    const std::uint32_t width = this->width();
+    const std::uint32_t height = this->height();
+    if (png_get_rowbytes(png_, info_) != std::size_t{4} * width) png_error(png_, "unexpected size of rows");
+    for (int pass = 0; pass < passes; ++pass) {
+      for (std::uint32_t y = 0; y < height; ++y) {
+        png_read_row(png_, reinterpret_cast<png_bytep>(rgba + std::size_t{y} * width), nullptr);
+      }
+    }
+    png_read_end(png_, nullptr);
+    return true;
+  }
+
+  /// Also called from the constructor, whose destructor does not run.
+  [[noreturn]] void fail() {
+    png_destroy_read_struct(&png_, &info_, nullptr);
+    throw FileError(fmt::format("not a valid PNG file: {}", message_));
+  }
+
+  ByteView rest_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  std::jmp_buf jump_;
+  char message_[256] = "out of memory";
+};
+
+}  // namespace
+
+Texels decodePngTexels(ByteView file) {
+  PngTexelReader reader(file);
+  checkImageSize(reader.width(), reader.height());
+  const std::uint64_t pixelCount = std::uint64_t{reader.width()} * reader.height();
+  checkPngPlausible(pixelCount, file.size());
+  Texels texels{reader.width(), reader.height(), std::vector<std::uint32_t>(pixelCount)};
+  reader.read(texels.rgba.data());
+  return texels;
+}
+
+}  // namespace candela::image

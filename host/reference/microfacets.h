@@ -1,0 +1,39 @@
+// Rough surfaces of GGX microfacets: docs/light-transport.md sections 5.2 and 5.3. Directions are in the shading frame.
+#pragma once
+#include <glm/glm.hpp>
+
+namespace candela::reference {
+
+using glm::dvec2;
+using glm::dvec3;
+
+/// Directional albedos of light that the microfacets reflect once.
+struct SingleScattering {
+  double white;    ///< with a reflectance of 1
+  double grazing;  ///< with the reflectance (1 - wo.h)^5
+};
+
+class Microfacets {
+ public:
+  /// `roughness` in [0, 1] is at least energy::kMinRoughness afterwards.
+  explicit Microfacets(double roughness);
+
+  double alpha() const { return alpha_; }
+  /// Density of normals, such that the integral of D cosH is 1.
+  double distribution(const dvec3& h) const;
+  /// Fraction of the microfacets of normal h that both directions see, with heights correlated.
+  double maskingShadowing(const dvec3& wo, const dvec3& wi) const;
+  /// Density of the half vectors that sampleNormal() returns.
+  double normalPdf(const dvec3& wo, const dvec3& h) const;
+  dvec3 sampleNormal(const dvec3& wo, const dvec2& u) const;
+  /// Interpolates the energy tables.
+  SingleScattering albedo(double cosine) const;
+
+ private:
+  double lambda(const dvec3& w) const;
+
+  double roughness_;
+  double alpha_;
+};
+
+}  // namespace candela::reference

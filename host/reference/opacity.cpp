@@ -1,0 +1,48 @@
+// Decides whether rays hit transparent triangles.
+#include "host/reference/opacity.h"
+
+#include "host/reference/geometry.h"
+#include "host/reference/sampler.h"
+
+namespace candela::reference {
+namespace {
+
+constexpr std::uint32_t kOpacitySeed = 0x6f706163u;
+
+}  // namespace
+
+std::uint32_t opacityKey(std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed, std::uint32_t vertex,
+                         bool isShadowRay) {
+  const std::uint32_t ray = 2 * vertex + static_cast<std::uint32_t>(isShadowRay);
+  return pcg4d({pixel, sample, ray, seed ^ kOpacitySeed})[0];
+}
+
+bool isTransparent(const scene::Scene& scene, const scene::Primitive& primitive) {
+  return primitive.kind == scene::PrimitiveKind::triangle && scene.materials[primitive.material].opacity.has_value();
+}
+
+double opacityAt(const scene::Scene& scene, const scene::Primitive& triangle, const MeshAttributes& attributes,
+                 const dvec2& jitter, const dvec2& error) {
+  const scene::Opacity& opacity = *scene.materials[triangle.material].opacity;
+  double alpha = opacity.factor;
+  if (!meshOf(scene, triangle).colours.empty()) alpha *= attributes.colour.w;
+  if (opacity.texture) {
+    const scene::TextureImage& image = scene.images[opacity.texture->image];
+    const dvec2 st = textureCoordinates(*opacity.texture, attributes) +
+                     error * coordinateErrors(*opacity.texture, attributes);
+    alpha *= opacity.cutoff ? filteredAlpha(image, *opacity.texture, st)
+                            : alphaOf(texelAt(image, *opacity.texture, st, jitter));
+  }
+  if (!opacity.cutoff) return alpha;
+  return alpha >= double{*opacity.cutoff} ? 1 : 0;
+}
+
+bool isThere(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray, const dvec2& errorSign) {
+  const scene::Primitive& triangle = scene.primitives[primitive];
+  const dvec2 b = TriangleShape(triangleOf(scene, triangle)).barycentrics(ray);
+  const MeshAttributes attributes = attributesAt(scene, triangle, b, dvec3(0));
+  const Words words = pcg4d({ray.opacityKey, primitive, 0, 0});
+  return toUnit(words[0]) < opacityAt(scene, triangle, attributes, {toUnit(words[1]), toUnit(words[2])}, errorSign);
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,27 @@
+// Triangles that rays may pass: docs/light-transport.md section 12.
+#pragma once
+#include <cstdint>
+
+#include "host/reference/ray.h"
+#include "host/reference/texture.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+/// Returns the key of the decisions of one ray: that of a path's vertex, or the shadow ray from there.
+std::uint32_t opacityKey(std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed, std::uint32_t vertex,
+                         bool isShadowRay);
+
+/// Returns whether rays may pass a primitive.
+bool isTransparent(const scene::Scene& scene, const scene::Primitive& primitive);
+
+/// Returns the probability with which a ray hits a point of a triangle for which isTransparent() is true. `jitter`
+/// selects the texel of a material that blends. The texture coordinates are displaced by `error` (s, t).
+double opacityAt(const scene::Scene& scene, const scene::Primitive& triangle, const MeshAttributes& attributes,
+                 const dvec2& jitter, const dvec2& error);
+
+/// Returns whether a ray hits a triangle for which isTransparent() is true, and which its intersection test has found.
+/// `errorSign`: displaces the texture coordinates by the bound of their rounding error in this direction; 0: not.
+bool isThere(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray, const dvec2& errorSign);
+
+}  // namespace candela::reference

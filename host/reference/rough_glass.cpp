@@ -1,0 +1,107 @@
+// Walter's refraction through microfacets, and mirrored reflection for thin walls.
+#include "host/reference/rough_glass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "host/energy/energy_tables.h"
+
+namespace candela::reference {
+namespace {
+
+struct Axis {
+  std::size_t node;
+  double part;
+};
+
+Axis axisAt(double fraction, std::size_t nodes) {
+  const double scaled = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(nodes - 1);
+  const std::size_t node = std::min(static_cast<std::size_t>(scaled), nodes - 2);
+  return {node, scaled - static_cast<double>(node)};
+}
+
+double tableValue(const energy::GlassTable& table, double cosine, double alpha, double ior) {
+  const std::array axes{axisAt(2 * (ior - 1) / (ior + 1), energy::kGlassIors),
+                        axisAt(std::sqrt(alpha), energy::kGlassRoughnesses),
+                        axisAt(cosine * (1 + alpha) / (cosine + alpha), energy::kGlassCosines)};
+  double sum = 0;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const auto bit = [&](std::size_t axis) { return corner >> axis & 1; };
+    const auto node = [&](std::size_t axis) { return axes[axis].node + bit(axis); };
+    double weight = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) weight *= bit(axis) ? axes[axis].part : 1 - axes[axis].part;
+    sum += weight * table[(node(0) * energy::kGlassRoughnesses + node(1)) * energy::kGlassCosines + node(2)];
+  }
+  return sum;
+}
+
+}  // namespace
+
+RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Microfacets& microfacets, const dvec3& wo,
+                       bool outside, double weight)
+    : microfacets_(microfacets), isThin_(surface.isThinWalled), base_(surface.baseColour) {
+  const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
+  const double atNormal = std::pow((double{surface.ior} - 1) / (double{surface.ior} + 1), 2);
+  const dvec3 coloured = glm::min(atNormal * dvec3(surface.specularColour), dvec3(1));
+  normal_ = double{surface.specularWeight} * coloured;
+  grazing_ = dvec3(surface.specularWeight);
+  if (!isThin_) (outside ? beyond_ : here_) = ior;
+  const energy::GlassTable& table = outside ? energy::kGlassOutside : energy::kGlassInside;
+  factor_ = weight / (isThin_ ? microfacets.albedo(wo.z).white : tableValue(table, wo.z, microfacets.alpha(), ior));
+}
+
+double RoughGlass::outerCosine(double cosine) const {
+  if (here_ <= beyond_) return cosine;
+  const double sine = here_ / beyond_ * std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  return sine >= 1 ? 0 : std::sqrt(1 - sine * sine);
+}
+
+dvec3 RoughGlass::schlick(double cosine) const {
+  const double outer = outerCosine(cosine);
+  if (here_ > beyond_ && outer == 0) return dvec3(1);
+  return glm::mix(normal_, grazing_, std::pow(std::max(0.0, 1 - outer), 5));
+}
+
+dvec3 RoughGlass::reflectance(double cosine) const { return factor_ * schlick(cosine); }
+
+double RoughGlass::strongest(double cosine) const {
+  const dvec3 f = schlick(cosine);
+  return std::max({f.x, f.y, f.z});
+}
+
+dvec3 RoughGlass::transmit(const dvec3& wo, const dvec3& h) const {
+  const dvec3 reflected = 2 * dot(wo, h) * h - wo;
+  if (isThin_) return {reflected.x, reflected.y, -reflected.z};
+  const double cosine = dot(wo, h), ratio = here_ / beyond_;
+  const dvec3 along = ratio * (cosine * h - wo);  // the part of the direction in the microfacet's plane
+  return along - std::sqrt(std::max(0.0, 1 - dot(along, along))) * h;
+}
+
+BsdfValue RoughGlass::evaluate(const dvec3& wo, const dvec3& wi) const {
+  return isThin_ ? evaluateThin(wo, wi) : evaluateRefracted(wo, wi);
+}
+
+BsdfValue RoughGlass::evaluateThin(const dvec3& wo, const dvec3& wi) const {
+  const dvec3 mirrored(wi.x, wi.y, -wi.z);
+  const dvec3 h = normalize(wo + mirrored);
+  const double passing = 1 - strongest(dot(wo, h));
+  const double shape = microfacets_.distribution(h) * microfacets_.maskingShadowing(wo, mirrored);
+  return {factor_ * passing * shape / (4 * wo.z * mirrored.z) * base_,
+          passing * microfacets_.normalPdf(wo, h) / (4 * dot(wo, h))};
+}
+
+BsdfValue RoughGlass::evaluateRefracted(const dvec3& wo, const dvec3& wi) const {
+  dvec3 h = normalize(here_ * wo + beyond_ * wi);
+  if (h.z < 0) h = -h;
+  const double cosO = dot(wo, h), cosI = dot(wi, h);
+  if (cosO <= 0 || cosI >= 0) return {};
+  const double passing = 1 - strongest(cosO);
+  const double sum = here_ * cosO + beyond_ * cosI;
+  const double solidAngle = beyond_ * beyond_ * -cosI / (sum * sum);  // of half vectors for that of directions
+  const double g = microfacets_.maskingShadowing(wo, {wi.x, wi.y, -wi.z});
+  const double f = passing * microfacets_.distribution(h) * g * cosO * solidAngle / (wo.z * -wi.z);
+  return {factor_ * f * base_, passing * microfacets_.normalPdf(wo, h) * solidAngle};
+}
+
+}  // namespace candela::reference

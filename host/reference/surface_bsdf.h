@@ -1,0 +1,67 @@
+// The lobes of a surface with OpenPBR's parameters, as seen from one direction: docs/light-transport.md section 5.4.
+#pragma once
+#include "host/reference/bsdf_value.h"
+#include "host/reference/microfacets.h"
+#include "host/reference/rough_glass.h"
+#include "host/render/path_record.h"
+#include "host/scene/surface_parameters.h"
+
+namespace candela::reference {
+
+/// A sampled direction. A direction on a side to which its lobe does not scatter must be rejected.
+struct SurfaceSample {
+  render::Lobe lobe;
+  dvec3 wi;
+  double alpha;  ///< of the microfacets; 0: diffuse
+
+  bool isOnItsSide() const { return (lobe == render::Lobe::refract) == (wi.z < 0); }
+};
+
+class SurfaceBsdf {
+ public:
+  /// Computes all weights for `wo`, whose z is positive, in the shading frame. `outside`: wo is on the side to which
+  /// the surface is oriented.
+  SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside);
+
+  bool transmits() const { return glassProbability_ > 0; }
+  /// Returns the sum over all lobes.
+  BsdfValue evaluate(const dvec3& wi) const;
+  /// `choice` decides on the lobe, `u` on the direction.
+  SurfaceSample sample(double choice, const dvec2& u) const;
+
+ private:
+  /// A reflectance that rises from `normal` to `grazing`, and its factor for light that is reflected more than once.
+  struct Schlick {
+    dvec3 normal;
+    dvec3 grazing;
+    dvec3 compensation;
+
+    dvec3 at(double cosine) const;
+    dvec3 albedo(const SingleScattering& single) const;
+  };
+
+  /// The layer on top: white microfacets that take the fraction `share` of the light.
+  struct Coat {
+    Microfacets microfacets;
+    double share;
+    double factor;  ///< `share` and its compensation
+  };
+
+  void weigh(double diffuse, double specular, double glass);
+  BsdfValue evaluateReflection(const dvec3& wi) const;
+
+  dvec3 wo_;
+  Microfacets microfacets_;
+  Coat coat_;
+  double metalness_;
+  double opaque_;
+  RoughGlass glass_;
+  Schlick metal_;
+  Schlick dielectric_;
+  dvec3 diffuse_{0};
+  double diffuseProbability_ = 0;
+  double specularProbability_ = 0;
+  double glassProbability_ = 0;
+};
+
+}  // namespace candela::reference

@@ -1,0 +1,34 @@
+// Lookups of textures: docs/light-transport.md section 11.
+#pragma once
+#include <cstdint>
+
+#include "host/reference/mesh_attributes.h"
+#include "host/reference/ray.h"
+#include "host/scene/scene.h"
+
+namespace candela::reference {
+
+using glm::dvec2;
+
+/// The index, along one axis of `count` texels, of the texel at texture coordinate `s`. `displacement`, in texels, is 0
+/// for the filter `nearest`, else the jitter minus 1/2.
+std::uint32_t texelIndex(double s, std::uint32_t count, scene::TextureWrap wrap, double displacement);
+
+/// The texel, four packed bytes, that the jitter, two random numbers, selects at texture coordinates (s, t).
+std::uint32_t texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
+                      const dvec2& jitter);
+
+/// The coordinates (s, t) of a reference at a point with these attributes.
+dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes);
+/// The bounds of the errors of these coordinates in single precision.
+dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes);
+
+/// The alpha of a texel, 0 to 1.
+double alphaOf(std::uint32_t texel);
+/// The alpha at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
+double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
+
+/// The linear colour of a texel whose colour is encoded in sRGB.
+dvec3 linearColour(std::uint32_t texel);
+
+}  // namespace candela::reference

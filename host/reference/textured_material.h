@@ -1,0 +1,21 @@
+// The textures of a material at a point of a surface.
+#pragma once
+#include "host/reference/rounding.h"
+#include "host/reference/surface.h"
+#include "host/reference/surface_material.h"
+
+namespace candela::reference {
+
+/// Multiplies the factors of a material by the vertex colour and the texels at the surface point, which become
+/// decisions of `rounding`. `material` is that of the surface without textures.
+void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding);
+
+/// Returns the factor of the emission at the sampled point of a light: the texel of its texture, if it is a triangle
+/// with one, times its opacity. Both become decisions of `rounding`.
+dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding);
+
+/// Returns the mean of the texels of the emission of a primitive that is a triangle, at the centres of its 64 congruent
+/// parts; 1 if there is no such texture.
+dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle);
+
+}  // namespace candela::reference

@@ -1,0 +1,110 @@
+// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.6. Directions are in the local frame of the
+// shading normal and point away from the surface.
+#ifndef CANDELA_SURFACE_GLSL
+#define CANDELA_SURFACE_GLSL
+#include "bsdf_sample.glsl"
+#include "material.glsl"
+#include "microfacets.glsl"
+#include "transmission.glsl"
+
+void addCoat(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
+  float roughness = max(s.coatRoughness, kMinRoughness);
+  lobes.coatAlpha = roughness * roughness;
+  lobes.coatShare = s.coatWeight * (0.04 + 0.96 * fifthPower(1.0 - min(wo.z, 1.0)));
+  lobes.coat = lobes.coatShare / microfacetAlbedo(wo.z, roughness).x;
+}
+
+// `outside`: wo is on the side to which the primitive's own normal points.
+SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
+  SurfaceLobes lobes;
+  float roughness = max(s.roughness, kMinRoughness);
+  lobes.alpha = roughness * roughness;
+  vec2 albedo = microfacetAlbedo(wo.z, roughness);
+  float lost = (1.0 - albedo.x) / albedo.x;
+  float r = (s.ior - 1.0) / (s.ior + 1.0);
+  vec3 normal = min(r * r * s.specularColour, vec3(1.0));
+  vec3 layer = s.specularWeight * (1.0 + normal * lost);
+  vec3 metal = s.metalness * (1.0 + s.baseColour * lost);
+  vec3 reflected = layer * (normal * albedo.x + (1.0 - normal) * albedo.y);
+  float glass = kHasTransmission ? (1.0 - s.metalness) * s.transmissionWeight : 0.0;
+  float opaque = 1.0 - s.metalness - glass;
+  lobes.diffuse = opaque * max(0.0, 1.0 - largest(reflected)) * s.baseColour;
+  lobes.specular = opaque * layer * normal + metal * s.baseColour;
+  lobes.grazing = opaque * layer * (1.0 - normal) + metal * (1.0 - s.baseColour);
+  float specular = luminance(lobes.specular * (albedo.x - albedo.y) + (lobes.specular + lobes.grazing) * albedo.y);
+  float diffuse = luminance(lobes.diffuse);
+  float transmitting = 0.0;
+  if (kHasTransmission) {
+    lobes.glass = glassAt(s, wo, normal, glass, albedo.x, roughness, outside);
+    float reflecting = s.specularWeight * (largest(normal) * (albedo.x - albedo.y) + albedo.y);
+    transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
+  }
+  lobes.coatShare = 0.0;
+  if (kHasCoat) addCoat(s, wo, lobes);
+  float total = diffuse + specular + transmitting;
+  float perUnit = total > 0.0 ? (1.0 - lobes.coatShare) / total : 0.0;
+  lobes.diffuseShare = diffuse * perUnit;
+  lobes.glassShare = transmitting * perUnit;
+  lobes.specularShare = total > 0.0 ? specular * perUnit : 1.0 - lobes.coatShare;
+  return lobes;
+}
+
+vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
+  vec3 h = unit(wo + wi);
+  float d = ggxDistribution(h, lobes.alpha);
+  float lengthO = stretchedLength(wo, lobes.alpha);
+  float cosOH = min(dot(wo, h), 1.0);
+  vec3 reflectance = lobes.specular + lobes.grazing * fifthPower(1.0 - cosOH);
+  float share = lobes.specularShare;
+  if (kHasTransmission) {
+    float schlick = schlickOf(lobes.glass, cosOH);
+    reflectance += glassReflectance(lobes.glass, schlick);
+    share += lobes.glassShare * strongestReflectance(lobes.glass, schlick);
+  }
+  pdf = lobes.diffuseShare * (wi.z / kPi) + share * visibleReflectionPdf(d, wo.z, lengthO);
+  vec3 f = lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
+  if (!kHasCoat) return f;
+  float coated = ggxDistribution(h, lobes.coatAlpha);
+  float coatLength = stretchedLength(wo, lobes.coatAlpha);
+  pdf += lobes.coatShare * visibleReflectionPdf(coated, wo.z, coatLength);
+  return f * (1.0 - lobes.coatShare) + lobes.coat * coated * visibility(wo, wi, coatLength, lobes.coatAlpha);
+}
+
+vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
+  pdf = 0.0;
+  if (wo.z <= 0.0) return vec3(0.0);
+  if (wi.z > 0.0) return evaluateReflection(lobes, wo, wi, pdf);
+  if (!kHasTransmission || wi.z == 0.0) return vec3(0.0);
+  vec3 f = evaluateTransmission(lobes.glass, lobes.alpha, wo, wi, pdf);
+  pdf *= lobes.glassShare;
+  return f * (1.0 - lobes.coatShare);
+}
+
+// Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
+BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
+  BsdfSample result = kAbsorbed;
+  precise float diffuseEnd = lobes.coatShare + lobes.diffuseShare;
+  bool coated = kHasCoat && numbers.x < lobes.coatShare;
+  bool isDiffuse = !coated && numbers.x < diffuseEnd;
+  bool transmitted = false;
+  if (isDiffuse) {
+    result.wi = sampleCosineHemisphere(numbers.yz);
+  } else {
+    vec3 h = sampleVisibleNormal(numbers.yz, wo, coated ? lobes.coatAlpha : lobes.alpha);
+    float cosOH = min(dot(wo, h), 1.0);
+    result.wi = 2.0 * cosOH * h - wo;
+    if (kHasTransmission && !coated) {
+      float reflectance = strongestReflectance(lobes.glass, schlickOf(lobes.glass, cosOH));
+      transmitted = numbers.x >= 1.0 - lobes.glassShare * (1.0 - reflectance);
+      if (transmitted) result.wi = transmittedDirection(lobes.glass, wo, h, cosOH, result.wi);
+    }
+  }
+  if ((result.wi.z < 0.0) != transmitted) return kAbsorbed;
+  vec3 f = evaluateSurface(lobes, wo, result.wi, result.pdf);
+  if (result.pdf <= 0.0) return kAbsorbed;
+  result.weight = f * (abs(result.wi.z) / result.pdf);
+  result.lobe = transmitted ? kLobeRefract : isDiffuse ? kLobeDiffuse : coated ? kLobeCoat : kLobeGlossy;
+  return result;
+}
+
+#endif

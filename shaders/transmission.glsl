@@ -1,0 +1,94 @@
+// Rough glass: docs/light-transport.md section 5.5.
+#ifndef CANDELA_TRANSMISSION_GLSL
+#define CANDELA_TRANSMISSION_GLSL
+#include "material.glsl"
+#include "microfacets.glsl"
+
+const float kMinVolumeIor = 1.01;
+
+// Interpolates one of the two glass tables: the energy that rough glass scatters once.
+float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
+  float alpha = roughness * roughness;
+  vec3 place = vec3(cosO * (1.0 + alpha) / (cosO + alpha), roughness, 2.0 * (ior - 1.0) / (ior + 1.0));
+  vec3 scaled = clamp(place, 0.0, 1.0) * vec3(kGlassCells);
+  uvec3 cell = min(uvec3(scaled), kGlassCells - 1u);
+  vec3 part = scaled - vec3(cell);
+  vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
+  uint layer = kGlassCells.x * kGlassCells.y;
+  uint row = constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells + cell.y * kGlassCells.x + cell.x +
+             layer * (cell.z + (outside ? 0u : kGlassCells.z + 1u));
+  return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
+}
+
+// `weight` of the glass among the surface's lobes; `normal` reflectance of the dielectric.
+Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, float weight, float white, float roughness, bool outside) {
+  Glass glass;
+  float ior = max(s.ior, kMinVolumeIor);
+  glass.isThin = !kHasVolumes || s.isThinWalled;
+  glass.eta = glass.isThin ? 1.0 : outside ? ior : 1.0 / ior;
+  float albedo = white;
+  if (!glass.isThin) albedo = glassAlbedo(wo.z, roughness, ior, outside);
+  glass.all = weight / albedo;
+  glass.transmitted = glass.all * s.baseColour;
+  glass.normal = s.specularWeight * normal;
+  glass.grazing = s.specularWeight * (1.0 - normal);
+  return glass;
+}
+
+// Returns Schlick's (1 - cos)^5 with the cosine on the side of the lower index; -1: the reflection is total.
+float schlickOf(Glass glass, float cosOH) {
+  if (glass.eta >= 1.0) return fifthPower(1.0 - cosOH);
+  float sinSquared = (1.0 - cosOH * cosOH) / (glass.eta * glass.eta);
+  if (sinSquared >= 1.0) return -1.0;
+  return fifthPower(1.0 - sqrt(1.0 - sinSquared));
+}
+
+vec3 glassReflectance(Glass glass, float schlick) {
+  return glass.all * (schlick < 0.0 ? vec3(1.0) : glass.normal + glass.grazing * schlick);
+}
+
+// The largest channel of the reflectance, which is the fraction that is not transmitted.
+float strongestReflectance(Glass glass, float schlick) {
+  if (schlick < 0.0) return 1.0;
+  return largest(glass.normal) + (largest(glass.normal + glass.grazing) - largest(glass.normal)) * schlick;
+}
+
+// `mirrored` is the direction that h reflects. Not for total reflection.
+vec3 transmittedDirection(Glass glass, vec3 wo, vec3 h, float cosOH, vec3 mirrored) {
+  if (glass.isThin) return vec3(mirrored.xy, -mirrored.z);
+  float inverse = 1.0 / glass.eta;
+  float cosT = sqrt(max(0.0, 1.0 - inverse * inverse * (1.0 - cosOH * cosOH)));
+  return unit((inverse * cosOH - cosT) * h - inverse * wo);
+}
+
+// `pdf` is that of a surface that is nothing but glass.
+vec3 evaluateThinTransmission(Glass glass, float alpha, vec3 wo, vec3 wi, out float pdf) {
+  vec3 mirrored = vec3(wi.xy, -wi.z);
+  vec3 h = unit(wo + mirrored);
+  float d = ggxDistribution(h, alpha);
+  float lengthO = stretchedLength(wo, alpha);
+  float passing = 1.0 - strongestReflectance(glass, fifthPower(1.0 - min(dot(wo, h), 1.0)));
+  pdf = passing * visibleReflectionPdf(d, wo.z, lengthO);
+  return glass.transmitted * (passing * d * visibility(wo, mirrored, lengthO, alpha));
+}
+
+vec3 evaluateTransmission(Glass glass, float alpha, vec3 wo, vec3 wi, out float pdf) {
+  if (glass.isThin) return evaluateThinTransmission(glass, alpha, wo, wi, pdf);
+  pdf = 0.0;
+  vec3 h = unit(wo + glass.eta * wi);
+  h = h.z < 0.0 ? -h : h;
+  float cosO = min(dot(wo, h), 1.0);
+  float cosI = dot(wi, h);
+  float schlick = schlickOf(glass, cosO);
+  if (cosO <= 0.0 || cosI >= 0.0 || schlick < 0.0) return vec3(0.0);
+  float sum = cosO + glass.eta * cosI;
+  float jacobian = -cosI * glass.eta * glass.eta / (sum * sum);
+  float d = ggxDistribution(h, alpha);
+  float lengthO = stretchedLength(wo, alpha);
+  float passing = 1.0 - strongestReflectance(glass, schlick);
+  pdf = passing * d * 2.0 * cosO / (wo.z + lengthO) * jacobian;
+  float visible = 4.0 * visibility(wo, vec3(wi.xy, -wi.z), lengthO, alpha);
+  return glass.transmitted * (passing * d * visible * cosO * jacobian);
+}
+
+#endif

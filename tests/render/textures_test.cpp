@@ -1,0 +1,155 @@
+// Textures on both tracers: the same pixels at equal seeds, and the mean against bilinear interpolation.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "host/image/colour_transfer.h"
+#include "host/image/image.h"
+#include "host/verify/agreement.h"
+#include "tests/reference/scene_builder.h"
+#include "tests/render/both_tracers.h"
+
+using namespace candela;
+using namespace candela::device;
+using glm::vec2;
+using glm::vec3;
+using scene::TextureFilter;
+using scene::TextureReference;
+using scene::TextureWrap;
+using test::diffuseMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+// An image of random texels, the same for equal arguments.
+scene::TextureImage noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  scene::TextureImage image{"noise", width, height, {}};
+  for (std::uint32_t i = 0; i < width * height; ++i) image.texels.push_back(random());
+  return image;
+}
+
+// A square from `corner` along two edges, with coordinates 0 to 1 in set 0, and from -1.3 to 2.1 in set 1.
+scene::Mesh square(const vec3& corner, const vec3& u, const vec3& v, bool smooth) {
+  scene::Mesh mesh;
+  mesh.positions = {corner, corner + u, corner + u + v, corner + v};
+  mesh.texCoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.texCoords[1] = {{-1.3f, -1.3f}, {2.1f, -1.3f}, {2.1f, 2.1f}, {-1.3f, 2.1f}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  if (smooth) mesh.normals.assign(4, glm::normalize(glm::cross(u, v)));
+  return mesh;
+}
+
+scene::Material withTexture(scene::Material material, scene::TextureSlot slot, const TextureReference& reference) {
+  material.textures[static_cast<std::size_t>(slot)] = reference;
+  return material;
+}
+
+scene::Material textured(const TextureReference& reference) {
+  return withTexture(diffuseMaterial(vec3(0.9f)), scene::TextureSlot::baseColour, reference);
+}
+
+// Four upright squares with all wrap modes, both filters and sets, a rotation, and a glossy lobe that is tinted in
+// part.
+scene::Scene gallery() {
+  SceneBuilder b;
+  b.scene.images = {noise(7, 5, 1), noise(16, 16, 2)};
+  b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const auto add = [&](const scene::Material& material, float x, bool smooth) {
+    b.material(material);
+    addMesh(b.scene, square({x, 0, 0.1f}, {1.5f, 0.2f, 0}, {0, 0, 1.8f}, smooth),
+            static_cast<std::uint32_t>(b.scene.materials.size() - 1));
+  };
+  add(textured({.texCoordSet = 1, .wrapS = TextureWrap::repeat, .wrapT = TextureWrap::mirroredRepeat}), -3.5f, false);
+  add(textured({.texCoordSet = 1, .wrapS = TextureWrap::clampToEdge, .wrapT = TextureWrap::repeat}), -1.7f, true);
+  add(textured({.image = 1,
+                .wrapS = TextureWrap::mirroredRepeat,
+                .wrapT = TextureWrap::clampToEdge,
+                .filter = TextureFilter::nearest,
+                .rowS = {1.2f, 0.7f, -0.3f},
+                .rowT = {-0.7f, 1.2f, 0.4f}}),
+      0.1f, false);
+  scene::Material plastic = test::mixtureMaterial(0.5f, 0.5f, 20);
+  plastic.glossy->untinted = 0.25f;
+  add(withTexture(plastic, scene::TextureSlot::baseColour, {.image = 1}), 1.9f, true);
+  b.pointLight({-1, -4, 4}, vec3(1));
+  b.scene.background = vec3(0.3f);
+  b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
+  b.scene.name = "gallery";
+  return b.scene;
+}
+
+// A floor and a ball below two textured emitters, one of them with a set of coordinates that leaves the image.
+scene::Scene texturedLights() {
+  SceneBuilder b;
+  b.scene.images = {noise(4, 4, 3)};
+  b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.material(test::mixtureMaterial(0.5f, 0.4f, 30)).sphere({0, 0, 0.75f}, 0.75f);
+  for (const std::uint8_t set : {0, 1}) {
+    const TextureReference reference{.texCoordSet = set, .wrapS = TextureWrap::mirroredRepeat};
+    b.material(withTexture(diffuseMaterial(vec3(0.5f), {3, 2, 4}), scene::TextureSlot::emission, reference));
+    addMesh(b.scene, square({set * 2.0f - 2, -1, 3}, {0, 1.5f, 0}, {1.5f, 0, 0.5f}, set == 1),
+            static_cast<std::uint32_t>(b.scene.materials.size() - 1));
+  }
+  b.view({0, -7, 3}, {0, 0, 1}, {0, 0, 1}, 40);
+  b.scene.name = "textured lights";
+  return b.scene;
+}
+
+void requireSamePixels(const scene::Scene& scene, std::uint32_t seed, render::SamplerKind sampler,
+                       bool nextEventEstimation) {
+  render::RenderSettings settings = squareSettings(96, 1);
+  settings.image.seed = seed;
+  settings.image.sampler = sampler;
+  settings.image.nextEventEstimation = nextEventEstimation;
+  settings.execution.recordPaths = true;
+  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
+                                                              renderOnReference(scene, settings));
+  CAPTURE(seed, nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
+          pixels.worstX, pixels.worstY);
+  CHECK(pixels.lit > pixels.pixels / 4);
+  CHECK(pixels.agree());
+}
+
+double linear(std::uint32_t byte) { return image::srgbDecode(byte / 255.0); }
+
+}  // namespace
+
+TEST_CASE("textures have the reference's pixels at equal seeds") {
+  const scene::Scene scene = gallery();
+  for (const render::SamplerKind sampler : {render::SamplerKind::sobol, render::SamplerKind::independent}) {
+    for (const std::uint32_t seed : {0u, 1u}) requireSamePixels(scene, seed, sampler, true);
+  }
+}
+
+TEST_CASE("textured emitters have the reference's pixels at equal seeds") {
+  const scene::Scene scene = texturedLights();
+  for (const std::uint32_t seed : {0u, 1u, 2u}) requireSamePixels(scene, seed, render::SamplerKind::sobol, true);
+  requireSamePixels(scene, 3, render::SamplerKind::sobol, false);
+}
+
+TEST_CASE("light sampling of textured emitters has the mean of paths without it") {
+  onBothTracers([](const RenderFunction& render) {
+    render::RenderSettings settings = squareSettings(24, 1024);
+    const double sampled = meanLuminance(render(texturedLights(), settings).film);
+    settings.image.nextEventEstimation = false;
+    CHECK(sampled == Approx(meanLuminance(render(texturedLights(), settings).film)).epsilon(0.02));
+  });
+}
+
+TEST_CASE("the mean of many samples is bilinear interpolation between texels") {
+  SceneBuilder b;
+  b.scene.images = {{"", 2, 2, {0xff0000ffu, 0xff00ff00u, 0xffff0000u, 0xff808080u}}};
+  b.material(textured({.wrapS = TextureWrap::clampToEdge, .wrapT = TextureWrap::clampToEdge}));
+  addMesh(b.scene, square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, false), 0);
+  b.view({-0.2f, 0.1f, 5}, {-0.2f, 0.1f, 0}, {0, 1, 0}, 0.001f);  // s = 0.4, t = 0.55
+  onBothTracers([&](const RenderFunction& render) {
+    render::RenderSettings settings = squareSettings(1, 65536);
+    settings.image.integrator = render::Integrator::albedo;
+    const glm::dvec3 mean = image::toImage(render(b.scene, settings).film).at(0, 0);
+    const double s = 0.3;  // of the way from the first texel's centre to the second's
+    const double t = 0.6;
+    CHECK(mean.x == Approx(0.9 * ((1 - s) * (1 - t) + s * t * linear(128))).epsilon(0.01));
+    CHECK(mean.y == Approx(0.9 * (s * (1 - t) + s * t * linear(128))).epsilon(0.01));
+    CHECK(mean.z == Approx(0.9 * ((1 - s) * t + s * t * linear(128))).epsilon(0.01));
+  });
+}
