@@ -70,10 +70,10 @@ struct ImageSettings {
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   PixelOrigin pixelOrigin = PixelOrigin::centre;
-  bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
-  float lightSize = 0;       ///< side of the squares that replace point lights, >= 0; Whitted only
+  bool antialiasing = true;            ///< false: each camera ray passes through its pixel's origin
+  float lightSize = 0;                 ///< side of the squares that replace point lights, >= 0; Whitted only
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
-  bool oneSided = false;     ///< hits on the back of triangles and planes with T = 0 are ignored
+  bool oneSided = false;               ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }
