@@ -12,12 +12,10 @@ namespace {
 // Peak memory for each primitive besides the scene: building the acceleration structure, and the device's records.
 // A BVH of 7.66 million triangles takes 230 bytes each on the reference and 292 on lavapipe (docs/gltf.md).
 constexpr std::uint64_t kBuildBytesPerPrimitive = 300;
-// The session has a film, and so has the result.
-constexpr std::uint64_t kFilms = 2;
 // Colour, variance and two counts, and an EXR file with all of them, before compression.
 constexpr std::uint64_t kPictureBytesPerPixel = 2 * (sizeof(glm::vec3) + 3 * sizeof(float));
 
-bool isMostlyPixels(const MemoryNeed& need) { return need.film + need.pictures > need.scene + need.structure; }
+bool isMostlyPixels(const MemoryNeed& need) { return need.pixels() > need.scene + need.structure; }
 
 }  // namespace
 
@@ -27,7 +25,7 @@ MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
   MemoryNeed need;
   need.scene = scene::memoryOf(scene).total;
   need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
-  need.film = kFilms * pixels * sizeof(image::FilmPixel);
+  need.film = pixels * sizeof(image::FilmPixel);
   if (!arguments.outputs.empty()) need.pictures = pixels * kPictureBytesPerPixel;
   return need;
 }

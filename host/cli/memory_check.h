@@ -1,5 +1,6 @@
 // Predicts the memory of a render, and refuses renders that do not fit.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 
 #include "host/cli/arguments.h"
@@ -11,9 +12,10 @@ namespace candela::cli {
 struct MemoryNeed {
   std::uint64_t scene = 0;      ///< as it was read
   std::uint64_t structure = 0;  ///< building the acceleration structure, and a device's records
-  std::uint64_t film = 0;       ///< the session's film and the one that is written
-  std::uint64_t pictures = 0;   ///< the image of the outputs and its encoding
-  std::uint64_t total() const { return scene + structure + film + pictures; }
+  std::uint64_t film = 0;       ///< the session and the result have one each
+  std::uint64_t pictures = 0;   ///< the image of the outputs and its encoding, after the session has gone
+  std::uint64_t pixels() const { return std::max(2 * film, film + pictures); }
+  std::uint64_t total() const { return scene + structure + pixels(); }
 };
 
 /// `arguments` are resolved (see resolveRequests).

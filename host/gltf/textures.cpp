@@ -87,7 +87,7 @@ std::uint32_t Textures::imageOf(const Value& texture) {
   images_.push_back(readImage(root_.require("images")[index]));
   byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t);
   if (byteCount_ > memoryBudget()) {
-    throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that the program may use",
+    throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that they may have",
                                        source.pointer(), memoryBudget() >> 20));
   }
   return indices_[index] = static_cast<std::uint32_t>(images_.size() - 1);
