@@ -3,6 +3,7 @@
 
 #include "host/vulkan/compute_pipeline_impl.h"
 #include "host/vulkan/device.h"
+#include "host/vulkan/reduced_spirv.h"
 #include "host/vulkan/vulkan_errors.h"
 
 namespace candela::vulkan {
@@ -27,7 +28,11 @@ vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::Descript
 
 vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout,
                                 std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
-  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  const bool reduces = compilesDisabledCode(device.info.driver);
+  const std::vector<std::uint32_t> reduced = reduces ? reducedSpirv(spirv, options.specialisations)
+                                                     : std::vector<std::uint32_t>{};
+  const std::span<const std::uint32_t> code = reduces ? std::span(reduced) : spirv;
+  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
   std::vector<vk::SpecializationMapEntry> entries;
   for (const Specialisation& constant : options.specialisations) {
     const std::size_t offset = entries.size() * sizeof(Specialisation) + offsetof(Specialisation, value);

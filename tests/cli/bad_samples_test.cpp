@@ -24,6 +24,7 @@ render::BadSampleTally tallyOfOne() {
   film.addSample(2, 1, glm::dvec3(1e9), 5);
   film.addSample(2, 1, glm::dvec3(1e9), 6);
   render::RenderSettings settings;
+  settings.image.size = {3, 2};
   settings.image.seed = 9;
   settings.image.sampleCount = 64;
   render::BadSampleTally tally;

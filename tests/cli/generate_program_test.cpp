@@ -42,7 +42,7 @@ TEST_CASE("an unknown kind is refused with the most similar kind, or with all ki
   const ProgramResult far = runCandela({"generate", "cathedral"});
   CHECK(far.exitCode == 1);
   CHECK(contains(far.err, "unknown kind cathedral; expected balls, mount, "));
-  CHECK(contains(far.err, " or cornell\n"));
+  CHECK(contains(far.err, " or still-life\n"));
 }
 
 TEST_CASE("a size out of the kind's range is refused with the range and the reason") {

@@ -299,7 +299,7 @@ TEST_CASE("the help of generate has every kind with its sizes, and only its own 
   for (const generate::Kind& kind : generate::kindTable()) {
     CHECK(help.find("\n  " + std::string(kind.name) + " ") != std::string::npos);
   }
-  CHECK(help.find("balls     1 to 7 (4)") != std::string::npos);
+  CHECK(help.find("balls            1 to 7 (4)") != std::string::npos);
   CHECK(help.find("--size N") != std::string::npos);
   CHECK(help.find("--size WxH") == std::string::npos);
   CHECK(helpText(Command::render).find("--size N") == std::string::npos);

@@ -52,7 +52,7 @@ scene::LoadedScene loadUnder(const MapFile& map, const std::string& up, double r
 
 }  // namespace
 
-TEST_CASE("a map has the pixels of its file, scaled; negative ones become 0") {
+TEST_CASE("a map has the pixels of its file, scaled, and negative ones become 0") {
   image::Image image = gradient();
   image.rgb[3] = vec3(-1, 4, -0.5f);
   const MapFile file(image);

@@ -95,7 +95,7 @@ TEST_CASE("a render without a checkpoint leaves a film beside its output") {
   CHECK(readFile(film) == whole);
 }
 
-TEST_CASE("--fallback cpu finishes a render on the reference, and marks the film") {
+TEST_CASE("`--fallback cpu` finishes a render on the reference, and marks the film") {
   const Render render;
   const std::string film = render.folder.path("film.exr");
   const ProgramResult result = render.run({"--checkpoint", film, "--checkpoint-every", "0.01s", "--fallback", "cpu"},

@@ -24,7 +24,7 @@ namespace {
 scene::TextureImage noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
   std::mt19937 random(seed);
   scene::TextureImage image{"noise", width, height, {}};
-  for (std::uint32_t i = 0; i < width * height; ++i) image.texels.push_back(random());
+  for (std::uint32_t i = 0; i < width * height; ++i) image.texels.push_back(static_cast<std::uint32_t>(random()));
   return image;
 }
 
@@ -84,7 +84,7 @@ scene::Scene texturedLights() {
   b.scene.images = {noise(4, 4, 3)};
   b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(test::mixtureMaterial(0.5f, 0.4f, 30)).sphere({0, 0, 0.75f}, 0.75f);
-  for (const std::uint8_t set : {0, 1}) {
+  for (const std::uint8_t set : {std::uint8_t{0}, std::uint8_t{1}}) {
     const TextureReference reference{.texCoordSet = set, .wrapS = TextureWrap::mirroredRepeat};
     b.material(withTexture(diffuseMaterial(vec3(0.5f), {3, 2, 4}), scene::TextureSlot::emission, reference));
     addMesh(b.scene, square({set * 2.0f - 2, -1, 3}, {0, 1.5f, 0}, {1.5f, 0, 0.5f}, set == 1),
