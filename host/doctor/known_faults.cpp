@@ -17,7 +17,7 @@ constexpr std::array kFaults{
     KnownFault{"llvmpipe", "compiles kernels with uniform loop bounds again at every dispatch and never frees them",
                "no kernel of Candela has such loops", "docs/driver-workarounds.md#5-no-loop-bound-that-is-uniform"},
     KnownFault{"swiftshader", "compiles code that a specialisation constant disables",
-               "each kernel takes some five seconds to compile",
+               "Candela removes that code first; kernels take a second or two to compile",
                "docs/driver-workarounds.md#10-no-dead-code-in-kernels"},
     KnownFault{"swiftshader", "binds at most 65,536 texels", "larger scenes are read through storage buffers",
                "docs/driver-workarounds.md#9-texel-loads-or-storage-loads"},
