@@ -42,7 +42,7 @@ CANDELA_CONST uint kFlagColours = 8u;        // triangle with vertex colours; th
 CANDELA_CONST uint kFlagTexCoords = 64u;     // triangle with texture coordinates
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
-CANDELA_CONST uint kFlagSmooth = 256u;  // triangle with vertex normals
+CANDELA_CONST uint kFlagSmooth = 256u;       // triangle with vertex normals
 CANDELA_CONST uint kMaterialShift = 9u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 23;
 
@@ -61,8 +61,8 @@ CANDELA_CONST uint kTexCoordRows = 3u;
 CANDELA_CONST uint kMaterialRows = 5u;
 
 // Surface parameters, five records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as
-// a word). The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
+// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word).
+// The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
 CANDELA_CONST uint kSurfaceRows = 5u;
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
 
@@ -71,8 +71,8 @@ CANDELA_CONST uint kMaxVolumeCount = 2047u;
 CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
 CANDELA_CONST uint kEnergyRows = 2u;
 
-// Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of
-// the cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
+// Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of the
+// cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
 // energy::kGlassInside.
 CANDELA_CONST uint kGlassCosineCells = 23u;
 CANDELA_CONST uint kGlassRoughnessCells = 31u;

@@ -20,7 +20,7 @@ CANDELA_CONST uint kSpecRowsAhead = 28u;     // these records are read before an
 // Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
-CANDELA_CONST uint kSpecView = 50u;            // kView...
+CANDELA_CONST uint kSpecView = 50u;  // kView...
 CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
 // Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
