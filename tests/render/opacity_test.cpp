@@ -160,7 +160,7 @@ TEST_CASE("a mask cuts where interpolated alpha reaches the cutoff") {
   });
 }
 
-TEST_CASE("light sampling of a transparent emitter has the mean of paths without it") {
+TEST_CASE("light sampling of a transparent emitter has the mean of paths without it", "[swiftshader-slow]") {
   onBothTracers([](const RenderFunction& render) {
     render::RenderSettings settings = squareSettings(24, 1024);
     const double sampled = meanLuminance(render(sheets(), settings).film);
