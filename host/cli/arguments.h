@@ -31,7 +31,7 @@ enum class Command : unsigned {
   merge = 4096
 };
 
-/// What finishes a render after its device has failed for good.
+/// The renderer that finishes a render after its device has failed for good.
 enum class Fallback { none, reference };
 
 struct PixelPlace {

@@ -1,4 +1,4 @@
-// What the metadata of an image say about --clamp-indirect.
+// Describes the bias of --clamp-indirect in the metadata of an image.
 #pragma once
 #include <fmt/format.h>
 

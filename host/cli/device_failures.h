@@ -1,4 +1,4 @@
-// What a render does when its device fails: try again, go on without the device, or end.
+// Decides whether a render whose device fails tries again, goes on without the device, or ends.
 #pragma once
 #include <cstdint>
 #include <string>

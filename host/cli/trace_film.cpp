@@ -11,6 +11,7 @@
 #include "host/cli/checkpoints.h"
 #include "host/cli/device_failures.h"
 #include "host/cli/film_identity.h"
+#include "host/cli/film_progress.h"
 #include "host/cli/option_table.h"
 #include "host/cli/render_watch.h"
 #include "host/cli/rescue_file.h"
@@ -35,32 +36,6 @@ std::uint64_t sampleCount(const image::Film& film) {
   for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
   return samples;
 }
-
-/// Reports progress over all calls of advance(), and over earlier runs.
-class FilmProgress {
- public:
-  FilmProgress(const RenderJob& job, const render::SampleRange& range, std::uint64_t samplesBefore, Progress& progress)
-      : progress_(progress),
-        total_(static_cast<double>(job.settings.image.window().width) * job.settings.image.window().height *
-               (range.end - range.first)),
-        before_(samplesBefore) {}
-
-  void update(std::uint64_t samplesDone) {
-    current_ = samplesDone;
-    const double done = static_cast<double>(before_ + earlier_ + current_);
-    progress_.update(std::min(1.0, done / total_), earlier_ + current_);
-  }
-  void endOfCall() {
-    earlier_ += current_;
-    current_ = 0;
-  }
-
- private:
-  Progress& progress_;
-  double total_;
-  std::uint64_t before_;
-  std::uint64_t earlier_ = 0, current_ = 0;
-};
 
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
   if (watch.isTimeUp()) log.note("--time-limit: the time is up");

@@ -1,0 +1,59 @@
+// Options that decide how an image is rendered, but not what it shows.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::uint32_t kMaxSegments = 1u << 20;
+constexpr std::uint32_t kMaxWorkgroupSide = 1024;
+constexpr std::uint32_t kMaxThreads = 1024;
+constexpr float kMinGridDensity = 0.0625f;
+constexpr float kMaxGridDensity = 64;
+
+}  // namespace
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> executionOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::execution;
+  return {
+    valued({"--device", kTracing | kTune | kDoctor, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
+           text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
+    valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "acceleration structure"},
+           orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),
+    valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "how the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis"},
+           choice<render::BvhSplit>({{"sah", render::BvhSplit::sah}, {"midpoint", render::BvhSplit::midpoint}}), [](auto& a) -> auto& { return a.settings.structure.bvhSplit; }),
+    valued({"--bvh-quality", kRender | kCompare | kBench | kBoxes | kExplain, kGroup, "build quality of a device's SAH BVH: `fast` builds faster, `high` traces faster"},
+           choice<render::BuildQuality>({{"fast", render::BuildQuality::fast}, {"default", render::BuildQuality::standard}, {"high", render::BuildQuality::high}}), [](auto& a) -> auto& { return a.settings.structure.bvhQuality; }),
+    valued({"--layout", kTracing, kGroup, "nodes of a device's BVH: binary (bvh2), or compressed and 8-wide (cwbvh); `auto`: as tuned, else cwbvh, or bvh2 with midpoint splits"},
+           choice<render::BvhLayout>({{"auto", render::BvhLayout::automatic}, {"bvh2", render::BvhLayout::bvh2}, {"cwbvh", render::BvhLayout::cwbvh}}), [](auto& a) -> auto& { return a.settings.structure.bvhLayout; }),
+    valued({"--loads", kTracing, kGroup, "buffer type through which a device reads the scene; `auto`: as tuned, else texel if the scene fits"},
+           choice<render::SceneLoads>({{"auto", render::SceneLoads::automatic}, {"texel", render::SceneLoads::texel}, {"storage", render::SceneLoads::storage}}), [](auto& a) -> auto& { return a.settings.execution.sceneLoads; }),
+    valued({"--grid-density", kTracing, kGroup, "density M of a grid, which has about M^3 cells per primitive"},
+           realNumber<float>("M", kMinGridDensity, kMaxGridDensity), [](auto& a) -> auto& { return a.settings.structure.gridDensity; }),
+    valued({"--kernel", kTracing, kGroup, "one kernel that traces whole paths, or one kernel per stage; `auto`: as tuned, else megakernel"},
+           choice<render::KernelKind>({{"auto", render::KernelKind::automatic}, {"megakernel", render::KernelKind::megakernel}, {"wavefront", render::KernelKind::wavefront}}), [](auto& a) -> auto& { return a.settings.execution.kernel; }),
+    valued({"--workgroup", kTracing, kGroup, "workgroup size in invocations; `auto`: as tuned, else 8x8"},
+           orAbsent(extent("XxY", kMaxWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.settings.execution.workgroup; }),
+    valued({"--tile", kTracing, kGroup, "size in pixels of the region that one dispatch processes; `auto`: chosen by timing"},
+           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.settings.execution.tile; }),
+    valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
+           orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.settings.execution.segmentsPerDispatch; }),
+    valued({"--hang-timeout", kTracing | kTune, kGroup, "time after which a device that has not finished its work counts as hung; 0s: never; `auto`: 50 times the longest dispatch and at least 10 s, or never on devices in software"},
+           orAbsent(duration(0), "auto"), [](auto& a) -> auto& { return a.hangTimeout; }),
+    valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails for good: `cpu` for the reference tracer, which marks the film as mixed"},
+           choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
+    valued({"--memory", kReadingScenes | kFilm | kMerge, kGroup, "memory that may be used; what needs more is refused before it is allocated"},
+           orAbsent(byteCount(), "the machine's"), [](auto& a) -> auto& { return a.memory; }),
+    flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
+    flag({"--no-cache", kTracing | kTune, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},
+         [](auto& a) -> auto& { return a.noCache; }),
+    valued({"-t,--threads", kTracing, kGroup, "threads of the reference tracer; 0: one per core"},
+           wholeNumber(0, kMaxThreads), [](auto& a) -> auto& { return a.settings.execution.threads; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli

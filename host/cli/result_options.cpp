@@ -1,0 +1,94 @@
+// Options of what is done with an image or a film: files, comparison, verification and explanation.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+namespace {
+
+const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{
+    {"none", image::ToneMap::none}, {"srgb", image::ToneMap::srgb},           {"aces", image::ToneMap::aces},
+    {"agx", image::ToneMap::agx},   {"pbr-neutral", image::ToneMap::neutral}, {"neutral", image::ToneMap::neutral}};
+const std::vector<std::pair<std::string, verify::LightTestMethod>> kLightTests{
+    {"paired", verify::LightTestMethod::paired}, {"independent", verify::LightTestMethod::independent}};
+
+}  // namespace
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> outputOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::output;
+  return {
+    paths({"-o,--output", kRender | kFilm, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
+          [](auto& a) -> auto& { return a.outputs; }),
+    valued({"--tonemap", kRender | kCompare | kFilm, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
+           choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
+    valued({"--exposure", kRender | kCompare | kFilm, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
+           orAbsent(realNumber<float>("STOPS", -64, 64), "auto"), [](auto& a) -> auto& { return a.exposure; }),
+  };
+}
+
+std::vector<Option> filmOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::film;
+  return {
+    path({"--checkpoint", kRender, kGroup, "film file that the render can go on from: written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.checkpoint; }),
+    valued({"--checkpoint-every", kRender, kGroup, "minimum time between two writes of the film, which also take at most 1 % of the time"},
+           duration(0), [](auto& a) -> auto& { return a.checkpointEvery; }),
+    path({"--resume", kRender, kGroup, "go on from a film file, up to --spp"}, "FILE", [](auto& a) -> auto& { return a.resume; }),
+    flag({"--resume-anyway", kRender, kGroup, "go on although scene, settings or device differ; the film is marked as mixed"},
+         [](auto& a) -> auto& { return a.resumeAnyway; }),
+    valued({"--time-limit", kRender, kGroup, "stop after this time, as Ctrl-C does"},
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.timeLimit; }),
+    valued({"--samples", kRender, kGroup, "render samples A to B - 1 of the --spp of each pixel"},
+           orAbsent(sampleRange(kMaxSamples), "all"), [](auto& a) -> auto& { return a.samples; }),
+    valued({"--crop", kRender, kGroup, "render a window: its left column, top row, width and height in pixels of the full image"},
+           orAbsent(window(kMaxSide), "the image"), [](auto& a) -> auto& { return a.settings.image.crop; }),
+    path({"-o,--output", kMerge, kGroup, "for `merge`: the film file that is written"}, "FILE", [](auto& a) -> auto& { return a.mergedFilm; }),
+    flag({"--mixed-devices", kMerge, kGroup, "merge films of different devices; the film is marked as mixed"},
+         [](auto& a) -> auto& { return a.mixedDevices; }),
+    flag({"--partial", kMerge, kGroup, "write the film although samples are missing"}, [](auto& a) -> auto& { return a.partial; }),
+  };
+}
+
+std::vector<Option> comparisonOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::comparison;
+  return {
+    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
+           orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
+    valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
+           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
+    path({"--diff", kCompare, kGroup, "write a picture of the differences: orange where A is brighter, blue where A is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
+    path({"--flip", kCompare, kGroup, "write a picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
+  };
+}
+
+std::vector<Option> verificationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::verification;
+  return {
+    valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
+           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
+    valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect"},
+           orAbsent(share("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
+           choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
+    valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
+    valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
+    flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},
+         [](auto& a) -> auto& { return a.explain; }),
+  };
+}
+
+std::vector<Option> explanationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::explanation;
+  return {
+    valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
+           orAbsent(pixelPlace(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+    valued({"--sample", kExplain, kGroup, "index of the pixel's sample, from 0"},
+           wholeNumber(0, kMaxSamples - 1), [](auto& a) -> auto& { return a.sample; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli

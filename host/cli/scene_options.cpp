@@ -1,0 +1,91 @@
+// Options that decide what is rendered: those of the image, and those of the scene file.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::uint32_t kMaxSegments = 1u << 20;
+constexpr float kMinReach = 1e-30f;
+constexpr float kMaxReach = 1e30f;
+
+const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
+const std::vector<std::pair<std::string, render::SamplerKind>> kSamplers{
+    {"independent", render::SamplerKind::independent},
+    {"stratified", render::SamplerKind::stratified},
+    {"sobol", render::SamplerKind::sobol}};
+const std::vector<std::pair<std::string, render::Integrator>> kIntegrators{
+    {"path", render::Integrator::path},     {"whitted", render::Integrator::whitted},
+    {"ao", render::Integrator::ao},         {"normal", render::Integrator::normal},
+    {"albedo", render::Integrator::albedo}, {"depth", render::Integrator::depth},
+    {"id", render::Integrator::id},         {"cost", render::Integrator::cost}};
+
+std::string defaultDepths() {
+  return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
+                     defaultMaxDepth(render::Integrator::whitted));
+}
+
+}  // namespace
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> imageOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::image;
+  const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.image.sampleCount);
+  return {
+    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
+           orAbsent(wholeNumber(0, kMaxSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
+    valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
+           wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.image.seed; }),
+    valued({"--size", kTracing, kGroup, "image size in pixels"},
+           orAbsent(extent("WxH", kMaxSide), "the scene's"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--max-depth", kTracing, kGroup, "maximum number of rays in a path, counting the camera ray"},
+           orAbsent(wholeNumber(1, kMaxSegments), defaultDepths()), [](auto& a) -> auto& { return a.maxDepth; }),
+    valued({"--rr-start", kTracing, kGroup, "number of path vertices before Russian roulette starts"},
+           wholeNumber(0, kMaxSegments), [](auto& a) -> auto& { return a.settings.image.rouletteStart; }),
+    valued({"--integrator", kTracing, kGroup, "`path`: path tracing; `whitted`: Whitted ray tracing; the others: views of what camera rays hit"},
+           choice(kIntegrators), [](auto& a) -> auto& { return a.settings.image.integrator; }),
+    valued({"--ao-distance", kTracing, kGroup, "maximum distance of occluders for `ao`; `auto`: a quarter of the distance from eye to target"},
+           orAbsent(realNumber<float>("D", kMinReach, kMaxReach), "auto"), [](auto& a) -> auto& { return a.settings.image.aoDistance; }),
+    valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every path vertex"},
+           choice(kOnOff), [](auto& a) -> auto& { return a.settings.image.nextEventEstimation; }),
+    valued({"--sampler", kTracing, kGroup, "how random numbers are generated"},
+           choice(kSamplers), [](auto& a) -> auto& { return a.settings.image.sampler; }),
+    valued({"--filter", kTracing, kGroup, "pixel filter"},
+           choice<render::FilterKind>({{"box", render::FilterKind::box}, {"tent", render::FilterKind::tent}}), [](auto& a) -> auto& { return a.settings.image.filter; }),
+    valued({"--lens", kTracing, kGroup, "shape of the lens, if the scene's camera has an aperture"},
+           choice<render::LensKind>({{"disc", render::LensKind::disc}, {"square", render::LensKind::square}}), [](auto& a) -> auto& { return a.settings.image.lens; }),
+    valued({"--pixel-origin", kTracing, kGroup, "points through which camera rays pass without jitter: the centres of the pixels, or the corners of a grid of (W-1)x(H-1) cells"},
+           choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.image.pixelOrigin; }),
+    valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
+           realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.image.lightSize; }),
+    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
+           orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
+    flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
+         [](auto& a) -> auto& { return a.settings.image.oneSided; }),
+  };
+}
+
+std::vector<Option> sceneFileOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::sceneFile;
+  return {
+    flag({"--lenient", kReadingScenes, kGroup, "skip unknown statements and complete short ones, with warnings"},
+         [](auto& a) -> auto& { return a.loadOptions.lenient; }),
+    paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
+          [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
+    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
+           text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
+    valued({"--env-rotate", kSurrounding, kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
+           realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),
+    valued({"--env-scale", kSurrounding, kGroup, "factor of the environment's radiance"},
+           realNumber<double>("S", 0, 1e30), [](auto& a) -> auto& { return a.loadOptions.environment.scale; }),
+    valued({"--camera", kReadingScenes, kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
+           orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
+    valued({"--time", kReadingScenes, kGroup, "for glTF: time in the first animation, in seconds"},
+           orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli

@@ -1,0 +1,72 @@
+// Options of bench, tune and the commands that write scenes, and those that all commands share.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::uint32_t kMaxRepeats = 1000;
+
+}  // namespace
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> benchmarkOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::benchmark;
+  return {
+    valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, interleaved; the median is reported"},
+           wholeNumber(1, kMaxRepeats), [](auto& a) -> auto& { return a.repeats; }),
+    paths({"--sweep", kBench, kGroup, "for scenes: measure each value of an option (named without its dashes); repeatable, for all combinations"}, "NAME=V,V,...",
+          [](auto& a) -> auto& { return a.sweeps; }),
+    valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
+           share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
+    valued({"--markdown", kBench | kTune, kGroup, "write the table as Markdown; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
+    valued({"--svg", kBench, kGroup, "for scenes: write a chart of samples per second as SVG; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
+  };
+}
+
+std::vector<Option> tuningOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::tuning;
+  return {
+    valued({"--size", kTune, kGroup, "image size in pixels; `auto`: chosen by timing, at most the scene's"},
+           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.size; }),
+    valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
+           orAbsent(wholeNumber(0, kMaxSamples), "auto"), [](auto& a) -> auto& { return a.sampleCount; }),
+    flag({"--dry-run", kTune, kGroup, "measure and report, but store nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
+  };
+}
+
+std::vector<Option> generationOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::generation;
+  return {
+    valued({"-o,--output", kGenerate | kBoxes, kGroup, "scene file; `-`: stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.generatedFile; }),
+    valued({"--size", kGenerate, kGroup, "size of the scene; each kind has its own range"},
+           orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
+    valued({"--depth", kBoxes, kGroup, "draw one level of the BVH, and the leaves above it; the root is level 0"},
+           orAbsent(wholeNumber(0, kAnySize), "all"), [](auto& a) -> auto& { return a.boxDepth; }),
+  };
+}
+
+std::vector<Option> generalOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::general;
+  return {
+    flag({"--stats", kRender, kGroup, "print times, numbers of rays and the settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
+    valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
+    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample is not finite, negative or too bright; files are still written"},
+         [](auto& a) -> auto& { return a.strict; }),
+    path({"--report", kCompare | kVerify, kGroup, "write an HTML page with the images, maps of their differences, figures and the verdict"}, "FILE",
+         [](auto& a) -> auto& { return a.report; }),
+    flag({"-q,--quiet", kAll, kGroup, "print only errors"}, [](auto& a) -> auto& { return a.quiet; }),
+    flag({"-v,--verbose", kAll, kGroup, "print details"}, [](auto& a) -> auto& { return a.verbose; }),
+    flag({"--version", kAll, kGroup, "print the version"}, [](auto& a) -> auto& { return a.version; }),
+    flag({"-h,--help", kAll, kGroup, "print this help"}, [](auto& a) -> auto& { return a.help; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli
