@@ -118,12 +118,16 @@ def describe(candela, film: Path):
     return json.loads(run.stdout) if run.returncode == 0 else None
 
 
-def is_shard_done(plan: Plan, job: Path, frame: int, shard: int):
-    description = describe(plan.candela, shard_file(job, frame, shard))
+def covers_shard(plan: Plan, shard: int, description):
+    """Returns whether a film with this description has all samples of the shard. `description` may be None."""
     if description is None:
         return False
     first, end = plan.range_of(shard)
     return f"samples {first}:{end} of crop {description['crop']}" in description["covered"]
+
+
+def is_shard_done(plan: Plan, job: Path, frame: int, shard: int):
+    return covers_shard(plan, shard, describe(plan.candela, shard_file(job, frame, shard)))
 
 
 def is_film_done(plan: Plan, job: Path, frame: int):
@@ -131,6 +135,5 @@ def is_film_done(plan: Plan, job: Path, frame: int):
     return description is not None and description["complete"]
 
 
-def is_frame_done(plan: Plan, job: Path, frame: int):
-    outputs = [Path(output) for output in plan.frames[frame].outputs()]
-    return is_film_done(plan, job, frame) and all(output.exists() for output in outputs)
+def has_pictures(plan: Plan, frame: int):
+    return all(Path(output).exists() for output in plan.frames[frame].outputs())

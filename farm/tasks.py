@@ -69,10 +69,11 @@ def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
         if not is_free:
             print(f"{film}: another task renders it", flush=True)
             return INTERRUPTED
-        if planning.is_shard_done(plan, job, frame, shard):
+        description = planning.describe(plan.candela, film)
+        if planning.covers_shard(plan, shard, description):
             print(f"{film}: is complete", flush=True)
             return SUCCESS
-        if film.exists() and planning.describe(plan.candela, film) is None:
+        if film.exists() and description is None:
             aside = film.with_suffix(f".damaged-{os.getpid()}")
             film.rename(aside)
             print(f"{film}: is damaged; it is kept as {aside.name}, and the shard starts again", flush=True)

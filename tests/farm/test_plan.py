@@ -110,7 +110,7 @@ class TaskTest(unittest.TestCase):
         self.assertNotEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
         self.assertEqual(self.render(1), tasks.SUCCESS)
         self.assertEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
-        self.assertTrue(planning.is_frame_done(self.plan, self.job, 0))
+        self.assertTrue(planning.has_pictures(self.plan, 0))
 
     def test_a_damaged_shard_is_set_aside_and_rendered_again(self):
         self.film(0).parent.mkdir()
