@@ -16,18 +16,13 @@ using statistics::summarise;
 constexpr std::uint32_t kFirstSamples = 1;                     // per pixel and batch
 constexpr std::uint64_t kMaxSamples = std::uint64_t{1} << 24;  // per pixel and batch
 
-std::vector<Region> withWatched(std::vector<Region> regions, const std::optional<Region>& watched) {
-  if (watched) regions.push_back(*watched);
-  return regions;
-}
-
 class LightTest {
  public:
   LightTest(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
             render::Renderer& reference, const LightTestOptions& options, const render::RenderControl& control)
       : options_(options),
         control_(control),
-        regions_(withWatched(regionsOf(settings.image.size), options.watched)),
+        regions_(regionsOf(settings.image.size, options.watched)),
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         device_(Side::device, device, scene, settings, regions_),
         reference_(Side::reference, reference, scene, settings, regions_) {

@@ -18,12 +18,6 @@ namespace {
 constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 
-std::vector<Region> regionsFor(const render::Extent& size, const std::optional<Region>& watched) {
-  std::vector<Region> regions = regionsOf(size);
-  if (watched) regions.push_back(*watched);
-  return regions;
-}
-
 void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   throw InternalError(fmt::format("{} loops ended before their work was done", statistics.truncated));
@@ -40,11 +34,12 @@ class PairedTest {
         reference_(reference),
         options_(options),
         control_(control),
-        regions_(regionsFor(settings.image.size, options.watched)),
+        regions_(regionsOf(settings.image.size, options.watched)),
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         sums_(regions_, scale),
         level_(statistics::sidakLevel(options.alpha, testCount_)),
-        batches_(batchesFor(settings.image.size)) {
+        batches_(batchesFor(settings.image.size)),
+        maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)) {
     if (!options.keepFilms) return;
     result_.deviceFilm = image::Film(settings.image.size.width, settings.image.size.height);
     result_.referenceFilm = result_.deviceFilm;
@@ -56,10 +51,11 @@ class PairedTest {
       result_.interrupted = !renderTo(samples, look);
       if (result_.interrupted) break;
       takeLook(look);
+      if (!options_.bias && samples_ >= maxSamples_) promiseWhatWasReached();
       if (result_.information == 1 || result_.differs()) break;
       result_.outOfTime = isOutOfTime();
       if (result_.outOfTime || look + 1 == kMaxLooks) break;
-      samples = std::min(nextSamples(samples_, result_.information, kMaxLooks - 1 - look), kMaxPairedSamples);
+      samples = std::min(nextSamples(samples_, result_.information, kMaxLooks - 1 - look), maxSamples_);
     }
     result_.samplesPerPixel = samples_;
     return std::move(result_);
@@ -69,6 +65,11 @@ class PairedTest {
   static std::uint32_t batchesFor(const render::Extent& size) {
     const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
     return static_cast<std::uint32_t>((kMinValues + pixels - 1) / pixels);
+  }
+
+  static std::uint64_t defaultSamples(const render::Extent& size) {
+    const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
+    return std::clamp(kDefaultPaths / pixels, std::uint64_t{1}, kDefaultSamples);
   }
 
   bool isOutOfTime() {
@@ -131,9 +132,14 @@ class PairedTest {
   double defaultBias() const {
     const double margin = relativeMargin();
     const double noise = result_.regions.front().detectableBias - margin;
-    const auto samples = static_cast<double>(samples_);
-    const double later = noise * std::sqrt(samples / std::max(kDefaultSamples, samples));
+    const double later = noise * std::sqrt(static_cast<double>(samples_) / std::max(maxSamples_, samples_));
     return std::max({kPairedBias, kMarginFactor * margin, margin + later});
+  }
+
+  // The first look may underestimate the noise of rare flips.
+  void promiseWhatWasReached() {
+    result_.bias = std::max(result_.bias, result_.regions.front().detectableBias);
+    result_.information = 1;
   }
 
   void requireAboveMargin(double bias) const {
@@ -155,6 +161,7 @@ class PairedTest {
   PairedSums sums_;
   double level_;
   std::uint32_t batches_;
+  std::uint64_t maxSamples_;   ///< per pixel; every batch may add one
   std::uint64_t samples_ = 0;  ///< per pixel, so far
   Stopwatch watch_;
   double elapsed_ = 0;

@@ -5,11 +5,12 @@
 
 namespace candela::verify {
 
-/// Relative bias that must be detected if none is asked for; or kMarginFactor times the margin, or what kDefaultSamples
-/// samples per pixel can detect, whichever is largest.
+/// Relative bias that must be detected if none is asked for; or kMarginFactor times the margin, or what can be detected
+/// with kDefaultSamples samples per pixel or kDefaultPaths samples of the whole image, whichever is largest.
 inline constexpr double kPairedBias = 5e-4;
 inline constexpr double kMarginFactor = 3;
-inline constexpr double kDefaultSamples = 32;
+inline constexpr std::uint64_t kDefaultSamples = 32;
+inline constexpr std::uint64_t kDefaultPaths = std::uint64_t{1} << 22;
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
 /// `scale`: roughly the mean luminance of the image, from other samples. Throws UsageError if `options.bias` is below

@@ -35,13 +35,14 @@ double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
 
 }  // namespace
 
-std::vector<Region> regionsOf(const render::Extent& image) {
+std::vector<Region> regionsOf(const render::Extent& image, const std::optional<Region>& watched) {
   std::vector<Region> regions;
   for (const auto quantity :
        {Region::Quantity::luminance, Region::Quantity::red, Region::Quantity::green, Region::Quantity::blue}) {
     regions.push_back({0, 0, image.width, image.height, 0, quantity});
   }
   for (const std::uint32_t size : {8u, 16u, 32u}) appendTiles(image, size, regions);
+  if (watched) regions.push_back(*watched);
   return regions;
 }
 

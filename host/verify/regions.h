@@ -1,6 +1,7 @@
 // The regions of an image in which the light of two tracers is compared: the whole image, and tiles of three sizes.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,8 @@ struct Region {
 };
 
 /// Returns the luminance of the whole image, then its channels, then the luminance of tiles of 8, 16 and 32 pixels per
-/// side, cut at the right and lower edge. Sizes that would give a single tile are omitted.
-std::vector<Region> regionsOf(const render::Extent& image);
+/// side, cut at the right and lower edge. Sizes that would give a single tile are omitted. A watched region comes last.
+std::vector<Region> regionsOf(const render::Extent& image, const std::optional<Region>& watched = std::nullopt);
 
 /// Returns e.g. "image mean (luminance)" or "tile 8x8 at 16,24".
 std::string regionText(const Region& region);
