@@ -19,10 +19,10 @@ EnvironmentTap loadTap(uint texel, float sine) {
 }
 
 // Returns the texel at a point of the map, which may be beyond its edges by less than its size.
-uint texelAt(vec2 place, vec2 size) {
-  bool beyond = place.y < 0.0 || place.y > size.y;
-  float x = place.x + (beyond ? 0.5 * size.x : 0.0);
-  float y = place.y < 0.0 ? -place.y : (beyond ? 2.0 * size.y - place.y : place.y);
+uint texelAt(vec2 point, vec2 size) {
+  bool beyond = point.y < 0.0 || point.y > size.y;
+  float x = point.x + (beyond ? 0.5 * size.x : 0.0);
+  float y = point.y < 0.0 ? -point.y : (beyond ? 2.0 * size.y - point.y : point.y);
   x -= size.x * floor(x / size.x);
   uvec2 texel = min(uvec2(x, y), uvec2(constants.environmentWidth, constants.environmentHeight) - 1u);
   return texel.y * constants.environmentWidth + texel.x;
@@ -52,11 +52,11 @@ uint chooseTexel(uvec2 words) {
   return fraction >> 8 < entry.x ? bin : entry.y;
 }
 
-// `place` is uniform in the unit square.
-LightSample sampleEnvironment(uvec2 words, vec2 place) {
+// `point` is uniform in the unit square.
+LightSample sampleEnvironment(uvec2 words, vec2 point) {
   uint texel = chooseTexel(words);
-  float s = float(texel % constants.environmentWidth) + 0.5 + sampleTent(place.x);
-  float t = float(texel / constants.environmentWidth) + 0.5 + sampleTent(place.y);
+  float s = float(texel % constants.environmentWidth) + 0.5 + sampleTent(point.x);
+  float t = float(texel / constants.environmentWidth) + 0.5 + sampleTent(point.y);
   vec2 azimuth = -cosSinOfTurns(s / float(constants.environmentWidth));
   vec2 polar = cosSinOfTurns(0.5 * t / float(constants.environmentHeight));  // its sine is negative beyond the poles
   vec3 wi = polar.y * (azimuth.x * constants.environmentX + azimuth.y * constants.environmentZ) +

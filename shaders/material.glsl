@@ -58,7 +58,6 @@ struct Material {
   float dielectricWeight;
   float exponent;
   float ior;
-  float untinted;  // the part of the glossy lobe's colour that the base colour's texture does not scale
   bool mirror;
 };
 
@@ -100,7 +99,6 @@ Material loadMaterial(uint index) {
   }
   material.exponent = 0.0;
   material.ior = 1.0;
-  material.untinted = 0.0;
   material.mirror = false;
   if (kHasGlossy || kHasMirror || kHasDielectric || kHasSurfaces) {
     uvec4 last = sceneRow(row + 3u);
@@ -113,18 +111,14 @@ Material loadMaterial(uint index) {
     }
   }
   material.specular = vec3(0.0);
-  if (kHasMirror || kHasDielectric || ((kHasTextures || kHasColours) && kHasGlossy)) {
-    vec4 specular = sceneRowFloat(row + 4u);
-    material.specular = specular.xyz;
-    material.untinted = specular.w;
-  }
+  if (kHasMirror || kHasDielectric) material.specular = sceneRowFloat(row + 4u).xyz;
   return material;
 }
 
 void scaleBaseColour(inout Material material, vec3 scale) {
   if (kHasSurfaces) material.surface.baseColour *= scale;
   material.diffuse *= scale;
-  material.glossy = (material.glossy - material.untinted) * scale + material.untinted;
+  material.glossy *= scale;
   material.specular *= scale;
 }
 

@@ -27,8 +27,8 @@ uint wrappedTexel(int x, int count, uint wrap) {
 }
 
 uint texelIndex(float s, uint count, uint wrap, float displacement) {
-  precise float place = float(count) * reducedCoordinate(s, wrap) + displacement;
-  return wrappedTexel(int(floor(place)), int(count), wrap);
+  precise float position = float(count) * reducedCoordinate(s, wrap) + displacement;
+  return wrappedTexel(int(floor(position)), int(count), wrap);
 }
 
 // Returns the first of a material's records: see shared/scene_rows.h.
@@ -41,7 +41,7 @@ uint textureOf(uint material, uint slot) { return sceneRow(materialTextureRow(ma
 
 // A use of an image, at some texture coordinates.
 struct Lookup {
-  vec2 place;       // coordinates s and t
+  vec2 st;          // coordinates s and t
   uvec2 size;       // of the image
   uvec2 wrap;       // kWrap...
   uint firstRow;    // of the image
@@ -61,8 +61,8 @@ Lookup lookupAt(uint reference, vec4 texCoords) {
 
 // Returns the texel, four packed bytes, that is displaced by fractions of a texel.
 uint texelAt(Lookup at, vec2 displacement) {
-  uint x = texelIndex(at.place.x, at.size.x, at.wrap.x, displacement.x);
-  uint y = texelIndex(at.place.y, at.size.y, at.wrap.y, displacement.y);
+  uint x = texelIndex(at.st.x, at.size.x, at.wrap.x, displacement.x);
+  uint y = texelIndex(at.st.y, at.size.y, at.wrap.y, displacement.y);
   uint texel = y * at.size.x + x;
   return sceneRow(at.firstRow + (texel >> 2))[texel & 3u];
 }
@@ -79,8 +79,8 @@ float alphaOf(uint texel) { return float(texel >> 24) * (1.0 / 255.0); }
 float filteredAlpha(uint reference, vec4 texCoords) {
   Lookup at = lookupAt(reference, texCoords);
   if (at.nearest) return alphaOf(texelAt(at, vec2(0.0)));
-  vec2 place = vec2(at.size) * vec2(reducedCoordinate(at.place.x, at.wrap.x), reducedCoordinate(at.place.y, at.wrap.y));
-  vec2 weight = fract(place - 0.5);
+  vec2 position = vec2(at.size) * vec2(reducedCoordinate(at.st.x, at.wrap.x), reducedCoordinate(at.st.y, at.wrap.y));
+  vec2 weight = fract(position - 0.5);
   float upper = mix(alphaOf(texelAt(at, vec2(-0.5))), alphaOf(texelAt(at, vec2(0.5, -0.5))), weight.x);
   float lower = mix(alphaOf(texelAt(at, vec2(-0.5, 0.5))), alphaOf(texelAt(at, vec2(0.5))), weight.x);
   return mix(upper, lower, weight.y);

@@ -53,7 +53,7 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
     flat.rows.push_back(
         {floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), order.numbers[i]});
-    flat.rows.push_back(row(lobes.specularColour, lobes.untinted));
+    flat.rows.push_back(row(lobes.specularColour, 0.0));
   }
   const Rows surfaces = surfaceRows(scene, order);
   flat.constants.firstSurfaceRow = rowCount(flat.rows);

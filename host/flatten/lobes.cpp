@@ -14,7 +14,6 @@ Lobes lobesOf(const scene::Material& material) {
     lobes.glossy = material.glossy->weight;
     lobes.glossyColour = material.glossy->colour;
     lobes.exponent = material.glossy->exponent;
-    lobes.untinted = material.glossy->untinted;
   }
   if (material.dielectric) {
     lobes.dielectric = material.dielectric->weight;

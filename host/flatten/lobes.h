@@ -16,7 +16,6 @@ struct Lobes {
   glm::dvec3 glossyColour{0};
   glm::dvec3 specularColour{0};  ///< of the dielectric or of the mirror
   double exponent = 0;           ///< of the glossy lobe
-  double untinted = 0;           ///< scene::GlossyLobe::untinted
   double ior = 1;                ///< of the dielectric
 };
 

@@ -17,7 +17,7 @@ constexpr double kMaxComparisons = 0x1p25;  // about a quarter of a second
 
 double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Of a surface whose largest coordinate is `reach`.
+// Returns the tolerance for a surface whose largest coordinate is `reach`.
 double tolerance(const dvec3& point, double reach, double slack) {
   return kTwiceTheMargin * std::max(largest(point), reach) + slack;
 }

@@ -10,7 +10,7 @@ constexpr double kRoughnesses[] = {0, 0.2, 0.4, 0.6, 0.8, 1};
 constexpr int kColumns = 6;
 constexpr double kRadius = 0.45;
 
-// What the balls of a row have in common.
+// The parameters that the balls of a row share.
 struct BallRow {
   double metalness;
   double transmission;

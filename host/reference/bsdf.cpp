@@ -25,7 +25,6 @@ Bsdf::Bsdf(const scene::Material& material) : mirror_(material.mirror.has_value(
     glossy_ = lobe->weight;
     glossyColour_ = lobe->colour;
     exponent_ = lobe->exponent;
-    untinted_ = lobe->untinted;
   }
   if (const auto& lobe = material.dielectric) {
     dielectric_ = lobe->weight;
@@ -38,7 +37,7 @@ Bsdf::Bsdf(const scene::Material& material) : mirror_(material.mirror.has_value(
 void Bsdf::scaleBaseColour(const dvec3& scale) {
   diffuseColour_ *= scale;
   specularColour_ *= scale;
-  glossyColour_ = untinted_ + scale * (glossyColour_ - untinted_);
+  glossyColour_ *= scale;
 }
 
 dvec3 Bsdf::albedo() const {

@@ -78,7 +78,6 @@ class Bsdf {
   dvec3 glossyColour_{0};
   dvec3 specularColour_{0};  ///< of the dielectric or of the mirror
   double exponent_ = 0;
-  double untinted_ = 0;  ///< part of the glossy colour that is not scaled
   double ior_ = 1;
 };
 

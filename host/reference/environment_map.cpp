@@ -71,10 +71,10 @@ EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jit
   return {texel, environment_.texels[texel], pdf(texel, sine)};
 }
 
-std::optional<LightSample> EnvironmentMap::sample(std::uint64_t choice, const dvec2& place) const {
+std::optional<LightSample> EnvironmentMap::sample(std::uint64_t choice, const dvec2& point) const {
   const std::uint32_t texel = table_.choose(choice);
-  const double s = texel % environment_.width + 0.5 + sampleTent(place.x);
-  const double t = texel / environment_.width + 0.5 + sampleTent(place.y);
+  const double s = texel % environment_.width + 0.5 + sampleTent(point.x);
+  const double t = texel / environment_.width + 0.5 + sampleTent(point.y);
   const double azimuth = kPi * (2 * s / environment_.width - 1);
   const double polar = kPi * t / environment_.height;  // beyond the poles, the azimuth is the opposite one
   const double sine = std::sin(polar);

@@ -42,9 +42,9 @@ class EnvironmentMap {
   bool shines() const { return shines_; }
   /// `jitter` is uniform in the unit square. The direction is a unit vector of the scene.
   Tap tap(const dvec3& direction, const dvec2& jitter) const;
-  /// Returns a sample, farther away than any surface. `choice` is a uniform word of 64 bits, `place` uniform in the
+  /// Returns a sample, farther away than any surface. `choice` is a uniform word of 64 bits, `point` uniform in the
   /// unit square.
-  std::optional<LightSample> sample(std::uint64_t choice, const dvec2& place) const;
+  std::optional<LightSample> sample(std::uint64_t choice, const dvec2& point) const;
 
  private:
   double pdf(std::uint32_t texel, double sine) const;

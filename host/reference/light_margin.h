@@ -35,7 +35,7 @@ class LightMargin {
 
  private:
   double margin(double reach) const;
-  /// Of a flat surface through `at`; the length of `normal` does not matter.
+  /// Returns whether the light lies in a flat surface through `at`. The length of `normal` does not matter.
   bool isIn(const dvec3& at, const dvec3& normal, double reach) const;
   /// Returns whether the hit at t is the end at the light of a chord, whose half is `halfChord` long.
   bool isEndAtLight(double t, double halfChord) const { return !(halfChord > 0 && distance_ - t > halfChord); }

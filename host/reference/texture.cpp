@@ -73,8 +73,8 @@ double alphaOf(std::uint32_t texel) { return (texel >> 24) / 255.0; }
 
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
   if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
-  const dvec2 place = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
-  const dvec2 share = glm::fract(place * dvec2(image.width, image.height) - 0.5);
+  const dvec2 limited = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
+  const dvec2 share = glm::fract(limited * dvec2(image.width, image.height) - 0.5);
   double alpha = 0;
   for (int corner = 0; corner < 4; ++corner) {
     const dvec2 next(corner % 2, corner / 2);  // a jitter of 1 leads to the next texel

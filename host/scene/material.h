@@ -26,7 +26,6 @@ struct GlossyLobe {
   double weight = 1;  ///< > 0
   glm::vec3 colour{1, 1, 1};
   float exponent = 1;  ///< >= 0
-  float untinted = 0;  ///< the part of each channel of `colour` that a base colour texture does not scale, 0 to colour
 
   bool operator==(const GlossyLobe&) const = default;
 };

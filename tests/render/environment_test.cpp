@@ -4,9 +4,8 @@
 
 #include "host/environment/placement.h"
 #include "host/environment/weights.h"
-#include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
-#include "tests/render/render_support.h"
+#include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -48,16 +47,6 @@ void addLightsBesideEnvironment(SceneBuilder& b) {
   b.scene.punctualLights = {{.position = {2.5f, -1, 1.5f}, .intensity = {1, 6, 3}}};
 }
 
-void requireEnvironmentPixels(const scene::Scene& scene, render::RenderSettings settings) {
-  settings.execution.recordPaths = true;
-  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
-                                                              renderOnReference(scene, settings));
-  CAPTURE(settings.image.seed, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.causes,
-          pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.lit > pixels.pixels / 2);
-  CHECK(pixels.agree());
-}
-
 }  // namespace
 
 TEST_CASE("an environment has the reference's pixels at equal seeds, alone and among all other kinds of light",
@@ -69,7 +58,7 @@ TEST_CASE("an environment has the reference's pixels at equal seeds, alone and a
       render::RenderSettings settings = squareSettings(96, 1);
       settings.image.nextEventEstimation = nextEventEstimation;
       settings.image.seed = others ? 1 : 2;
-      requireEnvironmentPixels(b.scene, settings);
+      checkPixelsAgree(b.scene, settings, 0.5);
     }
   }
 }
@@ -92,7 +81,7 @@ TEST_CASE("limited indirect light has the reference's pixels, and is not brighte
   render::RenderSettings settings = squareSettings(96, 1);
   const double unlimited = meanLuminance(renderOnDevice(b.scene, settings).film);
   settings.image.indirectLimit = 0.25f;
-  requireEnvironmentPixels(b.scene, settings);
+  checkPixelsAgree(b.scene, settings, 0.5);
   const double limited = meanLuminance(renderOnDevice(b.scene, settings).film);
   CHECK(limited < 0.99 * unlimited);
   settings.image.maxDepth = 2;  // light that was scattered once has no limit

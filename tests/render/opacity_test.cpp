@@ -4,9 +4,9 @@
 #include <random>
 
 #include "host/image/image.h"
-#include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
+#include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -61,16 +61,6 @@ scene::Scene sheets() {
   return b.scene;
 }
 
-void requireSameOpacity(const scene::Scene& scene, render::RenderSettings settings) {
-  settings.execution.recordPaths = true;
-  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
-                                                              renderOnReference(scene, settings));
-  CAPTURE(settings.image.seed, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
-          pixels.worstX, pixels.worstY);
-  CHECK(pixels.lit > pixels.pixels / 4);
-  CHECK(pixels.agree());
-}
-
 // A wall of radiance 1 that fills the view, and sheets in front of it that absorb.
 SceneBuilder wallBehind(const std::vector<scene::Opacity>& opacities) {
   SceneBuilder b;
@@ -90,7 +80,7 @@ TEST_CASE("transparent triangles have the reference's pixels at equal seeds") {
   for (const std::uint32_t seed : {0u, 1u, 2u}) {
     render::RenderSettings settings = squareSettings(96, 1);
     settings.image.seed = seed;
-    requireSameOpacity(sheets(), settings);
+    checkPixelsAgree(sheets(), settings);
   }
 }
 
@@ -114,7 +104,7 @@ TEST_CASE("views see through transparent triangles as paths do", "[swiftshader-s
        {render::Integrator::ao, render::Integrator::albedo, render::Integrator::depth}) {
     render::RenderSettings settings = squareSettings(64, 1);
     settings.image.integrator = view;
-    requireSameOpacity(sheets(), settings);
+    checkPixelsAgree(sheets(), settings);
   }
 }
 

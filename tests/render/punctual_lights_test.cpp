@@ -2,9 +2,8 @@
 // chooses and evaluates them as the reference does.
 #include <catch2/catch.hpp>
 
-#include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
-#include "tests/render/render_support.h"
+#include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -71,13 +70,7 @@ void requireSamePixels(const scene::Scene& scene, std::uint32_t seed, bool nextE
   render::RenderSettings settings = squareSettings(96, 1);
   settings.image.seed = seed;
   settings.image.nextEventEstimation = nextEventEstimation;
-  settings.execution.recordPaths = true;
-  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
-                                                              renderOnReference(scene, settings));
-  CAPTURE(seed, nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
-          pixels.worstX, pixels.worstY);
-  CHECK(pixels.lit > pixels.pixels / 4);
-  CHECK(pixels.agree());
+  checkPixelsAgree(scene, settings);
 }
 
 }  // namespace

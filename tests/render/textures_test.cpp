@@ -4,9 +4,9 @@
 
 #include "host/image/colour_transfer.h"
 #include "host/image/image.h"
-#include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
+#include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -68,9 +68,7 @@ scene::Scene gallery() {
                 .rowS = {1.2f, 0.7f, -0.3f},
                 .rowT = {-0.7f, 1.2f, 0.4f}}),
       0.1f, false);
-  scene::Material plastic = test::mixtureMaterial(0.5f, 0.5f, 20);
-  plastic.glossy->untinted = 0.25f;
-  add(withTexture(plastic, scene::TextureSlot::baseColour, {.image = 1}), 1.9f, true);
+  add(withTexture(test::mixtureMaterial(0.5f, 0.5f, 20), scene::TextureSlot::baseColour, {.image = 1}), 1.9f, true);
   b.pointLight({-1, -4, 4}, vec3(1));
   b.scene.background = vec3(0.3f);
   b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
@@ -101,13 +99,7 @@ void requireSamePixels(const scene::Scene& scene, std::uint32_t seed, render::Sa
   settings.image.seed = seed;
   settings.image.sampler = sampler;
   settings.image.nextEventEstimation = nextEventEstimation;
-  settings.execution.recordPaths = true;
-  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
-                                                              renderOnReference(scene, settings));
-  CAPTURE(seed, nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
-          pixels.worstX, pixels.worstY);
-  CHECK(pixels.lit > pixels.pixels / (nextEventEstimation ? 4 : 32));
-  CHECK(pixels.agree());
+  checkPixelsAgree(scene, settings, nextEventEstimation ? 0.25 : 0.03);
 }
 
 double linear(std::uint32_t byte) { return image::srgbDecode(byte / 255.0); }

@@ -1,0 +1,20 @@
+// Renders on both tracers, and compares the pixels.
+#include "tests/render/pixel_agreement.h"
+
+#include <catch2/catch.hpp>
+
+#include "host/verify/agreement.h"
+
+namespace candela::device {
+
+void checkPixelsAgree(const scene::Scene& scene, render::RenderSettings settings, double lit) {
+  settings.execution.recordPaths = true;
+  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
+                                                              renderOnReference(scene, settings));
+  CAPTURE(settings.image.seed, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit,
+          pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CHECK(static_cast<double>(pixels.lit) > lit * static_cast<double>(pixels.pixels));
+  CHECK(pixels.agree());
+}
+
+}  // namespace candela::device
