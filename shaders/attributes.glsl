@@ -1,4 +1,4 @@
-// Attributes of triangles, interpolated: texture coordinates and vertex colours. shared/scene_rows.h has their layout.
+// Attributes of triangles, interpolated: texture coordinates, vertex colours and tangents. shared/scene_rows.h has their layout.
 #ifndef CANDELA_ATTRIBUTES_GLSL
 #define CANDELA_ATTRIBUTES_GLSL
 #include "scene_access.glsl"
@@ -15,10 +15,20 @@ uint texCoordRow(uint row, uint kind) { return row + ((kind & kFlagSmooth) != 0u
 // Returns both sets of texture coordinates at a point of a triangle whose attributes begin at `row`.
 vec4 texCoordsAt(uint row, uint kind, vec2 weights) { return interpolatedRows(texCoordRow(row, kind), weights); }
 
+uint colourRow(uint row, uint kind) {
+  return texCoordRow(row, kind) + ((kind & kFlagTexCoords) != 0u ? kTexCoordRows : 0u);
+}
+
 // Returns the vertex colour at such a point.
-vec4 colourAt(uint row, uint kind, vec2 weights) {
-  uint skipped = (kind & kFlagTexCoords) != 0u ? kTexCoordRows : 0u;
-  return interpolatedRows(texCoordRow(row, kind) + skipped, weights);
+vec4 colourAt(uint row, uint kind, vec2 weights) { return interpolatedRows(colourRow(row, kind), weights); }
+
+// Returns the unit tangent at such a point and its handedness, or 0 if the vertices' tangents cancel out.
+vec4 tangentAt(uint row, uint kind, vec2 weights) {
+  uint tangentRow = colourRow(row, kind) + ((kind & kFlagColours) != 0u ? kColourRows : 0u);
+  vec3 mean = interpolatedRows(tangentRow, weights).xyz;
+  float squared = dot(mean, mean);
+  if (squared == 0.0) return vec4(0.0);
+  return vec4(mean * (1.0 / sqrt(squared)), sceneRowFloat(tangentRow).w);
 }
 
 #endif

@@ -15,9 +15,10 @@ Normals normalsTowards(Surface surface, vec3 wo) {
   normals.outside = dot(surface.outward, wo) > 0.0;
   normals.geometric = normals.outside ? surface.outward : -surface.outward;
   normals.shading = normals.geometric;
-  if (kHasSmooth) {
+  if (kHasSmooth || kHasNormalMaps) {
     vec3 turned = normals.outside ? surface.shading : -surface.shading;
-    normals.shading = dot(turned, wo) > 0.0 ? turned : normals.geometric;
+    bool keeps = dot(turned, wo) > 0.0 || (kHasNormalMaps && surface.isMapped);
+    normals.shading = keeps ? turned : normals.geometric;
   }
   return normals;
 }

@@ -7,6 +7,7 @@
 #include "camera.glsl"
 #include "environment.glsl"
 #include "lights.glsl"
+#include "normal_maps.glsl"
 #include "normals.glsl"
 #include "trace.glsl"
 #include "traversal.glsl"
@@ -52,12 +53,18 @@ struct Shading {
   vec3 facing;  // geometric normal on wo's side
   vec3 wo;      // local
   bool outside; // wo is on the side of the primitive's own normal
+  Facets facets;
 };
 
-Shading shadingAt(Surface surface, vec3 wo) {
+Shading shadingAt(Surface surface, vec3 wo, SampleKey key, uint depth) {
   Normals normals = normalsTowards(surface, wo);
   mat3 frame = frameAround(normals.shading);
-  return Shading(frame, normals.geometric, wo * frame, normals.outside);
+  Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
+  if (kHasNormalMaps && surface.isMapped) {
+    shading.facets = Facets(true, normals.geometric * frame);
+    shading.wo = seenByFacet(shading.facets, shading.wo, facetNumber(key, depth));
+  }
+  return shading;
 }
 
 // Returns whether the geometric normal classifies a direction as the shading normal does, as reflected or as
@@ -119,10 +126,16 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
-  vec3 f = evaluateBsdf(material, shading.wo, wi, pdf);
   bool transmitted = wi.z < 0.0;
+  vec3 scattered;
+  if (kHasNormalMaps) {
+    transmitted = shading.facets.exist ? dot(lit.wi, shading.facing) <= 0.0 : transmitted;
+    scattered = facetScattering(material, shading.facets, shading.wo, wi, transmitted, pdf);
+  } else {
+    scattered = evaluateBsdf(material, shading.wo, wi, pdf) * abs(wi.z);
+  }
   bool received = scattersTo(material, transmitted) && keepsSide(shading, lit.wi, transmitted);
-  vec3 arriving = f * abs(wi.z) * lit.emission;
+  vec3 arriving = scattered * lit.emission;
   if (lit.pdf <= 0.0 || !received || largest(arriving) <= 0.0) return;
   float weight = lit.delta ? 1.0 : powerHeuristic(lit.pdf, pdf);
   vec3 weighed = arriving * (weight / lit.pdf);
@@ -141,6 +154,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   BsdfSample next = sampleBsdf(material, shading.wo, shading.outside, vec3(lobeNumber, numbers));
   decisions.lobe = next.lobe;
   if (next.lobe == kLobeNone) return false;
+  if (kHasNormalMaps && shading.facets.exist) next = leavingFacet(material, shading.facets, shading.wo, next);
   precise vec3 direction = unit(shading.frame * next.wi);
   bool kept = keepsSide(shading, direction, next.lobe == kLobeRefract);
   path.throughput *= next.weight;
@@ -185,8 +199,9 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   decisions.index = hit.index;
   if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
-  noteSurface(path.ray, surface, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
+  if (kHasNormalMaps) mapNormal(surface);
+  noteSurface(path.ray, surface, hit.t);
   Material material = materialAt(surface);
   if (kHasEmission) {
     vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
@@ -194,7 +209,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   }
   if (path.depth >= constants.maxDepth) return false;
 
-  Shading shading = shadingAt(surface, -path.ray.direction);
+  Shading shading = shadingAt(surface, -path.ray.direction, key, path.depth);
   prepareLobes(material, shading.wo, shading.outside);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {

@@ -73,6 +73,8 @@ struct Surface {
   bool flatSurface; // the origin of rays that start here is offset
   vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
   vec3 colour;      // vertex colour; 1 if the primitive has none
+  vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
+  bool isMapped;    // `shading` is that of a normal map
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
 
@@ -100,9 +102,11 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   if (hasNormals) smoothTriangle(surface, row, weights);
   bool hasTexCoords = kHasTextures && (surface.kind & kFlagTexCoords) != 0u;
   bool hasColours = kHasColours && (surface.kind & kFlagColours) != 0u;
-  if ((hasTexCoords || hasColours) && !hasNormals) surface.light = sceneRow(row).x;
+  bool hasTangents = kHasTangents && (surface.kind & kFlagTangents) != 0u;
+  if ((hasTexCoords || hasColours || hasTangents) && !hasNormals) surface.light = sceneRow(row).x;
   if (hasTexCoords) surface.texCoords = texCoordsAt(row, surface.kind, weights);
   if (hasColours) surface.colour = colourAt(row, surface.kind, weights).xyz;
+  if (hasTangents) surface.tangent = tangentAt(row, surface.kind, weights);
 }
 
 // Returns the surface point of a slot at distance t along a ray that hits it.
@@ -125,6 +129,8 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.flatSurface = true;
   surface.texCoords = vec4(0.0);
   surface.colour = vec3(1.0);
+  surface.tangent = vec4(0.0);
+  surface.isMapped = false;
   surface.jitter = vec4(0.0);
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
     surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);

@@ -7,6 +7,9 @@
 // Returns the jitter of the textures at a path's vertex in x and y, and at the light that it samples in z and w.
 vec4 textureJitter(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionTextureU))); }
 
+// Returns the number that chooses a facet of a normal-mapped surface.
+float facetNumber(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionFacet))).x; }
+
 // Reduces a texture coordinate to one period of its wrap mode, or to 0 to 1, so that indices of texels are small.
 float reducedCoordinate(float s, uint wrap) {
   float bounded = abs(s) < 8388608.0 ? s : 0.0;

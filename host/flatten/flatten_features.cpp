@@ -26,6 +26,9 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
     features.colours |= !meshOf(scene, primitive).colours.empty();
+    features.tangents |= hasTangents(scene, primitive);
+    const bool isMapped = textureOf(scene.materials[primitive.material], scene::TextureSlot::normal).has_value();
+    features.normalMaps |= isMapped && hasTangents(scene, primitive);
   }
 }
 

@@ -53,9 +53,11 @@ void appendTexCoords(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows
   }
 }
 
-void appendColours(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows) {
-  for (const glm::vec4& colour : attributeOf(mesh, mesh.colours, triangle)) {
-    rows.push_back(row(glm::dvec3(colour), double{colour.w}));
+// Appends the values of an attribute at the three vertices.
+void appendVectors(const scene::Mesh& mesh, const std::vector<glm::vec4>& attribute, std::uint32_t triangle,
+                   Rows& rows) {
+  for (const glm::vec4& value : attributeOf(mesh, attribute, triangle)) {
+    rows.push_back(row(glm::dvec3(value), double{value.w}));
   }
 }
 
@@ -64,7 +66,8 @@ std::uint32_t attributeFlags(const scene::Scene& scene, const scene::Primitive& 
   const scene::Material& material = scene.materials[triangle.material];
   const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
   return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (hasTexture ? gpu::kFlagTexCoords : 0) |
-         (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours);
+         (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours) |
+         (hasTangents(scene, triangle) ? gpu::kFlagTangents : 0);
 }
 
 // Appends the attributes that the flags of a triangle name.
@@ -75,8 +78,10 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
   } else {
     rows.push_back({context.light, 0, 0, 0});
   }
-  if (flags & gpu::kFlagTexCoords) appendTexCoords(meshOf(scene, triangle), triangle.index, rows);
-  if (flags & gpu::kFlagColours) appendColours(meshOf(scene, triangle), triangle.index, rows);
+  const scene::Mesh& mesh = meshOf(scene, triangle);
+  if (flags & gpu::kFlagTexCoords) appendTexCoords(mesh, triangle.index, rows);
+  if (flags & gpu::kFlagColours) appendVectors(mesh, mesh.colours, triangle.index, rows);
+  if (flags & gpu::kFlagTangents) appendVectors(mesh, mesh.tangents, triangle.index, rows);
 }
 
 void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,

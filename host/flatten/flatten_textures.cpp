@@ -15,6 +15,7 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::emission) == gpu::k
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::metallicRoughness) == gpu::kSlotMetallicRoughness);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specular) == gpu::kSlotSpecular);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specularColour) == gpu::kSlotSpecularColour);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::normal) == gpu::kSlotNormal);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
@@ -99,6 +100,7 @@ Rows textureRows(const scene::Scene& scene) {
     rows.insert(rows.end(), slots.begin(), slots.end());
     rows.push_back({floatBits(double{opacity.factor}), floatBits(double{opacity.cutoff.value_or(-1.0f)}),
                     add(opacity.texture), 0});
+    rows.push_back({floatBits(double{material.normalScale}), 0, 0, 0});
   }
   rows.insert(rows.end(), references.begin(), references.end());
   for (const scene::TextureImage& image : scene.images) appendTexels(image, rows);

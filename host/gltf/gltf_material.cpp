@@ -70,6 +70,11 @@ void readEmission(const Value& material, const TextureReader& readTexture, GltfM
   result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
 }
 
+void readNormalMap(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  result.normalTexture = textureIn(material, "normalTexture", readTexture);
+  if (result.normalTexture) result.normalScale = material.require("normalTexture").numberOr("scale", 1);
+}
+
 void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   const std::optional<Value> specular = material.extension("KHR_materials_specular");
   if (!specular) return;
@@ -133,11 +138,11 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readSpecular(material, readTexture, result);
   readTransmission(material, result);
   readClearcoat(material, result);
+  readNormalMap(material, readTexture, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
-  noteTexture(material, "normalTexture", "normal texture", result);
   noteTexture(material, "occlusionTexture", "occlusion texture", result);
   noteExtensions(material, result);
   return result;

@@ -23,6 +23,8 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> metallicRoughnessTexture{};
   std::optional<scene::TextureReference> specularTexture{};
   std::optional<scene::TextureReference> specularColourTexture{};
+  std::optional<scene::TextureReference> normalTexture{};
+  double normalScale = 1;
   AlphaMode alphaMode = AlphaMode::opaque;
   double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;

@@ -41,6 +41,8 @@ void addTextures(const GltfMaterial& source, scene::Material& material) {
   set(scene::TextureSlot::metallicRoughness, source.metallicRoughnessTexture);
   set(scene::TextureSlot::specular, source.specularTexture);
   set(scene::TextureSlot::specularColour, source.specularColourTexture);
+  set(scene::TextureSlot::normal, source.normalTexture);
+  material.normalScale = static_cast<float>(source.normalScale);
 }
 
 }  // namespace

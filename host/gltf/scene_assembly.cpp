@@ -10,6 +10,7 @@
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
+#include "host/gltf/tangents.h"
 #include "host/gltf/transform.h"
 #include "host/scene/scene_builder.h"
 #include "host/scene/shrink_images.h"
@@ -135,6 +136,8 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
   const std::uint32_t material = materialOf(primitive);
   noteAlpha(geometry->mesh, material);
   dropUnusedVertices(*geometry);
+  const auto& tangentTexture = tangentTextureOf(scene_.materials[material]);
+  if (tangentTexture && geometry->mesh.tangents.empty()) addTangents(*geometry, *tangentTexture);
   const std::optional<Value> skin = node.find("skin");
   if (skin && !geometry->influences.joints.empty()) {
     const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];

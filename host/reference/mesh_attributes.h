@@ -11,7 +11,7 @@ namespace candela::reference {
 struct MeshAttributes {
   std::array<glm::dvec2, 2> texCoords{};
   std::array<glm::dvec2, 2> texCoordScale{};  ///< largest magnitudes at the vertices
-  dvec3 tangent{0};                           ///< unit vector along which the first texture coordinate increases
+  dvec3 tangent{0};                           ///< unit vector along which the texture's first coordinate increases
   dvec3 bitangent{0};                         ///< the vertices' handedness times cross(normal, tangent)
   glm::dvec4 colour{0};
 };
@@ -23,7 +23,7 @@ Double interpolate(const std::array<Single, 3>& values, const glm::dvec2& b) {
 }
 
 /// Returns the attributes at barycentric coordinates (b1, b2) of a primitive that is a triangle. `normal` is the unit
-/// normal of the tangent frame: that of the vertices if they have one, otherwise the outward geometric normal.
+/// normal of the tangent frame, on the side of the outward geometric normal.
 MeshAttributes attributesAt(const scene::Scene& scene, const scene::Primitive& triangle, const glm::dvec2& b,
                             const dvec3& normal);
 

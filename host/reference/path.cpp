@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/reference/normal_map.h"
 #include "host/reference/sampling.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
@@ -45,6 +46,7 @@ struct PathTracer::VertexNumbers {
   }
   double lobe() const { return numbers.unit(block + kDimensionLobe); }
   dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }
+  double facet() const { return numbers.unit(block + kDimensionFacet); }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
 };
 
@@ -53,18 +55,40 @@ struct PathTracer::Vertex {
   Bsdf bsdf;
   Frame frame;
   dvec3 wo;  ///< in the local frame
+  std::optional<NormalMapFacets> facets;
 
-  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, VertexNumbers u,
+         Rounding& rounding)
       : surface(at),
         bsdf(material.bsdf),
         frame(at.shadingNormal),
         wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+    if (surface.isMapped) chooseFacet(u.facet(), rounding);
     if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside);
   }
 
-  /// `wi` is in the local frame.
-  BsdfValue valueOf(const dvec3& wi, Rounding& rounding) const {
-    return rounding.bsdfValue(bsdf.evaluate(wo, wi), bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
+  void chooseFacet(double number, Rounding& rounding) {
+    facets.emplace(rounding.turned(frame.toLocal(surface.facingNormal), kRoundingBounds.frame));
+    const bool isDirect = rounding.absolute(number, kRoundingBounds.choice) < facets->directProbability(wo);
+    rounding.decide(isDirect);
+    if (!isDirect) wo = facets->seenByReflection(wo);
+  }
+
+  /// Returns the side on which `wi`, in the local frame, is.
+  Side sideOf(const dvec3& wi) const {
+    if (!facets) return reference::sideOf(wi);
+    return facets->isOn(Side::reflection, wi) ? Side::reflection : Side::transmission;
+  }
+
+  /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
+  BsdfValue valueOf(const dvec3& wi, Side side, Rounding& rounding) const {
+    BsdfValue value;
+    if (!facets || reference::sideOf(wi) == side) value = timesCosine(wi);
+    if (facets && reference::sideOf(facets->mirrored(wi)) == side) {
+      const BsdfValue mirrored = timesCosine(facets->mirrored(wi));
+      value = {value.f + mirrored.f, value.pdf + mirrored.pdf};
+    }
+    return rounding.bsdfValue(value, bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
   }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
@@ -73,6 +97,12 @@ struct PathTracer::Vertex {
     return side == Side::reflection ? cosine > 0 : cosine < 0;
   }
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
+
+ private:
+  BsdfValue timesCosine(const dvec3& wi) const {
+    const BsdfValue value = bsdf.evaluate(wo, wi);
+    return {value.f * std::abs(wi.z), value.pdf};
+  }
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -120,12 +150,13 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     Surface surface = rounding.surfaceAt(scene(), ray, hit);
     jitterTextures(surface, numbers, depth);
     rounding.decide(surface.fromOutside);
+    applyNormalMap(scene(), surface, rounding);
     notes.hit(hit, surface);
     const SurfaceMaterial material = materialAt(surface, rounding);
     radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, material, ray.direction, rounding);
+    const Vertex vertex(surface, material, ray.direction, u, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
     }
@@ -192,9 +223,9 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
   if (!light) return dvec3(0);
   light->radiance *= emissionFactor(scene(), *light, vertex.surface.lightTextureJitter, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
-  const Side side = sideOf(wi);
+  const Side side = vertex.sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = vertex.valueOf(wi, rounding);
+  const BsdfValue bsdf = vertex.valueOf(wi, side, rounding);
   if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
   ++counters.shadowRays;
@@ -208,10 +239,9 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
   Volumes beyond = volumes;
   if (side == Side::transmission) beyond.cross(vertex.surface);
-  const dvec3 arriving = bsdf.f * std::abs(wi.z) * light->radiance * weight / lightPdf *
-                         beyond.transmittance(light->distance);
+  const dvec3 arriving = bsdf.f * light->radiance * weight / lightPdf * beyond.transmittance(light->distance);
   notes.lit(weight, arriving);
-  rounding.decideLit(arriving, std::abs(wi.z));
+  rounding.decideLit(arriving, vertex.facets ? std::abs(dot(light->wi, vertex.surface.facingNormal)) : std::abs(wi.z));
   return arriving;
 }
 
@@ -236,9 +266,9 @@ PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::L
                                                  Rounding& rounding) const {
   const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
-  const BsdfValue bsdf = vertex.valueOf(local, rounding);
+  const BsdfValue bsdf = vertex.valueOf(local, sideOf(local), rounding);
   if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
-  return {lobe, wi, bsdf.f * std::abs(local.z) / bsdf.pdf, bsdf.pdf};
+  return {lobe, wi, bsdf.f / bsdf.pdf, bsdf.pdf};
 }
 
 PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
@@ -247,11 +277,13 @@ PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNu
   sample.wi = sample.alpha > 0 ? rounding.microfacetDirection(sample.wi, sample.alpha)
                                : rounding.sampledDirection(sample.wi);
   if (!sample.isOnItsSide()) return {};
+  const Side side = sideOf(sample.wi);
+  if (vertex.facets && !vertex.facets->isOn(side, sample.wi)) sample.wi = vertex.facets->mirrored(sample.wi);
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
-  const BsdfValue bsdf = vertex.valueOf(sample.wi, rounding);
+  const BsdfValue bsdf = vertex.valueOf(sample.wi, side, rounding);
   if (bsdf.pdf == 0) return {};
-  if (!vertex.isOn(sideOf(sample.wi), wi)) return {.lobe = sample.lobe, .pdf = 0.0};
-  return {sample.lobe, wi, bsdf.f * std::abs(sample.wi.z) / bsdf.pdf, bsdf.pdf};
+  if (!vertex.isOn(side, wi)) return {.lobe = sample.lobe, .pdf = 0.0};
+  return {sample.lobe, wi, bsdf.f / bsdf.pdf, bsdf.pdf};
 }
 
 }  // namespace candela::reference

@@ -80,6 +80,7 @@ Surface Rounding::surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit) 
   const bool turns = fromOutside != surface.fromOutside;
   surface.fromOutside = fromOutside;
   surface.outwardNormal = normalize(surface.outwardNormal + error);
+  surface.smoothNormal = normalize(surface.smoothNormal + error);
   const bool isSmooth = surface.shadingNormal != surface.facingNormal;
   surface.facingNormal = fromOutside ? surface.outwardNormal : -surface.outwardNormal;
   surface.shadingNormal = isSmooth ? normalize((turns ? -1.0 : 1.0) * surface.shadingNormal + error)

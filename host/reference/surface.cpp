@@ -55,17 +55,19 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   surface.fromOutside = dot(ray.direction, surface.outwardNormal) < 0;
   surface.facingNormal = surface.fromOutside ? surface.outwardNormal : -surface.outwardNormal;
   surface.shadingNormal = surface.facingNormal;
+  surface.smoothNormal = surface.outwardNormal;
   surface.primitive = hit.primitive;
   surface.material = primitive.material;
 
   const std::optional<dvec2> b = barycentricsOf(scene, ray, primitive);
   if (!b) return surface;
-  dvec3 n = interpolatedNormal(scene, primitive, *b);
-  if (n != dvec3(0)) n = normalize(n);
-  surface.attributes = attributesAt(scene, primitive, *b, n == dvec3(0) ? surface.outwardNormal : n);
-  if (n == dvec3(0)) return surface;
-  if (dot(n, surface.facingNormal) < 0) n = -n;
-  if (dot(n, ray.direction) < 0) surface.shadingNormal = n;
+  const dvec3 mean = interpolatedNormal(scene, primitive, *b);
+  if (mean != dvec3(0)) {
+    surface.smoothNormal = normalize(dot(mean, surface.outwardNormal) < 0 ? -mean : mean);
+    const dvec3 facing = surface.fromOutside ? surface.smoothNormal : -surface.smoothNormal;
+    if (dot(facing, ray.direction) < 0) surface.shadingNormal = facing;
+  }
+  surface.attributes = attributesAt(scene, primitive, *b, surface.smoothNormal);
   return surface;
 }
 

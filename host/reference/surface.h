@@ -14,9 +14,11 @@ struct Surface {
   bool fromOutside;     ///< the ray arrives on the side of outwardNormal
   std::uint32_t primitive;
   std::uint32_t material;
-  MeshAttributes attributes{};  ///< 0 if the mesh has none
-  dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
-  dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
+  dvec3 smoothNormal{0};             ///< interpolated vertex normal on the side of outwardNormal, or outwardNormal
+  MeshAttributes attributes{};       ///< 0 if the mesh has none
+  glm::dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
+  glm::dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
+  bool isMapped = false;             ///< shadingNormal is that of a normal map, and the ray may arrive below it
 };
 
 /// `hit` must be a hit of `ray`.

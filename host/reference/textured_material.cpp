@@ -34,11 +34,7 @@ struct Texels {
   const Surface& surface;
   Rounding& rounding;
 
-  std::optional<std::uint32_t> of(scene::TextureSlot slot) const {
-    const auto& reference = textureOf(scene.materials[surface.material], slot);
-    if (!reference) return std::nullopt;
-    return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
-  }
+  std::optional<std::uint32_t> of(scene::TextureSlot slot) const { return texelOf(scene, surface, slot, rounding); }
 };
 
 void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters) {
@@ -55,6 +51,13 @@ void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters)
 }
 
 }  // namespace
+
+std::optional<std::uint32_t> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
+                                     Rounding& rounding) {
+  const auto& reference = textureOf(scene.materials[surface.material], slot);
+  if (!reference || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;
+  return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
+}
 
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
   if (scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return;

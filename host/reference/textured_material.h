@@ -1,5 +1,7 @@
 // The textures of a material at a point of a surface.
 #pragma once
+#include <optional>
+
 #include "host/reference/rounding.h"
 #include "host/reference/surface.h"
 #include "host/reference/surface_material.h"
@@ -9,6 +11,10 @@ namespace candela::reference {
 /// Multiplies the factors of a material by the vertex colour and the texels at the surface point, which become
 /// decisions of `rounding`. `material` is that of the surface without textures.
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding);
+
+/// Returns the texel of a slot at the surface point, which becomes a decision of `rounding`; nothing without a texture.
+std::optional<std::uint32_t> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
+                                     Rounding& rounding);
 
 /// Returns the factor of the emission at the sampled point of a light: the texel of its texture, if it is a triangle
 /// with one, times its opacity. Both become decisions of `rounding`.

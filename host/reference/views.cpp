@@ -1,6 +1,7 @@
 // Traces one camera ray per sample, and one more for ambient occlusion.
 #include "host/reference/views.h"
 
+#include "host/reference/normal_map.h"
 #include "host/reference/sampling.h"
 #include "shaders/shared/dimensions.h"
 
@@ -54,6 +55,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   } else if (hit) {
     Surface surface = rounding.surfaceAt(scene(), tested, hit);
     jitterTextures(surface, numbers, 1);
+    if (view_ == render::Integrator::normal) applyNormalMap(scene(), surface, rounding);
     value = valueAt(hit, surface, numbers, counters, vertex, rounding);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};

@@ -85,6 +85,7 @@ struct Material {
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
   /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
   std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
+  float normalScale = 1;             ///< factor of the first two components of the normal map's directions
   std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 
   bool operator==(const Material&) const = default;
@@ -101,6 +102,12 @@ inline const std::optional<TextureReference>& textureOf(const Material& material
 
 inline bool isTextured(const Material& material) {
   return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
+}
+
+/// Returns the texture along whose coordinates the tangents of a mesh run; nothing if the material depends on no
+/// tangent. Meshes that state no tangents get those of mikkTangents().
+inline const std::optional<TextureReference>& tangentTextureOf(const Material& material) {
+  return textureOf(material, TextureSlot::normal);
 }
 
 /// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.

@@ -156,6 +156,12 @@ inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();
 }
 
+/// Returns whether the primitive is a triangle whose vertices have tangents, and whose material needs them.
+inline bool hasTangents(const Scene& scene, const Primitive& primitive) {
+  return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).tangents.empty() &&
+         tangentTextureOf(scene.materials[primitive.material]).has_value();
+}
+
 /// Returns the vertex normals of a primitive for which isSmooth is true.
 inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);

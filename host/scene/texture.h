@@ -34,14 +34,15 @@ struct TextureReference {
   bool operator==(const TextureReference&) const = default;
 };
 
-/// The quantities of a material that a texture can scale.
+/// What textures of a material stand for. Unless stated otherwise, a texel is a factor of the quantity.
 enum class TextureSlot : std::uint8_t {
   baseColour,         ///< sRGB
   emission,           ///< sRGB
   metallicRoughness,  ///< metalness: blue, roughness: green
   specular,           ///< weight: alpha
-  specularColour      ///< sRGB
+  specularColour,     ///< sRGB
+  normal              ///< no factor: a direction in the tangent frame, in red, green and blue
 };
-inline constexpr std::size_t kTextureSlotCount = 5;
+inline constexpr std::size_t kTextureSlotCount = 6;
 
 }  // namespace candela::scene

@@ -43,15 +43,17 @@ CANDELA_CONST uint kFlagTexCoords = 64u;     // triangle with texture coordinate
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
 CANDELA_CONST uint kFlagSmooth = 256u;       // triangle with vertex normals
-CANDELA_CONST uint kMaterialShift = 9u;
-CANDELA_CONST uint kMaxMaterialCount = 1u << 23;
+CANDELA_CONST uint kFlagTangents = 512u;     // triangle with tangents
+CANDELA_CONST uint kMaterialShift = 10u;
+CANDELA_CONST uint kMaxMaterialCount = 1u << 22;
 
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
 // (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of
-// texture coordinates, three records, one for each vertex, with set 0 in x and y and set 1 in z and w; and vertex
-// colours, three records with linear RGBA.
+// texture coordinates, three records, one for each vertex, with set 0 in x and y and set 1 in z and w; vertex
+// colours, three records with linear RGBA; and tangents, three records (unit vector, handedness).
 CANDELA_CONST uint kNormalRows = 3u;
 CANDELA_CONST uint kTexCoordRows = 3u;
+CANDELA_CONST uint kColourRows = 3u;
 
 // Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
 // weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, index of the surface parameters + 1,
@@ -98,13 +100,14 @@ CANDELA_CONST uint kPointLightRows = 4u;
 
 // Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
-// textures, or 0 for none, and a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
-// 0); then the references; then the texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, each image
+// textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
+// 0), and a record of scales (normal map, 0, 0, 0); then the references; then the texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, each image
 // beginning with a record. References have two records: (rowS, flags and first record of the image, counted from the
 // beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
-CANDELA_CONST uint kMaterialTextureRows = 5u;
+CANDELA_CONST uint kMaterialTextureRows = 6u;
 CANDELA_CONST uint kOpacityRow = 4u;  // of a material's records
+CANDELA_CONST uint kScaleRow = 5u;
 CANDELA_CONST uint kReferenceRows = 2u;
 CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
 CANDELA_CONST uint kTextureNearest = 2u;
@@ -121,6 +124,7 @@ CANDELA_CONST uint kSlotEmission = 1u;
 CANDELA_CONST uint kSlotMetallicRoughness = 2u;
 CANDELA_CONST uint kSlotSpecular = 3u;
 CANDELA_CONST uint kSlotSpecularColour = 4u;
+CANDELA_CONST uint kSlotNormal = 5u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.

@@ -129,10 +129,10 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
 
 TEST_CASE("one warning lists what is not rendered") {
   GltfFile file = triangleFile();
-  json material{{"normalTexture", {{"index", 0}}}};
+  json material{{"occlusionTexture", {{"index", 0}}}};
   material["extensions"]["KHR_materials_sheen"] = json::object();
   file.root["materials"] = {material};
-  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, normal texture"));
+  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, occlusion texture"));
 }
 
 }  // namespace candela::gltf

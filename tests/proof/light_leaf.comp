@@ -21,8 +21,13 @@ vec4 choice(uint number) {
 
 // Only its position and its slot matter: lights are sampled without regard to the surface's normal.
 Surface surfaceOf(vec4 place, uint slot) {
-  vec3 up = vec3(0.0, 0.0, 1.0);
-  return Surface(place.xyz, up, up, place.w != 0.0 ? slot : kNoSlot, 0u, 0u, 0u, false, vec4(0.0), vec3(1.0), vec4(0.0));
+  Surface surface;
+  surface.position = place.xyz;
+  surface.outward = vec3(0.0, 0.0, 1.0);
+  surface.slot = place.w != 0.0 ? slot : kNoSlot;
+  surface.flatSurface = false;
+  surface.jitter = vec4(0.0);
+  return surface;
 }
 
 vec4 found(Surface from, uint slot, vec3 direction) {

@@ -1,0 +1,45 @@
+// Turns shading normals by the texels of normal maps.
+#include "host/reference/normal_map.h"
+
+#include <algorithm>
+
+#include "host/reference/textured_material.h"
+
+namespace candela::reference {
+namespace {
+
+// The components of a direction that a texel encodes in red, green and blue.
+dvec3 directionOf(std::uint32_t texel) {
+  const dvec3 bytes(texel % 256, texel / 256 % 256, texel / 65536 % 256);
+  return bytes / 127.5 - 1.0;
+}
+
+}  // namespace
+
+void applyNormalMap(const scene::Scene& scene, Surface& surface, Rounding& rounding) {
+  const MeshAttributes& attributes = surface.attributes;
+  const std::optional<std::uint32_t> texel = texelOf(scene, surface, scene::TextureSlot::normal, rounding);
+  if (!texel || attributes.tangent == dvec3(0)) return;
+  const double scale = scene.materials[surface.material].normalScale;
+  const dvec3 c = directionOf(*texel);
+  dvec3 mapped = c.x * scale * attributes.tangent + c.y * scale * attributes.bitangent + c.z * surface.smoothNormal;
+  if (mapped == dvec3(0)) return;
+  mapped = normalize(mapped);
+  const double cosine = dot(mapped, surface.outwardNormal);
+  if (cosine < 0) mapped -= 2 * cosine * surface.outwardNormal;
+  surface.shadingNormal = surface.fromOutside ? mapped : -mapped;
+  surface.isMapped = true;
+}
+
+double NormalMapFacets::directProbability(const dvec3& wo) const {
+  const double direct = std::max(0.0, wo.z);
+  const double reflected = std::max(0.0, -dot(wo, tilt()));
+  return reflected > 0 ? direct / (direct + reflected) : 1;
+}
+
+dvec3 NormalMapFacets::seenByReflection(const dvec3& wo) const {
+  const dvec3 neighbour = normalize(tilt());
+  return wo - 2 * dot(wo, neighbour) * neighbour;
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,34 @@
+// Normal maps: docs/light-transport.md section 5.8.
+#pragma once
+#include "host/reference/bsdf.h"
+#include "host/reference/rounding.h"
+#include "host/reference/surface.h"
+
+namespace candela::reference {
+
+/// Replaces the shading normal of a surface by that of its material's normal map, if it has one. The texel becomes a
+/// decision of `rounding`.
+void applyNormalMap(const scene::Scene& scene, Surface& surface, Rounding& rounding);
+
+/// The facets of a normal map, in the frame of the mapped normal.
+class NormalMapFacets {
+ public:
+  /// `geometric`: the geometric normal on the side of the ray.
+  explicit NormalMapFacets(const dvec3& geometric) : geometric_(geometric) {}
+
+  /// Returns the probability that a ray from `wo` hits the mapped facet directly.
+  double directProbability(const dvec3& wo) const;
+  /// Returns `wo` as a facet sees it by reflection in its perpendicular neighbour.
+  dvec3 seenByReflection(const dvec3& wo) const;
+  /// Returns a direction's reflection at the geometric surface.
+  dvec3 mirrored(const dvec3& w) const { return w - 2 * dot(w, geometric_) * geometric_; }
+  bool isOn(Side side, const dvec3& w) const { return (dot(w, geometric_) > 0) == (side == Side::reflection); }
+
+ private:
+  /// The normal of the mapped facet without its part along the geometric normal.
+  dvec3 tilt() const { return dvec3(0, 0, 1) - geometric_.z * geometric_; }
+
+  dvec3 geometric_;
+};
+
+}  // namespace candela::reference

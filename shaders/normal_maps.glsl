@@ -1,0 +1,84 @@
+// Normal maps: docs/light-transport.md section 5.8. Directions are in the local frame of the mapped normal, and point away
+// from the surface.
+#ifndef CANDELA_NORMAL_MAPS_GLSL
+#define CANDELA_NORMAL_MAPS_GLSL
+#include "bsdf.glsl"
+#include "material.glsl"
+
+// The facets of a normal map around one direction.
+struct Facets {
+  bool exist;
+  vec3 geometric;  // normal on the side of the ray, local
+};
+
+const Facets kNoFacets = Facets(false, vec3(0.0, 0.0, 1.0));
+
+vec3 mirroredAt(vec3 normal, vec3 w) { return w - 2.0 * dot(w, normal) * normal; }
+
+// Replaces the shading normal of a surface whose material has a normal map.
+void mapNormal(inout Surface surface) {
+  uint index = surface.kind >> kMaterialShift;
+  const uint needed = kFlagTangents | kFlagTexCoords;
+  if ((surface.kind & needed) != needed || surface.tangent.xyz == vec3(0.0)) return;
+  uint reference = textureOf(index, kSlotNormal);
+  if (reference == 0u) return;
+  uint texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
+  vec3 direction = vec3(texel & 255u, (texel >> 8) & 255u, (texel >> 16) & 255u) * (2.0 / 255.0) - 1.0;
+  float scale = sceneRowFloat(materialTextureRow(index) + kScaleRow).x;
+  vec3 bitangent = surface.tangent.w * cross(surface.shading, surface.tangent.xyz);
+  vec3 sum = scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;
+  float squared = dot(sum, sum);
+  if (squared == 0.0) return;
+  vec3 mapped = sum * (1.0 / sqrt(squared));
+  surface.shading = dot(mapped, surface.outward) < 0.0 ? mirroredAt(surface.outward, mapped) : mapped;
+  surface.isMapped = true;
+}
+
+// Returns the direction by which the facet sees the ray from wo: wo, or its reflection in a facet that is perpendicular to
+// the surface.
+vec3 seenByFacet(Facets facets, vec3 wo, float number) {
+  vec3 tilt = vec3(0.0, 0.0, 1.0) - facets.geometric.z * facets.geometric;
+  float directly = max(0.0, wo.z);
+  float along = dot(wo, tilt);
+  float mirrored = max(0.0, -along);
+  precise float threshold = number * (directly + mirrored);
+  if (mirrored == 0.0 || threshold < directly) return wo;
+  return wo - (2.0 * along / dot(tilt, tilt)) * tilt;
+}
+
+// Returns f times the cosine for wi and for the direction whose light the surface mirrors to wi, as far as lobes scatter to
+// them on the side that `transmitted` states, and the sum of their densities.
+vec3 facetScattering(Material m, Facets facets, vec3 wo, vec3 wi, bool transmitted, out float pdf) {
+  vec3 other = mirroredAt(facets.geometric, wi);
+  bool isDirect = (wi.z < 0.0) == transmitted;
+  bool isMirrored = facets.exist && (other.z < 0.0) == transmitted;
+  uint count = (isDirect ? 1u : 0u) + (isMirrored ? 1u : 0u);
+  vec3 direction = isDirect ? wi : other;
+  vec3 sum = vec3(0.0);
+  pdf = 0.0;
+  for (uint i = 0u; i < count; ++i) {
+    float part;
+    sum += evaluateBsdf(m, wo, direction, part) * abs(direction.z);
+    pdf += part;
+    direction = other;
+  }
+  return sum;
+}
+
+// Returns a sample of the facet as it leaves the surface: mirrored if it is on the wrong side of it, and with the light that
+// is mirrored to it.
+BsdfSample leavingFacet(Material m, Facets facets, vec3 wo, BsdfSample next) {
+  bool transmitted = next.lobe == kLobeRefract;
+  bool keeps = (dot(next.wi, facets.geometric) > 0.0) != transmitted;
+  vec3 other = mirroredAt(facets.geometric, next.wi);
+  if ((other.z < 0.0) == transmitted) {
+    float part;
+    vec3 sum = next.weight * next.pdf + evaluateBsdf(m, wo, other, part) * abs(other.z);
+    next.pdf += part;
+    next.weight = sum / next.pdf;
+  }
+  if (!keeps) next.wi = other;
+  return next;
+}
+
+#endif

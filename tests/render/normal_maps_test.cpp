@@ -1,0 +1,244 @@
+// Normal maps on both tracers: the same pixels at equal seeds, furnaces, closed forms, and estimators that agree.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "host/image/image.h"
+#include "host/scene/mikk_tangents.h"
+#include "host/verify/agreement.h"
+#include "tests/reference/scene_builder.h"
+#include "tests/render/both_tracers.h"
+
+using namespace candela;
+using namespace candela::device;
+using glm::vec3;
+using scene::SurfaceParameters;
+using test::SceneBuilder;
+
+namespace {
+
+// Random normals, up to 80 degrees from the surface.
+scene::TextureImage bumps(std::uint32_t side) {
+  std::mt19937 random(5);
+  scene::TextureImage image{"bumps", side, side, {}};
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const auto word = static_cast<std::uint32_t>(random());
+    image.texels.push_back((word & 0xffffu) | (150 + (word >> 16) % 106) << 16 | 0xff000000u);
+  }
+  return image;
+}
+
+scene::TextureImage oneTexel(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+  return {"texel", 1, 1, {red | green << 8 | blue << 16 | 0xff000000u}};
+}
+
+scene::Material mapped(const SurfaceParameters& surface) {
+  scene::Material material;
+  material.surface = surface;
+  material.textures[static_cast<std::size_t>(scene::TextureSlot::normal)].emplace();
+  return material;
+}
+
+scene::Mesh withTangents(scene::Mesh mesh) {
+  const std::vector<glm::vec4> corners = scene::mikkTangents(mesh, {});
+  mesh.tangents.resize(mesh.positions.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) mesh.tangents[mesh.indices[i]] = corners[i];
+  return mesh;
+}
+
+// A square around the origin in the plane z = 0, whose tangents point along x.
+scene::Mesh flatSquare(float halfSide) {
+  scene::Mesh mesh;
+  mesh.positions = {
+      {-halfSide, -halfSide, 0}, {halfSide, -halfSide, 0}, {halfSide, halfSide, 0}, {-halfSide, halfSide, 0}};
+  mesh.texCoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  return withTangents(mesh);
+}
+
+// A ball of few triangles with smooth normals, so that geometric and shading normals differ. The image is repeated
+// `turns` times around it, mirrored if this is negative.
+scene::Mesh ball(const vec3& centre, float radius, float turns) {
+  constexpr std::uint32_t kColumns = 12, kRows = 6;
+  constexpr float kHalfTurn = 3.14159265f;
+  scene::Mesh mesh;
+  for (std::uint32_t row = 0; row <= kRows; ++row) {
+    for (std::uint32_t column = 0; column <= kColumns; ++column) {
+      const float u = static_cast<float>(column) / kColumns;
+      const float v = static_cast<float>(row) / kRows;
+      const vec3 n(std::sin(kHalfTurn * v) * std::cos(2 * kHalfTurn * u),
+                   std::sin(kHalfTurn * v) * std::sin(2 * kHalfTurn * u), std::cos(kHalfTurn * v));
+      mesh.positions.push_back(centre + radius * n);
+      mesh.normals.push_back(n);
+      mesh.texCoords[0].emplace_back(turns * u, 2 * v);
+      if (row == kRows || column == kColumns) continue;
+      const std::uint32_t at = row * (kColumns + 1) + column;
+      const std::uint32_t below = at + kColumns + 1;
+      mesh.indices.insert(mesh.indices.end(), {at, below, below + 1, at, below + 1, at + 1});
+    }
+  }
+  return withTangents(mesh);
+}
+
+struct Looks {
+  const char* name;
+  SurfaceParameters surface;
+};
+
+const std::vector<Looks> kWhite{{"diffuse", {.specularWeight = 0}},
+                                {"plastic", {.roughness = 0.3f}},
+                                {"smooth metal", {.metalness = 1, .roughness = 0}},
+                                {"metal", {.metalness = 1, .roughness = 0.4f}},
+                                {"rough metal", {.metalness = 1, .roughness = 1}},
+                                {"thin glass", {.roughness = 0.2f, .transmissionWeight = 1}},
+                                {"coat", {.specularWeight = 0, .coatWeight = 1, .coatRoughness = 0.2f}}};
+
+// Balls of all kinds on a mapped floor below a lamp and a point light.
+scene::Scene bumpyBalls() {
+  SceneBuilder b;
+  b.scene.images = {bumps(8)};
+  b.material(mapped({.baseColour = {0.7f, 0.6f, 0.5f}, .roughness = 0.6f}));
+  addMesh(b.scene, flatSquare(6), 0);
+  const std::vector<SurfaceParameters> surfaces{
+      {.baseColour = {0.9f, 0.7f, 0.3f}, .metalness = 1, .roughness = 0.3f},
+      {.baseColour = {0.3f, 0.5f, 0.8f}, .roughness = 0.4f, .coatWeight = 0.8f, .coatRoughness = 0.1f},
+      {.baseColour = {0.9f, 0.9f, 0.8f}, .roughness = 0.3f, .transmissionWeight = 0.8f, .isThinWalled = false}};
+  float x = -2;
+  for (const SurfaceParameters& surface : surfaces) {
+    b.material(mapped(surface));
+    b.scene.materials.back().normalScale = 0.6f;
+    addMesh(b.scene, ball({x, 0, 1}, 0.9f, x < 0 ? -3.0f : 3.0f),
+            static_cast<std::uint32_t>(b.scene.materials.size() - 1));
+    x += 2;
+  }
+  b.material(test::diffuseMaterial(vec3(0.5f), vec3(6)));
+  b.quad({-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}, {1, 1, 4});
+  b.pointLight({-4, -4, 4}, vec3(0.3f));
+  b.scene.background = vec3(0.3f);
+  b.view({0, -7, 3}, {0, 0, 0.8f}, {0, 0, 1}, 45);
+  b.scene.name = "bumpy balls";
+  return b.scene;
+}
+
+void requireSameBumps(std::uint32_t seed, bool nextEventEstimation) {
+  render::RenderSettings settings = squareSettings(96, 1);
+  settings.image.seed = seed;
+  settings.image.maxDepth = 4;
+  settings.image.nextEventEstimation = nextEventEstimation;
+  settings.execution.recordPaths = true;
+  const scene::Scene scene = bumpyBalls();
+  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
+                                                              renderOnReference(scene, settings));
+  CAPTURE(seed, nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
+          pixels.worstX, pixels.worstY);
+  CHECK(pixels.agree());
+}
+
+}  // namespace
+
+TEST_CASE("normal maps have the reference's pixels at equal seeds") {
+  for (const std::uint32_t seed : {0u, 1u}) requireSameBumps(seed, true);
+  requireSameBumps(2, false);
+}
+
+TEST_CASE("a white surface below a white sky is white, whatever its normal map") {
+  const vec3 eye = GENERATE(vec3(0.3f, -0.2f, 5), vec3(3, 2, 1), vec3(-5, 1, 0.4f));
+  onBothTracers([&](const RenderFunction& render) {
+    for (const Looks& looks : kWhite) {
+      SceneBuilder b;
+      b.scene.images = {bumps(8)};
+      b.material(mapped(looks.surface)).view(eye, {0, 0, 0}, {0, 1, 0}, 5);
+      b.scene.background = vec3(1);
+      addMesh(b.scene, flatSquare(20), 0);
+      const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);
+      CAPTURE(looks.name, eye.x, mean);
+      CHECK(mean > 0.99);
+      CHECK(mean < 1.002);
+    }
+  });
+}
+
+TEST_CASE("no direction of a normal-mapped surface is black or gains light") {
+  const vec3 eye = GENERATE(vec3(0.3f, -0.2f, 5), vec3(-5, 1, 0.4f));
+  onBothTracers([&](const RenderFunction& render) {
+    SceneBuilder b;
+    b.scene.images = {bumps(8)};
+    b.material(mapped({.specularWeight = 0})).view(eye, {0, 0, 0}, {0, 1, 0}, 5);
+    b.scene.background = vec3(1);
+    addMesh(b.scene, flatSquare(20), 0);
+    const image::Image image = image::toImage(render(b.scene, squareSettings(16, 1)).film);
+    for (std::uint32_t i = 0; i < 256; ++i) CHECK(image.at(i % 16, i / 16).x == Approx(1).epsilon(1e-4));
+  });
+}
+
+TEST_CASE("a tilted normal shades a directional light by its cosine") {
+  // The normal (0.6 0.2 0.773), light from (0.6 0 0.8), from which only the direct facet is seen.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(204, 153, 226)};
+  b.material(mapped({.baseColour = {0.5f, 0.5f, 0.5f}, .specularWeight = 0})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.direction = {-0.6f, 0, -0.8f};
+  light.intensity = vec3(2);
+  b.scene.punctualLights.push_back(light);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(204, 153, 226) / 127.5 - 1.0);
+  onBothTracers([&](const RenderFunction& render) {
+    const double mean = meanLuminance(render(b.scene, squareSettings(4, 16)).film);
+    CHECK(mean == Approx(0.5 / 3.14159265358979 * 2 * glm::dot(normal, glm::dvec3(0.6, 0, 0.8))).epsilon(1e-3));
+  });
+}
+
+TEST_CASE("light from below a facet's horizon is mirrored at the surface") {
+  // The normal is tilted to the left by 53 degrees, so that the light from the right, at 30 degrees above the surface,
+  // is below its horizon, and so is its mirror image. The light from the left at the same height is seen with its
+  // image.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(26, 128, 204)};
+  b.material(mapped({.specularWeight = 0})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.intensity = vec3(3.14159265f);
+  const double height = 0.5;
+  const double width = std::sqrt(0.75);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(26, 128, 204) / 127.5 - 1.0);
+  onBothTracers([&](const RenderFunction& render) {
+    const auto lit = [&](double side) {
+      light.direction = vec3(glm::dvec3(-side * width, 0, -height));
+      b.scene.punctualLights = {light};
+      return meanLuminance(render(b.scene, squareSettings(4, 16)).film);
+    };
+    const auto cosine = [&](double side, double up) { return std::max(0.0, side * width * normal.x + up * normal.z); };
+    CHECK(lit(1) == Approx(0).margin(1e-6));
+    CHECK(lit(-1) == Approx(cosine(-1, height) + cosine(-1, -height)).epsilon(1e-3));
+  });
+}
+
+TEST_CASE("light sampling of normal-mapped surfaces has the mean of paths without it") {
+  onBothTracers([](const RenderFunction& render) {
+    render::RenderSettings settings = squareSettings(16, 4096);
+    settings.image.maxDepth = 2;
+    scene::Scene scene = bumpyBalls();
+    scene.pointLights.clear();
+    scene.background = vec3(0);
+    const double sampled = meanLuminance(render(scene, settings).film);
+    settings.image.nextEventEstimation = false;
+    CHECK(sampled == Approx(meanLuminance(render(scene, settings).film)).epsilon(0.02));
+  });
+}
+
+TEST_CASE("the view of normals shows mapped normals, and ambient occlusion those of the mesh") {
+  SceneBuilder b;
+  b.scene.images = {oneTexel(204, 153, 226)};
+  b.material(mapped({})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(204, 153, 226) / 127.5 - 1.0);
+  onBothTracers([&](const RenderFunction& render) {
+    render::RenderSettings settings = squareSettings(1, 16);
+    settings.image.integrator = render::Integrator::normal;
+    const glm::dvec3 shown = image::toImage(render(b.scene, settings).film).at(0, 0);
+    CHECK(glm::length(shown - (normal + 1.0) / 2.0) < 1e-5);
+    settings.image.integrator = render::Integrator::ao;
+    CHECK(meanLuminance(render(b.scene, settings).film) == 1);
+  });
+}
