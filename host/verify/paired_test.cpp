@@ -132,7 +132,8 @@ class PairedTest {
   double defaultBias() const {
     const double margin = relativeMargin();
     const double noise = result_.regions.front().detectableBias - margin;
-    const double later = noise * std::sqrt(static_cast<double>(samples_) / std::max(maxSamples_, samples_));
+    const double later = noise * std::sqrt(static_cast<double>(samples_) /
+                                           static_cast<double>(std::max(maxSamples_, samples_)));
     return std::max({kPairedBias, kMarginFactor * margin, margin + later});
   }
 
