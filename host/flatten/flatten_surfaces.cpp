@@ -43,7 +43,7 @@ void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows
 
 SurfaceOrder orderSurfaces(const scene::Scene& scene) {
   SurfaceOrder order;
-  order.numbers.resize(scene.materials.size());
+  order.numbers.assign(scene.materials.size(), 0);
   const auto append = [&](bool hasVolume) {
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
       const auto& surface = scene.materials[i].surface;
