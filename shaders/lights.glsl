@@ -4,6 +4,7 @@
 // of the background is in background.glsl.
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
+#include "coat.glsl"
 #include "occlusion.glsl"
 #include "primitives.glsl"
 #include "sampling.glsl"
@@ -37,19 +38,28 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   vec3 wi = height == 2.0 ? local : frameAround(unit(toCentre)) * local;
   PrimitiveHit hit = hitPrimitive(rayFrom(from, wi), light.slot);
   if (hit.t >= kNoHit) return kNoLight;
-  return LightSample(wi, light.emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
+  vec3 emission = light.emission;
+  if (kHasCoat) {
+    float cosine = abs(dot(wi, wi * hit.t - toCentre)) / light.radius;
+    float weight = coatWeightAt(sceneRow(primitiveRow(light.slot) + 2u).w, 0u, vec2(0.0), vec2(0.0));
+    emission *= 1.0 - coatReflectance(weight, cosine);
+  }
+  return LightSample(wi, emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
 }
 
-// Returns the factor of the emission at a point of the triangle whose records begin at `row`: the texel of its texture,
-// if it has one, times the opacity.
-vec3 emissionFactor(uint row, vec2 weights, vec2 jitter) {
+// Returns the factor of the emission at a point of the triangle whose records begin at `row`, in a direction with this
+// cosine to its normal: the texel of its texture and the vertex colour, as far as they exist, times the opacity and the
+// transmittance of the coat.
+vec3 emissionFactor(uint row, vec2 weights, float cosine, vec2 jitter) {
   uint kind = sceneRow(row + 2u).w;
   uint attributes = constants.firstAttributeRow + sceneRow(row).w;
   vec3 factor = vec3(1.0);
-  if ((kind & kFlagTexCoords) != 0u) {
+  if (kHasTextures && (kind & kFlagTexCoords) != 0u) {
     uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
     if (reference != 0u) factor = linearColour(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));
   }
+  if (kHasColours && (kind & kFlagEmissionColours) != 0u) factor *= colourAt(attributes, kind, weights).xyz;
+  if (kHasCoat) factor *= 1.0 - coatReflectance(coatWeightAt(kind, attributes, weights, jitter), cosine);
   if (kHasTransparency && (kind & kFlagTransparent) != 0u) factor *= opacityAt(attributes, kind, weights, jitter);
   return factor;
 }
@@ -69,7 +79,9 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   float cosine = -dot(triangleNormal(edge1, edge2), wi);
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
   vec3 emission = light.emission;
-  if (kHasTextures) emission *= emissionFactor(row, weights, from.jitter.zw);
+  if (kHasTextures || kHasColours || kHasCoat) {
+    emission *= emissionFactor(row, weights, abs(cosine), from.jitter.zw);
+  }
   float pdf = light.probability * distanceSquared / (light.area * abs(cosine));
   return LightSample(wi, emission, distance, pdf, false, p0 + fromCorner);
 }

@@ -17,6 +17,7 @@ struct SurfaceParameters {
   bool isThinWalled;
   float coatWeight;
   float coatRoughness;
+  bool isCoatAlone;  // the layers below the coat do not count
 };
 
 // The part of a surface that reflects and transmits light: section 5.5.
@@ -71,7 +72,7 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
   volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
   return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y, shape.z, volume == 0u, coat,
-                           shape.w);
+                           shape.w, false);
 }
 
 // Loads a material by its index in the scene.
@@ -131,9 +132,14 @@ uint texelOf(uint material, uint slot, Surface surface, uint absent) {
 void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
   const uint white = 0xffffffffu;
   uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
-  parameters.roughness *= float((metallicRoughness >> 8) & 255u) * (1.0 / 255.0);
-  parameters.metalness *= float((metallicRoughness >> 16) & 255u) * (1.0 / 255.0);
+  parameters.roughness *= greenOf(metallicRoughness);
+  parameters.metalness *= blueOf(metallicRoughness);
   parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
+  if (kHasTransmission) parameters.transmissionWeight *= redOf(texelOf(index, kSlotTransmission, surface, white));
+  if (kHasCoat) {
+    parameters.coatWeight *= redOf(texelOf(index, kSlotCoat, surface, white));
+    parameters.coatRoughness *= greenOf(texelOf(index, kSlotCoatRoughness, surface, white));
+  }
   uint specularColour = textureOf(index, kSlotSpecularColour);
   if (specularColour != 0u) {
     parameters.specularColour *= linearColour(textureTexel(specularColour, surface.texCoords, surface.jitter.xy));
@@ -157,6 +163,7 @@ Material materialAt(Surface surface) {
   uint index = surface.kind >> kMaterialShift;
   Material material = loadMaterial(index);
   if (kHasColours) scaleBaseColour(material, surface.colour);
+  if (kHasColours && kHasEmission && (surface.kind & kFlagEmissionColours) != 0u) material.emission *= surface.colour;
   if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
   return material;
 }

@@ -15,16 +15,17 @@ const Facets kNoFacets = Facets(false, vec3(0.0, 0.0, 1.0));
 
 vec3 mirroredAt(vec3 normal, vec3 w) { return w - 2.0 * dot(w, normal) * normal; }
 
-// Replaces the shading normal of a surface whose material has a normal map.
-void mapNormal(inout Surface surface) {
-  uint index = surface.kind >> kMaterialShift;
+// Returns whether the surface has all that a normal map needs, if its material has one.
+bool hasTangents(Surface surface) {
   const uint needed = kFlagTangents | kFlagTexCoords;
-  if ((surface.kind & needed) != needed || surface.tangent.xyz == vec3(0.0)) return;
-  uint reference = textureOf(index, kSlotNormal);
-  if (reference == 0u) return;
+  return (surface.kind & needed) == needed;
+}
+
+// Turns the shading normal of such a surface by the normal map that a reference selects, unless it is 0.
+void mapNormal(inout Surface surface, uint reference, float scale) {
+  if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
   uint texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
-  vec3 direction = vec3(texel & 255u, (texel >> 8) & 255u, (texel >> 16) & 255u) * (2.0 / 255.0) - 1.0;
-  float scale = sceneRowFloat(materialTextureRow(index) + kScaleRow).x;
+  vec3 direction = 2.0 * vec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0;
   vec3 bitangent = surface.tangent.w * cross(surface.shading, surface.tangent.xyz);
   vec3 sum = scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;
   float squared = dot(sum, sum);

@@ -10,6 +10,7 @@ CANDELA_FEATURES(DECLARE_FEATURE)
 #undef DECLARE_FEATURE
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
+layout(constant_id = kSpecTextureSlots) const uint kTextureSlots = 0xffffffffu;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
 layout(constant_id = kSpecFilter) const uint kFilter = kFilterBox;
 layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;

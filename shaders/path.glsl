@@ -7,8 +7,7 @@
 #include "camera.glsl"
 #include "environment.glsl"
 #include "lights.glsl"
-#include "normal_maps.glsl"
-#include "normals.glsl"
+#include "shading.glsl"
 #include "trace.glsl"
 #include "traversal.glsl"
 #include "volumes.glsl"
@@ -45,32 +44,6 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   path.radiance = vec3(0.0);
   path.depth = 1u;
   path.volume = 0u;
-}
-
-// A vertex in the local frame of its shading normal.
-struct Shading {
-  mat3 frame;
-  vec3 facing;  // geometric normal on wo's side
-  vec3 wo;      // local
-  bool outside; // wo is on the side of the primitive's own normal
-  Facets facets;
-};
-
-Shading shadingAt(Surface surface, vec3 wo, SampleKey key, uint depth) {
-  Normals normals = normalsTowards(surface, wo);
-  mat3 frame = frameAround(normals.shading);
-  Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
-  if (kHasNormalMaps && surface.isMapped) {
-    shading.facets = Facets(true, normals.geometric * frame);
-    shading.wo = seenByFacet(shading.facets, shading.wo, facetNumber(key, depth));
-  }
-  return shading;
-}
-
-// Returns whether the geometric normal classifies a direction as the shading normal does, as reflected or as
-// transmitted.
-bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
-  return (dot(direction, shading.facing) > 0.0) != transmitted;
 }
 
 // Returns the emission of a surface that BSDF sampling hit, weighted against light sampling (multiple importance
@@ -200,16 +173,20 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
-  if (kHasNormalMaps) mapNormal(surface);
-  noteSurface(path.ray, surface, hit.t);
   Material material = materialAt(surface);
+  if (kHasEmission && kHasCoat && material.isSurface) {
+    float cosine = abs(dot(surface.outward, path.ray.direction));
+    material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
+  }
+  if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
+  noteSurface(path.ray, surface, hit.t);
   if (kHasEmission) {
     vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
     path.radiance += limitedContribution(found, path.depth - 1u);
   }
   if (path.depth >= constants.maxDepth) return false;
 
-  Shading shading = shadingAt(surface, -path.ray.direction, key, path.depth);
+  Shading shading = shadingAt(surface, -path.ray.direction);
   prepareLobes(material, shading.wo, shading.outside);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {

@@ -75,6 +75,7 @@ struct Surface {
   vec3 colour;      // vertex colour; 1 if the primitive has none
   vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
   bool isMapped;    // `shading` is that of a normal map
+  float facet;      // the number that chooses a facet then
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
 
@@ -131,6 +132,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.colour = vec3(1.0);
   surface.tangent = vec4(0.0);
   surface.isMapped = false;
+  surface.facet = 0.0;
   surface.jitter = vec4(0.0);
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
     surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);

@@ -3,6 +3,7 @@
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
 #include "bsdf_sample.glsl"
+#include "coat.glsl"
 #include "material.glsl"
 #include "microfacets.glsl"
 #include "transmission.glsl"
@@ -10,7 +11,8 @@
 void addCoat(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
   float roughness = max(s.coatRoughness, kMinRoughness);
   lobes.coatAlpha = roughness * roughness;
-  lobes.coatShare = s.coatWeight * (0.04 + 0.96 * fifthPower(1.0 - min(wo.z, 1.0)));
+  lobes.coatShare = coatReflectance(s.coatWeight, wo.z);
+  if (kHasNormalMaps && s.isCoatAlone) lobes.coatShare = 1.0;
   lobes.coat = lobes.coatShare / microfacetAlbedo(wo.z, roughness).x;
 }
 

@@ -7,8 +7,8 @@
 // Returns the jitter of the textures at a path's vertex in x and y, and at the light that it samples in z and w.
 vec4 textureJitter(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionTextureU))); }
 
-// Returns the number that chooses a facet of a normal-mapped surface.
-float facetNumber(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionFacet))).x; }
+// Returns the numbers that choose a facet of a normal-mapped surface, a layer, and a facet of the coat.
+vec4 facetNumbers(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionFacet))); }
 
 // Reduces a texture coordinate to one period of its wrap mode, or to 0 to 1, so that indices of texels are small.
 float reducedCoordinate(float s, uint wrap) {
@@ -40,7 +40,10 @@ uint materialTextureRow(uint material) {
 }
 
 // Returns the first record of a material's reference, counted from the beginning of the textures, or 0 for none.
-uint textureOf(uint material, uint slot) { return sceneRow(materialTextureRow(material) + (slot >> 2))[slot & 3u]; }
+uint textureOf(uint material, uint slot) {
+  if ((kTextureSlots & (1u << slot)) == 0u) return 0u;
+  return sceneRow(materialTextureRow(material) + (slot >> 2))[slot & 3u];
+}
 
 // A use of an image, at some texture coordinates.
 struct Lookup {
@@ -76,6 +79,9 @@ uint textureTexel(uint reference, vec4 texCoords, vec2 jitter) {
   return texelAt(at, at.nearest ? vec2(0.0) : jitter - 0.5);
 }
 
+float redOf(uint texel) { return float(texel & 255u) * (1.0 / 255.0); }
+float greenOf(uint texel) { return float((texel >> 8) & 255u) * (1.0 / 255.0); }
+float blueOf(uint texel) { return float((texel >> 16) & 255u) * (1.0 / 255.0); }
 float alphaOf(uint texel) { return float(texel >> 24) * (1.0 / 255.0); }
 
 // Returns the alpha of a reference, interpolated among four texels unless its filter is `nearest`.

@@ -35,7 +35,10 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   Surface surface = surfaceAt(ray, hit.slot, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, 1u);
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
-  if (kHasNormalMaps && kView == kViewNormal) mapNormal(surface);
+  if (kHasNormalMaps && kView == kViewNormal && hasTangents(surface)) {
+    uint index = surface.kind >> kMaterialShift;
+    mapNormal(surface, textureOf(index, kSlotNormal), sceneRowFloat(materialTextureRow(index) + kScaleRow).x);
+  }
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));
   precise vec3 coded = 0.5 * (normals.outside ? normals.shading : -normals.shading) + 0.5;

@@ -58,6 +58,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
                                                 {gpu::kSpecOneSided, settings.image.oneSided},
                                                 {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
+                                                {gpu::kSpecTextureSlots, flat.textureSlots},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
                                                 {gpu::kSpecSampler, samplerOf(settings.image.sampler)},

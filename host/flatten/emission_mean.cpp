@@ -1,4 +1,4 @@
-// Averages the texture of an emitter.
+// Averages the texture and the vertex colours of an emitter.
 #include "host/flatten/emission_mean.h"
 
 #include <algorithm>
@@ -33,17 +33,23 @@ glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureRefere
 
 glm::dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle) {
   const auto& reference = textureOf(scene.materials[triangle.material], scene::TextureSlot::emission);
-  if (!reference) return glm::dvec3(1);
+  const std::vector<glm::vec4>* const colours = coloursOfEmission(scene, triangle);
+  if (!reference && !colours) return glm::dvec3(1);
   const scene::Mesh& mesh = meshOf(scene, triangle);
-  const std::vector<glm::vec2>& coords = mesh.texCoords[reference->texCoordSet];
   std::array<glm::vec2, 3> uv{};
-  if (!coords.empty()) uv = attributeOf(mesh, coords, triangle.index);
+  if (reference && !mesh.texCoords[reference->texCoordSet].empty()) {
+    uv = attributeOf(mesh, mesh.texCoords[reference->texCoordSet], triangle.index);
+  }
+  std::array<glm::vec4, 3> corners{glm::vec4(1), glm::vec4(1), glm::vec4(1)};
+  if (colours) corners = attributeOf(mesh, *colours, triangle.index);
   glm::dvec3 sum(0);
   const auto add = [&](double i, double j) {
     const double b1 = i / kDivisions;
     const double b2 = j / kDivisions;
     const glm::dvec2 at = (1 - b1 - b2) * glm::dvec2(uv[0]) + b1 * glm::dvec2(uv[1]) + b2 * glm::dvec2(uv[2]);
-    sum += colourAt(scene.images[reference->image], *reference, at);
+    const glm::dvec3 colour = (1 - b1 - b2) * glm::dvec3(corners[0]) + b1 * glm::dvec3(corners[1]) +
+                              b2 * glm::dvec3(corners[2]);
+    sum += reference ? colour * colourAt(scene.images[reference->image], *reference, at) : colour;
   };
   for (std::uint32_t i = 0; i < kDivisions; ++i) {
     for (std::uint32_t j = 0; i + j < kDivisions; ++j) {

@@ -1,11 +1,12 @@
-// How bright the texture of an emitter is.
+// How bright the texture and the vertex colours of an emitter are.
 #pragma once
 #include "host/scene/scene.h"
 
 namespace candela::flatten {
 
-/// Returns the mean of the texels of the emission, decoded, at the centres of the 64 congruent triangles into which a
-/// primitive that is a triangle is divided: docs/light-transport.md section 11. 1 if there is no such texture.
+/// Returns the mean of the texels of the emission, decoded, times the vertex colours that scale it, at the centres of
+/// the 64 congruent triangles into which a primitive that is a triangle is divided: docs/light-transport.md section 11.
+/// 1 if there are neither.
 glm::dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle);
 
 }  // namespace candela::flatten

@@ -44,6 +44,7 @@ struct FlatScene {
   std::uint32_t uniformSlots = 0;                 ///< primitives of a small scene, in `slotRows` too; 0: not small
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
+  std::uint32_t textureSlots = 0;                                    ///< a bit for each scene::TextureSlot in use
   bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead
   std::uint32_t slotCount = 0;                                       ///< primitives, planes included
   double structureSeconds = 0;                                       ///< time of building the acceleration structure

@@ -253,6 +253,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   }
   flat.constants.firstTextureRow = rowCount(flat.rows);
   if (flat.features.textures) {
+    flat.textureSlots = textureSlotsOf(scene);
     const Rows textures = textureRows(scene);
     flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
   }

@@ -27,8 +27,7 @@ void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive,
     features.smooth |= isSmooth(scene, primitive);
     features.colours |= !meshOf(scene, primitive).colours.empty();
     features.tangents |= hasTangents(scene, primitive);
-    const bool isMapped = textureOf(scene.materials[primitive.material], scene::TextureSlot::normal).has_value();
-    features.normalMaps |= isMapped && hasTangents(scene, primitive);
+    features.normalMaps |= hasTangents(scene, primitive) && hasNormalMap(scene.materials[primitive.material]);
   }
 }
 

@@ -67,7 +67,8 @@ std::uint32_t attributeFlags(const scene::Scene& scene, const scene::Primitive& 
   const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
   return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (hasTexture ? gpu::kFlagTexCoords : 0) |
          (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours) |
-         (hasTangents(scene, triangle) ? gpu::kFlagTangents : 0);
+         (hasTangents(scene, triangle) ? gpu::kFlagTangents : 0) |
+         (coloursOfEmission(scene, triangle) ? gpu::kFlagEmissionColours : 0);
 }
 
 // Appends the attributes that the flags of a triangle name.

@@ -39,6 +39,9 @@ Rows energyRows(bool hasVolumes);
 /// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
 Rows srgbTableRows();
 
+/// Returns a bit for each scene::TextureSlot that some material uses.
+std::uint32_t textureSlotsOf(const scene::Scene& scene);
+
 /// Returns the table of srgbTableRows(), the references of materials to images, and the images. Throws FileError beyond
 /// kMaxTextureRows records.
 Rows textureRows(const scene::Scene& scene);

@@ -16,6 +16,10 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::metallicRoughness) 
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specular) == gpu::kSlotSpecular);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specularColour) == gpu::kSlotSpecularColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::normal) == gpu::kSlotNormal);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::transmission) == gpu::kSlotTransmission);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coat) == gpu::kSlotCoat);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatRoughness) == gpu::kSlotCoatRoughness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatNormal) == gpu::kSlotCoatNormal);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
@@ -78,6 +82,16 @@ Rows srgbTableRows() {
   return rows;
 }
 
+std::uint32_t textureSlotsOf(const scene::Scene& scene) {
+  std::uint32_t slots = 0;
+  for (const scene::Material& material : scene.materials) {
+    for (std::size_t slot = 0; slot < scene::kTextureSlotCount; ++slot) {
+      if (material.textures[slot]) slots |= 1u << slot;
+    }
+  }
+  return slots;
+}
+
 Rows textureRows(const scene::Scene& scene) {
   Rows rows = srgbTableRows();
   const std::size_t firstReference = rows.size() + scene.materials.size() * gpu::kMaterialTextureRows;
@@ -100,7 +114,7 @@ Rows textureRows(const scene::Scene& scene) {
     rows.insert(rows.end(), slots.begin(), slots.end());
     rows.push_back({floatBits(double{opacity.factor}), floatBits(double{opacity.cutoff.value_or(-1.0f)}),
                     add(opacity.texture), 0});
-    rows.push_back({floatBits(double{material.normalScale}), 0, 0, 0});
+    rows.push_back({floatBits(double{material.normalScale}), floatBits(double{material.coatNormalScale}), 0, 0});
   }
   rows.insert(rows.end(), references.begin(), references.end());
   for (const scene::TextureImage& image : scene.images) appendTexels(image, rows);

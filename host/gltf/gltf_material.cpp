@@ -70,9 +70,15 @@ void readEmission(const Value& material, const TextureReader& readTexture, GltfM
   result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
 }
 
+/// Returns the scale of a normal map.
+double scaleIn(const Value& object, const char* key) {
+  const std::optional<Value> info = object.find(key);
+  return info ? info->numberOr("scale", 1) : 1;
+}
+
 void readNormalMap(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.normalTexture = textureIn(material, "normalTexture", readTexture);
-  if (result.normalTexture) result.normalScale = material.require("normalTexture").numberOr("scale", 1);
+  result.normalScale = scaleIn(material, "normalTexture");
 }
 
 void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
@@ -87,7 +93,7 @@ void readSpecular(const Value& material, const TextureReader& readTexture, GltfM
   result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
 }
 
-void readTransmission(const Value& material, GltfMaterial& result) {
+void readTransmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   if (const std::optional<Value> ior = material.extension("KHR_materials_ior")) {
     result.ior = ior->numberOr("ior", 1.5);
     if (result.ior != 0 && result.ior < 1)
@@ -96,7 +102,7 @@ void readTransmission(const Value& material, GltfMaterial& result) {
   const std::optional<Value> transmission = material.extension("KHR_materials_transmission");
   if (!transmission) return;
   result.transmission = fraction(*transmission, "transmissionFactor", 0);
-  noteTexture(*transmission, "transmissionTexture", "transmission texture", result);
+  result.transmissionTexture = textureIn(*transmission, "transmissionTexture", readTexture);
   const std::optional<Value> volume = material.extension("KHR_materials_volume");
   if (!volume) return;
   result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
@@ -106,14 +112,15 @@ void readTransmission(const Value& material, GltfMaterial& result) {
   if (result.attenuationDistance == 0) volume->require("attenuationDistance").fail("0 is not positive");
 }
 
-void readClearcoat(const Value& material, GltfMaterial& result) {
+void readClearcoat(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   const std::optional<Value> coat = material.extension("KHR_materials_clearcoat");
   if (!coat) return;
   result.clearcoat = fraction(*coat, "clearcoatFactor", 0);
   result.clearcoatRoughness = fraction(*coat, "clearcoatRoughnessFactor", 0);
-  noteTexture(*coat, "clearcoatTexture", "clearcoat texture", result);
-  noteTexture(*coat, "clearcoatRoughnessTexture", "clearcoat roughness texture", result);
-  noteTexture(*coat, "clearcoatNormalTexture", "clearcoat normal texture", result);
+  result.clearcoatTexture = textureIn(*coat, "clearcoatTexture", readTexture);
+  result.clearcoatRoughnessTexture = textureIn(*coat, "clearcoatRoughnessTexture", readTexture);
+  result.clearcoatNormalTexture = textureIn(*coat, "clearcoatNormalTexture", readTexture);
+  result.clearcoatNormalScale = scaleIn(*coat, "clearcoatNormalTexture");
 }
 
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
@@ -136,8 +143,8 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
     readMetallicRoughness(*pbr, readTexture, result);
   readEmission(material, readTexture, result);
   readSpecular(material, readTexture, result);
-  readTransmission(material, result);
-  readClearcoat(material, result);
+  readTransmission(material, readTexture, result);
+  readClearcoat(material, readTexture, result);
   readNormalMap(material, readTexture, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);

@@ -24,7 +24,12 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> specularTexture{};
   std::optional<scene::TextureReference> specularColourTexture{};
   std::optional<scene::TextureReference> normalTexture{};
+  std::optional<scene::TextureReference> transmissionTexture{};
+  std::optional<scene::TextureReference> clearcoatTexture{};
+  std::optional<scene::TextureReference> clearcoatRoughnessTexture{};
+  std::optional<scene::TextureReference> clearcoatNormalTexture{};
   double normalScale = 1;
+  double clearcoatNormalScale = 1;
   AlphaMode alphaMode = AlphaMode::opaque;
   double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;

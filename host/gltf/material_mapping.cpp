@@ -43,6 +43,12 @@ void addTextures(const GltfMaterial& source, scene::Material& material) {
   set(scene::TextureSlot::specularColour, source.specularColourTexture);
   set(scene::TextureSlot::normal, source.normalTexture);
   material.normalScale = static_cast<float>(source.normalScale);
+  if (material.surface->transmissionWeight > 0) set(scene::TextureSlot::transmission, source.transmissionTexture);
+  if (material.surface->coatWeight == 0) return;
+  set(scene::TextureSlot::coat, source.clearcoatTexture);
+  set(scene::TextureSlot::coatRoughness, source.clearcoatRoughnessTexture);
+  set(scene::TextureSlot::coatNormal, source.clearcoatNormalTexture);
+  material.coatNormalScale = static_cast<float>(source.clearcoatNormalScale);
 }
 
 }  // namespace
@@ -51,6 +57,7 @@ scene::Material fromGltf(const GltfMaterial& source) {
   scene::Material material;
   if (source.isUnlit) {
     material.emission = glm::vec3(source.baseColour);
+    material.coloursScaleEmission = true;
     material.textures[static_cast<std::size_t>(scene::TextureSlot::emission)] = source.baseColourTexture;
   } else {
     material.surface = surfaceOf(source);

@@ -33,8 +33,8 @@ class Bsdf {
   explicit Bsdf(const scene::Material& material);
 
   /// Replaces the lobes by those of a surface as seen from `wo`. `outside`: wo is on the side to which it is oriented.
-  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside) {
-    surface_.emplace(surface, wo, outside);
+  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false) {
+    surface_.emplace(surface, wo, outside, isCoatAlone);
   }
 
   bool isMirror() const { return mirror_; }

@@ -16,11 +16,12 @@ dvec3 directionOf(std::uint32_t texel) {
 
 }  // namespace
 
-void applyNormalMap(const scene::Scene& scene, Surface& surface, Rounding& rounding) {
+void applyNormalMap(const scene::Scene& scene, scene::TextureSlot slot, Surface& surface, Rounding& rounding) {
   const MeshAttributes& attributes = surface.attributes;
-  const std::optional<std::uint32_t> texel = texelOf(scene, surface, scene::TextureSlot::normal, rounding);
+  const std::optional<std::uint32_t> texel = texelOf(scene, surface, slot, rounding);
   if (!texel || attributes.tangent == dvec3(0)) return;
-  const double scale = scene.materials[surface.material].normalScale;
+  const scene::Material& material = scene.materials[surface.material];
+  const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;
   const dvec3 c = directionOf(*texel);
   dvec3 mapped = c.x * scale * attributes.tangent + c.y * scale * attributes.bitangent + c.z * surface.smoothNormal;
   if (mapped == dvec3(0)) return;

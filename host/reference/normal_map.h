@@ -6,9 +6,9 @@
 
 namespace candela::reference {
 
-/// Replaces the shading normal of a surface by that of its material's normal map, if it has one. The texel becomes a
-/// decision of `rounding`.
-void applyNormalMap(const scene::Scene& scene, Surface& surface, Rounding& rounding);
+/// Replaces the shading normal of a surface by that of a normal map of its material, if there is one in the slot. The
+/// texel becomes a decision of `rounding`.
+void applyNormalMap(const scene::Scene& scene, scene::TextureSlot slot, Surface& surface, Rounding& rounding);
 
 /// The facets of a normal map, in the frame of the mapped normal.
 class NormalMapFacets {

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/reference/normal_map.h"
-#include "host/reference/sampling.h"
+#include "host/reference/shading_frame.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
 
@@ -47,37 +46,18 @@ struct PathTracer::VertexNumbers {
   double lobe() const { return numbers.unit(block + kDimensionLobe); }
   dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }
   double facet() const { return numbers.unit(block + kDimensionFacet); }
+  double layer() const { return numbers.unit(block + kDimensionLayer); }
+  double coatFacet() const { return numbers.unit(block + kDimensionCoatFacet); }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
 };
 
-struct PathTracer::Vertex {
+struct PathTracer::Vertex : ShadingFrame {
   const Surface& surface;
   Bsdf bsdf;
-  Frame frame;
-  dvec3 wo;  ///< in the local frame
-  std::optional<NormalMapFacets> facets;
 
-  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, VertexNumbers u,
-         Rounding& rounding)
-      : surface(at),
-        bsdf(material.bsdf),
-        frame(at.shadingNormal),
-        wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
-    if (surface.isMapped) chooseFacet(u.facet(), rounding);
-    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside);
-  }
-
-  void chooseFacet(double number, Rounding& rounding) {
-    facets.emplace(rounding.turned(frame.toLocal(surface.facingNormal), kRoundingBounds.frame));
-    const bool isDirect = rounding.absolute(number, kRoundingBounds.choice) < facets->directProbability(wo);
-    rounding.decide(isDirect);
-    if (!isDirect) wo = facets->seenByReflection(wo);
-  }
-
-  /// Returns the side on which `wi`, in the local frame, is.
-  Side sideOf(const dvec3& wi) const {
-    if (!facets) return reference::sideOf(wi);
-    return facets->isOn(Side::reflection, wi) ? Side::reflection : Side::transmission;
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
+      : ShadingFrame(at, rayDirection, rounding), surface(at), bsdf(material.bsdf) {
+    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone);
   }
 
   /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
@@ -150,13 +130,14 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     Surface surface = rounding.surfaceAt(scene(), ray, hit);
     jitterTextures(surface, numbers, depth);
     rounding.decide(surface.fromOutside);
-    applyNormalMap(scene(), surface, rounding);
+    SurfaceMaterial material = materialAt(surface, rounding);
+    dimEmission(surface, ray.direction, material);
+    mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
-    const SurfaceMaterial material = materialAt(surface, rounding);
     radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, material, ray.direction, u, rounding);
+    const Vertex vertex(surface, material, ray.direction, rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
     }
@@ -181,6 +162,28 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     pdf = next.pdf;
     ++counters.bounceRays;
   }
+}
+
+void PathTracer::mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,
+                          Rounding& rounding) const {
+  const scene::Material& source = scene().materials[surface.material];
+  if (!hasNormalMap(source) || !hasTangents(scene(), scene().primitives[surface.primitive])) return;
+  if (material.surface && material.surface->coatWeight > 0) {
+    Surface coat = surface;
+    applyNormalMap(scene(), scene::TextureSlot::coatNormal, coat, rounding);
+    coat.facetNumber = u.coatFacet();
+    const double cosine = ShadingFrame(coat, rayDirection, rounding).wo.z;
+    material.isCoatAlone = rounding.absolute(u.layer(), kRoundingBounds.choice) <
+                           coatReflectance(material.surface->coatWeight, cosine);
+    rounding.decide(material.isCoatAlone);
+    if (material.isCoatAlone) {
+      surface = coat;
+      return;
+    }
+    material.surface->coatWeight = 0;
+  }
+  applyNormalMap(scene(), scene::TextureSlot::normal, surface, rounding);
+  surface.facetNumber = u.facet();
 }
 
 dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {
@@ -221,7 +224,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
   notes.lightChoice(choice);
   std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
   if (!light) return dvec3(0);
-  light->radiance *= emissionFactor(scene(), *light, vertex.surface.lightTextureJitter, rounding);
+  light->radiance *= emissionFactor(scene(), *light, vertex.surface, rounding);
   const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
   const Side side = vertex.sideOf(wi);
   if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);

@@ -42,6 +42,10 @@ class PathTracer final : public PixelTracer {
                  Rounding& rounding) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
              Rounding& rounding) const;
+  /// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer
+  /// is chosen, and `material` becomes that layer alone.
+  void mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,
+                Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
   dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;
   /// Returns a contribution to the path, which is darkened if light that was scattered `scatterings` times has a limit.

@@ -19,6 +19,7 @@ struct Surface {
   glm::dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
   glm::dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
   bool isMapped = false;             ///< shadingNormal is that of a normal map, and the ray may arrive below it
+  double facetNumber = 0;            ///< the random number that chooses a facet of the normal map
 };
 
 /// `hit` must be a hit of `ray`.

@@ -28,14 +28,18 @@ dvec3 SurfaceBsdf::Schlick::albedo(const SingleScattering& single) const {
   return compensation * (single.white * normal + single.grazing * (grazing - normal));
 }
 
-SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside)
+double coatReflectance(double weight, double cosine) {
+  return weight * std::lerp(0.04, 1.0, std::pow(std::max(0.0, 1 - cosine), 5));
+}
+
+SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone)
     : wo_(wo),
       microfacets_(surface.roughness),
       coat_{Microfacets(surface.coatRoughness), 0, 0},
       metalness_(surface.metalness),
       opaque_((1 - metalness_) * (1 - double{surface.transmissionWeight})),
       glass_(surface, microfacets_, wo, outside, 1 - metalness_ - opaque_) {
-  coat_.share = surface.coatWeight * std::lerp(0.04, 1.0, std::pow(std::max(0.0, 1 - wo.z), 5));
+  coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
   coat_.factor = coat_.share / coat_.microfacets.albedo(wo.z).white;
   const SingleScattering single = microfacets_.albedo(wo.z);
   const double lost = 1 / single.white - 1;

@@ -17,11 +17,14 @@ struct SurfaceSample {
   bool isOnItsSide() const { return (lobe == render::Lobe::refract) == (wi.z < 0); }
 };
 
+/// Returns the reflectance of a coat; `cosine` is that to its normal.
+double coatReflectance(double weight, double cosine);
+
 class SurfaceBsdf {
  public:
   /// Computes all weights for `wo`, whose z is positive, in the shading frame. `outside`: wo is on the side to which
-  /// the surface is oriented.
-  SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside);
+  /// the surface is oriented. `isCoatAlone`: the layers below the coat do not count, and the coat has all the light.
+  SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false);
 
   bool transmits() const { return glassProbability_ > 0; }
   /// Returns the sum over all lobes.

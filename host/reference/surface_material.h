@@ -10,6 +10,7 @@ struct SurfaceMaterial {
   std::optional<scene::SurfaceParameters> surface;  ///< the lobes follow from these at every hit
   dvec3 emission;                                   ///< radiance, on both sides
   bool emits;
+  bool isCoatAlone = false;  ///< the layers below the coat do not count
   std::optional<scene::WhittedMaterial> whitted;
 
   /// Multiplies what follows from the base colour.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "host/reference/geometry.h"
 #include "host/reference/opacity.h"
 #include "host/reference/texture.h"
 
@@ -23,9 +24,14 @@ std::uint32_t lookUp(const scene::Scene& scene, const scene::TextureReference& r
   return texel;
 }
 
-const std::optional<scene::TextureReference>& emissionTextureOf(const scene::Scene& scene,
-                                                                const scene::Primitive& primitive) {
-  return textureOf(scene.materials[primitive.material], scene::TextureSlot::emission);
+// Returns the cosine of the sampled direction to the normal of a sphere or triangle that is a light.
+double cosineAtLight(const scene::Scene& scene, const LightSample& light, const Surface& lit) {
+  const scene::Primitive& primitive = scene.primitives[light.primitive];
+  const dvec3 normal = primitive.kind == scene::PrimitiveKind::triangle
+                           ? normalize(TriangleShape(triangleOf(scene, primitive)).areaNormal())
+                           : SphereShape(scene.spheres[primitive.index])
+                                 .normal(lit.position + light.distance * light.wi);
+  return std::abs(dot(normal, light.wi));
 }
 
 // The texels of a surface point's material.
@@ -37,9 +43,12 @@ struct Texels {
   std::optional<std::uint32_t> of(scene::TextureSlot slot) const { return texelOf(scene, surface, slot, rounding); }
 };
 
+float redOf(std::uint32_t texel) { return static_cast<float>(texel % 256) / 255; }
+float greenOf(std::uint32_t texel) { return static_cast<float>(texel / 256 % 256) / 255; }
+
 void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters) {
   if (const auto texel = texels.of(scene::TextureSlot::metallicRoughness)) {
-    parameters.roughness *= static_cast<float>(*texel / 256 % 256) / 255;
+    parameters.roughness *= greenOf(*texel);
     parameters.metalness *= static_cast<float>(*texel / 65536 % 256) / 255;
   }
   if (const auto texel = texels.of(scene::TextureSlot::specular)) {
@@ -48,6 +57,9 @@ void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters)
   if (const auto texel = texels.of(scene::TextureSlot::specularColour)) {
     parameters.specularColour *= glm::vec3(linearColour(*texel));
   }
+  if (const auto texel = texels.of(scene::TextureSlot::transmission)) parameters.transmissionWeight *= redOf(*texel);
+  if (const auto texel = texels.of(scene::TextureSlot::coat)) parameters.coatWeight *= redOf(*texel);
+  if (const auto texel = texels.of(scene::TextureSlot::coatRoughness)) parameters.coatRoughness *= greenOf(*texel);
 }
 
 }  // namespace
@@ -63,34 +75,52 @@ void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMat
   if (scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return;
   const bool hasColours = !meshOf(scene, scene.primitives[surface.primitive]).colours.empty();
   if (hasColours) material.scaleBaseColour(dvec3(surface.attributes.colour));
+  if (coloursOfEmission(scene, scene.primitives[surface.primitive])) {
+    material.emission *= dvec3(surface.attributes.colour);
+  }
   const Texels texels{scene, surface, rounding};
   if (const auto texel = texels.of(scene::TextureSlot::baseColour)) material.scaleBaseColour(linearColour(*texel));
   if (material.surface) scaleParameters(texels, *material.surface);
   if (const auto texel = texels.of(scene::TextureSlot::emission)) material.emission *= linearColour(*texel);
 }
 
-dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding) {
+void dimEmission(const Surface& surface, const dvec3& rayDirection, SurfaceMaterial& material) {
+  if (!material.emits || !material.surface) return;
+  const double cosine = std::abs(dot(rayDirection, surface.outwardNormal));
+  material.emission *= 1 - coatReflectance(material.surface->coatWeight, cosine);
+}
+
+dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const Surface& lit, Rounding& rounding) {
   if (light.primitive == kNoPrimitive) return dvec3(1);
   const scene::Primitive& primitive = scene.primitives[light.primitive];
-  const auto& texture = emissionTextureOf(scene, primitive);
-  const bool passes = isTransparent(scene, primitive);
-  if (primitive.kind != scene::PrimitiveKind::triangle || (!texture && !passes)) return dvec3(1);
-  const MeshAttributes attributes = attributesAt(scene, primitive, light.barycentrics, dvec3(0));
+  const dvec2& jitter = lit.lightTextureJitter;
+  const scene::Material& material = scene.materials[primitive.material];
+  double coatWeight = material.surface ? material.surface->coatWeight : 0;
   dvec3 factor(1);
-  if (texture) factor = linearColour(lookUp(scene, *texture, attributes, jitter, rounding));
-  if (passes) {
-    const double opacity = opacityAt(scene, primitive, attributes, jitter, randomSigns(rounding));
-    rounding.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));
-    factor *= opacity;
+  if (primitive.kind == scene::PrimitiveKind::triangle) {
+    const MeshAttributes attributes = attributesAt(scene, primitive, light.barycentrics, dvec3(0));
+    const auto texel = [&](scene::TextureSlot slot) -> std::optional<std::uint32_t> {
+      const auto& texture = textureOf(material, slot);
+      return texture ? std::optional(lookUp(scene, *texture, attributes, jitter, rounding)) : std::nullopt;
+    };
+    if (const auto emission = texel(scene::TextureSlot::emission)) factor = linearColour(*emission);
+    if (coloursOfEmission(scene, primitive)) factor *= dvec3(attributes.colour);
+    if (const auto coat = coatWeight > 0 ? texel(scene::TextureSlot::coat) : std::nullopt) coatWeight *= redOf(*coat);
+    if (isTransparent(scene, primitive)) {
+      const double opacity = opacityAt(scene, primitive, attributes, jitter, randomSigns(rounding));
+      rounding.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));
+      factor *= opacity;
+    }
   }
-  return factor;
+  return coatWeight > 0 ? factor * (1 - coatReflectance(coatWeight, cosineAtLight(scene, light, lit))) : factor;
 }
 
 dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle) {
-  const auto& texture = emissionTextureOf(scene, triangle);
-  if (!texture) return dvec3(1);
-  scene::TextureReference nearest = *texture;
-  nearest.filter = scene::TextureFilter::nearest;
+  std::optional<scene::TextureReference> texture = textureOf(scene.materials[triangle.material],
+                                                             scene::TextureSlot::emission);
+  const bool hasColours = coloursOfEmission(scene, triangle) != nullptr;
+  if (!texture && !hasColours) return dvec3(1);
+  if (texture) texture->filter = scene::TextureFilter::nearest;
   Rounding exact;
   constexpr int kParts = 8;
   dvec3 sum(0);
@@ -100,7 +130,8 @@ dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& trian
     if (i % 3 == 0 || i % 3 != j % 3 || i + j >= 3 * kParts) continue;
     const dvec2 b(i / (3.0 * kParts), j / (3.0 * kParts));
     const MeshAttributes attributes = attributesAt(scene, triangle, b, dvec3(0));
-    sum += linearColour(lookUp(scene, nearest, attributes, dvec2(0), exact));
+    const dvec3 colour = hasColours ? dvec3(attributes.colour) : dvec3(1);
+    sum += texture ? colour * linearColour(lookUp(scene, *texture, attributes, dvec2(0), exact)) : colour;
   }
   return sum / double{kParts * kParts};
 }

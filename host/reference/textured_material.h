@@ -16,12 +16,16 @@ void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMat
 std::optional<std::uint32_t> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
                                      Rounding& rounding);
 
-/// Returns the factor of the emission at the sampled point of a light: the texel of its texture, if it is a triangle
-/// with one, times its opacity. Both become decisions of `rounding`.
-dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const dvec2& jitter, Rounding& rounding);
+/// Dims the emission of a material with a coat, as it is seen by a ray of this direction.
+void dimEmission(const Surface& surface, const dvec3& rayDirection, SurfaceMaterial& material);
 
-/// Returns the mean of the texels of the emission of a primitive that is a triangle, at the centres of its 64 congruent
-/// parts; 1 if there is no such texture.
+/// Returns the factor of the emission at the sampled point of a light that illuminates a surface: the texel of its
+/// texture and the vertex colour, if it is a triangle with them, times its opacity and the transmittance of its coat.
+/// Texels and opacity become decisions of `rounding`.
+dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const Surface& lit, Rounding& rounding);
+
+/// Returns the mean of the texels of the emission of a primitive that is a triangle, times the vertex colours that
+/// scale it, at the centres of its 64 congruent parts; 1 if there are neither.
 dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle);
 
 }  // namespace candela::reference

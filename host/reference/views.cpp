@@ -55,7 +55,9 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   } else if (hit) {
     Surface surface = rounding.surfaceAt(scene(), tested, hit);
     jitterTextures(surface, numbers, 1);
-    if (view_ == render::Integrator::normal) applyNormalMap(scene(), surface, rounding);
+    if (view_ == render::Integrator::normal) {
+      applyNormalMap(scene(), scene::TextureSlot::normal, surface, rounding);
+    }
     value = valueAt(hit, surface, numbers, counters, vertex, rounding);
   }
   if (record) *record = {.vertexCount = 1, .vertices = {vertex}};

@@ -80,12 +80,14 @@ struct Material {
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
   std::optional<MirrorLobe> mirror;
+  bool coloursScaleEmission = false;       ///< vertex colours are factors of the emission
   glm::vec3 emission{0, 0, 0};             ///< radiance, W/(sr m^2) in arbitrary units, >= 0
   bool opaque = true;                      ///< with `--one-sided`, the backs of its triangles and planes are not hit
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
   /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
   std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
   float normalScale = 1;             ///< factor of the first two components of the normal map's directions
+  float coatNormalScale = 1;         ///< of those of the coat's normal map
   std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 
   bool operator==(const Material&) const = default;
@@ -104,10 +106,16 @@ inline bool isTextured(const Material& material) {
   return std::ranges::any_of(material.textures, [](const auto& texture) { return texture.has_value(); });
 }
 
+/// Returns whether the material, or its coat, has a normal map.
+inline bool hasNormalMap(const Material& material) {
+  return textureOf(material, TextureSlot::normal) || textureOf(material, TextureSlot::coatNormal);
+}
+
 /// Returns the texture along whose coordinates the tangents of a mesh run; nothing if the material depends on no
 /// tangent. Meshes that state no tangents get those of mikkTangents().
 inline const std::optional<TextureReference>& tangentTextureOf(const Material& material) {
-  return textureOf(material, TextureSlot::normal);
+  const auto& normal = textureOf(material, TextureSlot::normal);
+  return normal ? normal : textureOf(material, TextureSlot::coatNormal);
 }
 
 /// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.

@@ -162,6 +162,15 @@ inline bool hasTangents(const Scene& scene, const Primitive& primitive) {
          tangentTextureOf(scene.materials[primitive.material]).has_value();
 }
 
+/// Returns the vertex colours that scale the emission of a primitive; null if there are none.
+inline const std::vector<glm::vec4>* coloursOfEmission(const Scene& scene, const Primitive& primitive) {
+  if (primitive.kind != PrimitiveKind::triangle || !scene.materials[primitive.material].coloursScaleEmission) {
+    return nullptr;
+  }
+  const std::vector<glm::vec4>& colours = meshOf(scene, primitive).colours;
+  return colours.empty() ? nullptr : &colours;
+}
+
 /// Returns the vertex normals of a primitive for which isSmooth is true.
 inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);

@@ -41,8 +41,12 @@ enum class TextureSlot : std::uint8_t {
   metallicRoughness,  ///< metalness: blue, roughness: green
   specular,           ///< weight: alpha
   specularColour,     ///< sRGB
-  normal              ///< no factor: a direction in the tangent frame, in red, green and blue
+  normal,             ///< no factor: a direction in the tangent frame, in red, green and blue
+  transmission,       ///< weight: red
+  coat,               ///< weight: red
+  coatRoughness,      ///< green
+  coatNormal          ///< as `normal`
 };
-inline constexpr std::size_t kTextureSlotCount = 6;
+inline constexpr std::size_t kTextureSlotCount = 10;
 
 }  // namespace candela::scene

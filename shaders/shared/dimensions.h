@@ -32,6 +32,8 @@ CANDELA_DIMENSION kVertexDimensionCount = 8u;
 // Textures are looked up with numbers that are far outside of the blocks, so that they do not change the others:
 // offsets too, but larger than any path is long.
 CANDELA_DIMENSION kDimensionFacet = 0x80000000u;  // of normal-mapped surfaces
+CANDELA_DIMENSION kDimensionLayer = 0x80000001u;
+CANDELA_DIMENSION kDimensionCoatFacet = 0x80000002u;
 CANDELA_DIMENSION kDimensionTextureU = 0x80000004u;
 CANDELA_DIMENSION kDimensionTextureV = 0x80000005u;
 CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled point of a light

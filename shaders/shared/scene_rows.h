@@ -44,8 +44,9 @@ CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
 CANDELA_CONST uint kFlagSmooth = 256u;       // triangle with vertex normals
 CANDELA_CONST uint kFlagTangents = 512u;     // triangle with tangents
-CANDELA_CONST uint kMaterialShift = 10u;
-CANDELA_CONST uint kMaxMaterialCount = 1u << 22;
+CANDELA_CONST uint kFlagEmissionColours = 1024u;  // triangle whose vertex colours scale the emission
+CANDELA_CONST uint kMaterialShift = 11u;
+CANDELA_CONST uint kMaxMaterialCount = 1u << 21;
 
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
 // (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of
@@ -101,7 +102,7 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
-// 0), and a record of scales (normal map, 0, 0, 0); then the references; then the texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, each image
+// 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, each image
 // beginning with a record. References have two records: (rowS, flags and first record of the image, counted from the
 // beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
@@ -125,6 +126,10 @@ CANDELA_CONST uint kSlotMetallicRoughness = 2u;
 CANDELA_CONST uint kSlotSpecular = 3u;
 CANDELA_CONST uint kSlotSpecularColour = 4u;
 CANDELA_CONST uint kSlotNormal = 5u;
+CANDELA_CONST uint kSlotTransmission = 6u;
+CANDELA_CONST uint kSlotCoat = 7u;
+CANDELA_CONST uint kSlotCoatRoughness = 8u;
+CANDELA_CONST uint kSlotCoatNormal = 9u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.

@@ -22,6 +22,7 @@ CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
 CANDELA_CONST uint kSpecView = 50u;  // kView...
 CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
+CANDELA_CONST uint kSpecTextureSlots = 92u;    // a bit for each texture slot that some material of the scene uses
 // Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
 // Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.

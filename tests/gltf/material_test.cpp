@@ -100,6 +100,27 @@ TEST_CASE("a clearcoat is the coat of a surface") {
   CHECK(mapped(material).surface->coatRoughness == 0.25f);
 }
 
+TEST_CASE("transmission and clearcoat have textures, if their factors are not 0") {
+  json material;
+  json& extensions = material["extensions"];
+  extensions["KHR_materials_transmission"] = {{"transmissionFactor", 1}, {"transmissionTexture", {{"index", 3}}}};
+  extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1},
+                                           {"clearcoatTexture", {{"index", 4}}},
+                                           {"clearcoatRoughnessTexture", {{"index", 5}}},
+                                           {"clearcoatNormalTexture", {{"index", 6}, {"scale", 0.25}}}};
+  const scene::Material coated = mapped(material);
+  CHECK(textureOf(coated, scene::TextureSlot::transmission)->image == 3);
+  CHECK(textureOf(coated, scene::TextureSlot::coat)->image == 4);
+  CHECK(textureOf(coated, scene::TextureSlot::coatRoughness)->image == 5);
+  CHECK(textureOf(coated, scene::TextureSlot::coatNormal)->image == 6);
+  CHECK(coated.coatNormalScale == 0.25f);
+  CHECK(coated.normalScale == 1);
+  CHECK(tangentTextureOf(coated)->image == 6);
+  extensions["KHR_materials_transmission"]["transmissionFactor"] = 0;
+  extensions["KHR_materials_clearcoat"]["clearcoatFactor"] = 0;
+  CHECK_FALSE(isTextured(mapped(material)));
+}
+
 TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
@@ -112,6 +133,8 @@ TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by th
   CHECK(mapped(unlit).emission == kBase);
   CHECK(textureOf(mapped(unlit), scene::TextureSlot::emission) == kTexture7);
   CHECK(kindOf(mapped(unlit)) == scene::MaterialKind::black);
+  CHECK(mapped(unlit).coloursScaleEmission);
+  CHECK_FALSE(mapped(material).coloursScaleEmission);
 }
 
 TEST_CASE("backs of single-sided surfaces can be left out, those of others not") {

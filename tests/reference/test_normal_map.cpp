@@ -32,7 +32,7 @@ Surface surfaceOf(const scene::Scene& scene, double height) {
   const Ray ray{{0, -1, height}, {0, 0, height > 0 ? -1 : 1}};
   Rounding exact;
   Surface surface = surfaceAt(scene, ray, {std::abs(height), 0});
-  applyNormalMap(scene, surface, exact);
+  applyNormalMap(scene, scene::TextureSlot::normal, surface, exact);
   return surface;
 }
 

@@ -92,6 +92,11 @@ const std::vector<Looks> kWhite{{"diffuse", {.specularWeight = 0}},
                                 {"thin glass", {.roughness = 0.2f, .transmissionWeight = 1}},
                                 {"coat", {.specularWeight = 0, .coatWeight = 1, .coatRoughness = 0.2f}}};
 
+scene::Material withMap(scene::Material material, scene::TextureSlot slot) {
+  material.textures[static_cast<std::size_t>(slot)].emplace();
+  return material;
+}
+
 // Balls of all kinds on a mapped floor below a lamp and a point light.
 scene::Scene bumpyBalls() {
   SceneBuilder b;
@@ -104,8 +109,9 @@ scene::Scene bumpyBalls() {
       {.baseColour = {0.9f, 0.9f, 0.8f}, .roughness = 0.3f, .transmissionWeight = 0.8f, .isThinWalled = false}};
   float x = -2;
   for (const SurfaceParameters& surface : surfaces) {
-    b.material(mapped(surface));
+    b.material(surface.coatWeight > 0 ? withMap(mapped(surface), scene::TextureSlot::coatNormal) : mapped(surface));
     b.scene.materials.back().normalScale = 0.6f;
+    b.scene.materials.back().coatNormalScale = 0.3f;
     addMesh(b.scene, ball({x, 0, 1}, 0.9f, x < 0 ? -3.0f : 3.0f),
             static_cast<std::uint32_t>(b.scene.materials.size() - 1));
     x += 2;
@@ -167,6 +173,40 @@ TEST_CASE("no direction of a normal-mapped surface is black or gains light") {
     addMesh(b.scene, flatSquare(20), 0);
     const image::Image image = image::toImage(render(b.scene, squareSettings(16, 1)).film);
     for (std::uint32_t i = 0; i < 256; ++i) CHECK(image.at(i % 16, i / 16).x == Approx(1).epsilon(1e-4));
+  });
+}
+
+TEST_CASE("a coat has its own normal map, or none") {
+  // The base is black, so that light comes from the coat alone: the mirror image of a light on the left in a coat that
+  // is not tilted, whatever the map of the base, and in a tilted one that of a light in another place.
+  const auto [slot, other] = GENERATE(
+      table<scene::TextureSlot, scene::TextureSlot>({{scene::TextureSlot::normal, scene::TextureSlot::coatNormal},
+                                                     {scene::TextureSlot::coatNormal, scene::TextureSlot::normal}}));
+  SceneBuilder b;
+  b.scene.images = {oneTexel(204, 128, 230)};
+  scene::Material material;
+  material.surface = SurfaceParameters{
+      .baseColour = vec3(0), .specularWeight = 0, .coatWeight = 1, .coatRoughness = 0.3f};
+  b.material(withMap(material, slot)).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.direction = {0, 0, -1};
+  light.intensity = vec3(1);
+  b.scene.punctualLights.push_back(light);
+  const bool isTilted = slot == scene::TextureSlot::coatNormal;
+  onBothTracers([&, other = other](const RenderFunction& render) {
+    const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);
+    scene::Scene both = b.scene;
+    both.materials[0] = withMap(both.materials[0], other);
+    const double withBoth = meanLuminance(render(both, squareSettings(16, 1024)).film);
+    scene::Scene none = b.scene;
+    none.materials[0] = material;
+    const double without = meanLuminance(render(none, squareSettings(16, 16)).film);
+    if (isTilted) CHECK(mean == Approx(withBoth).epsilon(0.05));
+    if (isTilted) CHECK(mean < 0.5 * without);
+    if (!isTilted) CHECK(mean == Approx(without).epsilon(0.05));
+    if (!isTilted) CHECK(withBoth < 0.5 * without);
   });
 }
 

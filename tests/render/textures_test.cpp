@@ -93,6 +93,38 @@ scene::Scene texturedLights() {
   return b.scene;
 }
 
+// Squares of glass and with a coat, whose textures scale every parameter of a surface; one that emits through its coat,
+// and one whose emission has vertex colours. The fence behind them shows through the glass.
+scene::Scene texturedSurfaces() {
+  SceneBuilder b;
+  b.scene.images = {noise(5, 7, 4), noise(4, 4, 5)};
+  b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.material(diffuseMaterial({0.9f, 0.2f, 0.1f})).box({-4, 1, 0}, {4, 1.2f, 1});
+  const auto add = [&](scene::Material material, float x, std::vector<glm::vec4> colours = {}) {
+    b.material(material);
+    scene::Mesh mesh = square({x, 0, 0.1f}, {1.5f, 0.2f, 0}, {0, 0, 1.8f}, x > 0);
+    mesh.colours = std::move(colours);
+    addMesh(b.scene, mesh, static_cast<std::uint32_t>(b.scene.materials.size() - 1));
+  };
+  scene::Material material;
+  material.surface = scene::SurfaceParameters{.roughness = 0.2f, .transmissionWeight = 1};
+  add(withTexture(material, scene::TextureSlot::transmission, {}), -3.5f);
+  material.surface = scene::SurfaceParameters{.baseColour = {0.4f, 0.5f, 0.2f}, .coatWeight = 1, .coatRoughness = 0.9f};
+  material = withTexture(material, scene::TextureSlot::coat, {.image = 1});
+  add(withTexture(material, scene::TextureSlot::coatRoughness, {.texCoordSet = 1}), -1.7f);
+  material.emission = {3, 2, 1};
+  add(material, 0.1f);
+  scene::Material unlit;
+  unlit.emission = {1, 2, 2};
+  unlit.coloursScaleEmission = true;
+  add(unlit, 1.9f, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0.2f, 0.3f, 1, 1}, {0, 0, 0, 1}});
+  b.pointLight({-1, -4, 4}, vec3(1));
+  b.scene.background = vec3(0.3f);
+  b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
+  b.scene.name = "textured surfaces";
+  return b.scene;
+}
+
 void requireSamePixels(const scene::Scene& scene, std::uint32_t seed, render::SamplerKind sampler,
                        bool nextEventEstimation) {
   render::RenderSettings settings = squareSettings(96, 1);
@@ -110,6 +142,62 @@ TEST_CASE("textures have the reference's pixels at equal seeds") {
   const scene::Scene scene = gallery();
   for (const render::SamplerKind sampler : {render::SamplerKind::sobol, render::SamplerKind::independent}) {
     for (const std::uint32_t seed : {0u, 1u}) requireSamePixels(scene, seed, sampler, true);
+  }
+}
+
+TEST_CASE("textures of glass and coats have the reference's pixels at equal seeds") {
+  const scene::Scene scene = texturedSurfaces();
+  for (const std::uint32_t seed : {0u, 1u}) requireSamePixels(scene, seed, render::SamplerKind::sobol, true);
+  requireSamePixels(scene, 2, render::SamplerKind::sobol, false);
+}
+
+TEST_CASE("light sampling of emitters with coats and vertex colours has the mean of paths without it") {
+  onBothTracers([](const RenderFunction& render) {
+    scene::Scene scene = texturedSurfaces();
+    scene.pointLights.clear();
+    scene.background = vec3(0);
+    render::RenderSettings settings = squareSettings(24, 1024);
+    const double sampled = meanLuminance(render(scene, settings).film);
+    settings.image.nextEventEstimation = false;
+    CHECK(sampled == Approx(meanLuminance(render(scene, settings).film)).epsilon(0.02));
+  });
+}
+
+TEST_CASE("textures scale the weights of transmission and coat, and vertex colours an emission that says so") {
+  // One red texel of 51 / 255, seen from above: the light below passes one fifth of the glass.
+  SceneBuilder b;
+  b.scene.images = {{"", 1, 1, {0xff000000u | 51u}}};
+  b.material(diffuseMaterial(vec3(0), vec3(1))).plane({0, 0, -1}, {1, 0, -1}, {0, 1, -1});
+  scene::Material material;
+  b.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.01f);
+  scene::Mesh mesh = square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, false);
+  const auto shown = [&](const RenderFunction& render) -> glm::dvec3 {
+    scene::Scene scene = b.scene;
+    scene.materials.push_back(material);
+    addMesh(scene, mesh, 1);
+    render::RenderSettings settings = squareSettings(1, 4096);
+    settings.image.maxDepth = 2;
+    return image::toImage(render(scene, settings).film).at(0, 0);
+  };
+  SECTION("transmission") {
+    material.surface = scene::SurfaceParameters{
+        .baseColour = vec3(1), .specularWeight = 0, .roughness = 0.1f, .transmissionWeight = 1};
+    material = withTexture(material, scene::TextureSlot::transmission, {});
+    onBothTracers([&](const RenderFunction& render) { CHECK(shown(render).x == Approx(0.2).epsilon(0.02)); });
+  }
+  SECTION("coat, which dims emission") {
+    material.surface = scene::SurfaceParameters{.baseColour = vec3(0), .specularWeight = 0, .coatWeight = 1};
+    material.emission = vec3(10);
+    material = withTexture(material, scene::TextureSlot::coat, {});
+    onBothTracers(
+        [&](const RenderFunction& render) { CHECK(shown(render).x == Approx(10 * (1 - 0.2 * 0.04)).epsilon(1e-5)); });
+  }
+  SECTION("vertex colours") {
+    material.emission = vec3(10);
+    material.coloursScaleEmission = true;
+    mesh.colours.assign(4, {0.1f, 0.2f, 0.3f, 1});
+    onBothTracers(
+        [&](const RenderFunction& render) { CHECK(glm::length(shown(render) - glm::dvec3(1, 2, 3)) < 1e-5); });
   }
 }
 

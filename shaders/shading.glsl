@@ -1,0 +1,60 @@
+// The frame in which a surface scatters, and the choice of a layer of a normal-mapped surface: docs/light-transport.md
+// sections 4 and 5.8.
+#ifndef CANDELA_SHADING_GLSL
+#define CANDELA_SHADING_GLSL
+#include "coat.glsl"
+#include "normal_maps.glsl"
+#include "normals.glsl"
+
+// A vertex in the local frame of its shading normal.
+struct Shading {
+  mat3 frame;
+  vec3 facing;  // geometric normal on wo's side
+  vec3 wo;      // local
+  bool outside; // wo is on the side of the primitive's own normal
+  Facets facets;
+};
+
+Shading shadingAt(Surface surface, vec3 wo) {
+  Normals normals = normalsTowards(surface, wo);
+  mat3 frame = frameAround(normals.shading);
+  Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
+  if (kHasNormalMaps && surface.isMapped) {
+    shading.facets = Facets(true, normals.geometric * frame);
+    shading.wo = seenByFacet(shading.facets, shading.wo, surface.facet);
+  }
+  return shading;
+}
+
+// Returns whether the geometric normal classifies a direction as the shading normal does, as reflected or as
+// transmitted.
+bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
+  return (dot(direction, shading.facing) > 0.0) != transmitted;
+}
+
+// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer is
+// chosen, and `material` becomes that layer alone.
+void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey key, uint depth) {
+  uint index = surface.kind >> kMaterialShift;
+  uint base = textureOf(index, kSlotNormal);
+  uint coat = kHasCoat ? textureOf(index, kSlotCoatNormal) : 0u;
+  if (!hasTangents(surface) || (base | coat) == 0u) return;
+  vec4 numbers = facetNumbers(key, depth);
+  vec2 scales = sceneRowFloat(materialTextureRow(index) + kScaleRow).xy;
+  if (kHasCoat && material.surface.coatWeight > 0.0) {
+    Surface coated = surface;
+    mapNormal(coated, coat, scales.y);
+    coated.facet = numbers.z;
+    material.surface.isCoatAlone =
+        numbers.y < coatReflectance(material.surface.coatWeight, shadingAt(coated, wo).wo.z);
+    if (material.surface.isCoatAlone) {
+      surface = coated;
+      return;
+    }
+    material.surface.coatWeight = 0.0;
+  }
+  mapNormal(surface, base, scales.x);
+  surface.facet = numbers.x;
+}
+
+#endif
