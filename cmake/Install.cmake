@@ -1,7 +1,6 @@
 # What `cmake --install` installs: the program, and the libraries that render with their headers, for other projects:
 #   find_package(candela REQUIRED)
 #   target_link_libraries(mine PRIVATE candela::candela)
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The one target that other projects link.
@@ -12,11 +11,11 @@ target_link_libraries(candela_all INTERFACE candela_formats candela_scene candel
 
 get_property(libraries GLOBAL PROPERTY CANDELA_EXPORTED)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
-install(TARGETS candela RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS candela_all ${libraries} EXPORT candela ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT candela NAMESPACE candela:: FILE candelaTargets.cmake DESTINATION ${package})
+install(TARGETS candela RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS candela_all ${libraries} EXPORT candela ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT candela NAMESPACE candela:: FILE candelaTargets.cmake DESTINATION ${package} COMPONENT development)
 foreach(layer ${CANDELA_LIBRARY_LAYERS})
-  install(DIRECTORY host/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY host/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host COMPONENT development FILES_MATCHING PATTERN "*.h")
 endforeach()
 
 # The libraries that host/gltf was built with, if any.
@@ -28,8 +27,10 @@ foreach(decoder draco meshoptimizer)
 endforeach()
 configure_package_config_file(cmake/candelaConfig.cmake.in candelaConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake DESTINATION ${package})
+install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake DESTINATION ${package} COMPONENT development)
 
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/candela)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/candela COMPONENT program)
+install(FILES cmake/desktop/candela.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(FILES cmake/desktop/candela.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)

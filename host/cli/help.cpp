@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 #include "host/cli/commands.h"
+#include "host/cli/help_sections.h"
 #include "host/cli/option_table.h"
 #include "host/generate/kinds.h"
 
@@ -16,42 +16,6 @@ namespace {
 
 constexpr std::size_t kTextColumn = 32;
 constexpr std::size_t kLineWidth = 100;
-
-struct GroupTitle {
-  OptionGroup group;
-  const char* title;
-};
-constexpr std::array kGroupTitles{
-    GroupTitle{OptionGroup::output, "Output"},
-    GroupTitle{OptionGroup::film, "Films: checkpoints and parts of a render"},
-    GroupTitle{OptionGroup::image, "Image"},
-    GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
-    GroupTitle{OptionGroup::execution,
-               "Execution (only --device affects the image, by rounding; --accel affects the view `cost`)"},
-    GroupTitle{OptionGroup::comparison, "Comparing images"},
-    GroupTitle{OptionGroup::verification, "Verifying a device"},
-    GroupTitle{OptionGroup::explanation, "Explaining a sample"},
-    GroupTitle{OptionGroup::benchmark, "Benchmarks"},
-    GroupTitle{OptionGroup::tuning, "Tuning"},
-    GroupTitle{OptionGroup::generation, "Writing scenes"},
-    GroupTitle{OptionGroup::general, "General"},
-};
-
-struct ExitCodeText {
-  ExitCode code;
-  const char* text;
-};
-constexpr std::array kExitCodeTexts{
-    ExitCodeText{ExitCode::done, "success"},
-    ExitCodeText{ExitCode::usage, "wrong usage"},
-    ExitCodeText{ExitCode::file, "invalid scene, image or file, or a size beyond the limits"},
-    ExitCodeText{ExitCode::differ, "the images differ, the device failed the test, or --strict found bad samples"},
-    ExitCodeText{ExitCode::noDevice, "no usable device"},
-    ExitCodeText{ExitCode::deviceLost, "the device was lost or hung"},
-    ExitCodeText{ExitCode::outOfMemory, "out of memory"},
-    ExitCodeText{ExitCode::interrupted, "interrupted; the samples rendered so far are written"},
-    ExitCodeText{ExitCode::internal, "internal error"},
-};
 
 // Returns `head` in the left column and `text`, wrapped, in the right column.
 std::string twoColumns(const std::string& head, const std::string& text) {
@@ -123,9 +87,9 @@ std::string helpText(std::optional<Command> command) {
   std::string out = "Candela: a path tracer for Vulkan, with an independent reference tracer that checks it.\n\n";
   out += usageText(command);
   if (command == Command::generate) out += kindsText();
-  for (const GroupTitle& title : kGroupTitles) out += groupText(title, command);
+  for (const GroupTitle& title : groupTitles()) out += groupText(title, command);
   out += "\nExit codes:\n";
-  for (const auto& [code, text] : kExitCodeTexts) out += fmt::format("  {:>2}  {}\n", static_cast<int>(code), text);
+  for (const auto& [code, text] : exitCodeTexts()) out += fmt::format("  {:>2}  {}\n", static_cast<int>(code), text);
   return out;
 }
 
