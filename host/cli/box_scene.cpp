@@ -13,17 +13,26 @@ namespace {
 using generate::NffWriter;
 
 constexpr double kEdgeWidth = 1.0 / 250;  // fraction of the height of the picture
+constexpr double kOrthographicAngle = 1;  // degrees
 constexpr double kDeepestColour = 0.45;   // position in the colour map; colours below it are too dark on black
 
-void writeView(NffWriter& out, const scene::Camera& camera) {
-  out.view({camera.from, camera.at, camera.up, camera.angle, camera.hither, camera.width, camera.height});
+double halfAngleTangent(double angle) { return std::tan(glm::radians(angle) / 2); }
+
+/// Returns the view. NFF has no orthographic cameras. A camera that is far away, and shows the same part of the plane
+/// through the target, has rays that are nearly parallel.
+generate::View viewOf(const scene::Camera& camera) {
+  generate::View view{camera.from, camera.at, camera.up, camera.angle, camera.hither, camera.width, camera.height};
+  if (!camera.orthographicHeight) return view;
+  view.angle = kOrthographicAngle;
+  const double distance = *camera.orthographicHeight / 2 / halfAngleTangent(view.angle);
+  view.from = view.at + distance * glm::normalize(view.from - view.at);
+  return view;
 }
 
 /// Returns the radius of edges. It depends on the size of the picture, since the scene may extend far beyond what is
 /// visible.
-double edgeRadius(const scene::Camera& camera) {
-  const double distance = glm::length(glm::dvec3(camera.at) - glm::dvec3(camera.from));
-  const double pictureHeight = 2 * distance * std::tan(glm::radians(double{camera.angle}) / 2);
+double edgeRadius(const generate::View& view) {
+  const double pictureHeight = 2 * glm::length(view.at - view.from) * halfAngleTangent(view.angle);
   return pictureHeight * kEdgeWidth / 2;
 }
 
@@ -56,9 +65,10 @@ void writeEdges(NffWriter& out, const accel::Aabb& box, int axis, double radius)
 void writeBoxScene(NffWriter& out, const scene::Camera& camera, std::span<const accel::LevelBox> boxes,
                    std::uint32_t deepest) {
   out.background({0, 0, 0});
-  writeView(out, camera);
-  out.light(camera.from);
-  const double radius = edgeRadius(camera);
+  const generate::View view = viewOf(camera);
+  out.view(view);
+  out.light(view.from);
+  const double radius = edgeRadius(view);
   for (const accel::LevelBox& box : boxes) {
     writeColour(out, box.depth, deepest);
     for (int axis = 0; axis < 3; ++axis) writeEdges(out, box.bounds, axis, radius);

@@ -135,8 +135,9 @@ void GpuSession::reset(std::uint32_t seed) {
 void GpuSession::setCamera(const scene::Camera& camera) {
   flatten::moveCamera(scene_, camera, settings_.image, cameraRecords_);
   flat_.constants = cameraRecords_.constants;
+  flat_.features.orthographic = camera.orthographicHeight.has_value();
   deviceScene_->update(cameraRecords_);
-  if (band_) band_->setPipelines(pipelinesOf(kernel_));  // they differ if the camera gained or lost a lens
+  if (band_) band_->setPipelines(pipelinesOf(kernel_));  // of the new camera's kind
   empty();
 }
 

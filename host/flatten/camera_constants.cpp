@@ -19,6 +19,12 @@ Axis axisOf(std::uint32_t extent, render::PixelOrigin origin) {
   return {extent, 0.5f};
 }
 
+// Height of the view plane.
+double viewHeight(const scene::Camera& camera, double distance) {
+  if (camera.orthographicHeight) return *camera.orthographicHeight;
+  return 2 * distance * std::tan(camera.angle * std::numbers::pi / 360);
+}
+
 // Maximum length of `ao` rays.
 float aoDistance(const scene::Camera& camera, const render::ImageSettings& image) {
   if (image.aoDistance) return *image.aoDistance;
@@ -36,7 +42,7 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   const glm::dvec3 n = backward / distance;
   const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(camera.up), n));
   const glm::dvec3 v = glm::cross(n, u);
-  const double height = 2 * distance * std::tan(camera.angle * std::numbers::pi / 360);
+  const double height = viewHeight(camera, distance);
   const double width = height * across.pixels / down.pixels;
   const double lensRadius = camera.aperture * height / camera.height;
   constants.cameraOrigin = glm::vec3(from);

@@ -66,6 +66,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   }
   features.sky = scene.sky.has_value();
   features.environment = scene.environment.has_value();
+  features.orthographic = scene.camera && scene.camera->orthographicHeight;
   return features;
 }
 

@@ -35,10 +35,6 @@ std::vector<PlacedCamera> placedCameras(const Value& root, const NodeTree& nodes
   return placed;
 }
 
-bool isOrthographic(const Value& root, const PlacedCamera& placed) {
-  return root.require("cameras")[placed.camera].require("type").text() == "orthographic";
-}
-
 std::string nameOf(const Value& root, const char* list, std::size_t index) {
   return root.require(list)[index].textOr("name", "");
 }
@@ -73,10 +69,42 @@ double depthOf(const std::optional<Box>& bounds, const glm::dvec3& eye, const gl
   return depth > 0 ? depth : 1;
 }
 
+// Sets the image's default size from the ratio of its width to its height.
+void setAspect(double aspect, scene::Camera& view) {
+  view.height = kDefaultHeight;
+  view.width = static_cast<std::uint32_t>(std::clamp(std::round(aspect * kDefaultHeight), 1.0, kMaxSide));
+}
+
+void setPerspective(const Value& lens, scene::Camera& view) {
+  const double yfov = lens.require("yfov").number();
+  if (!(yfov > 0 && yfov < std::numbers::pi)) lens.require("yfov").fail("the angle is outside 0 to pi");
+  const double aspect = lens.numberOr("aspectRatio", 1);
+  if (!(aspect > 0)) lens.require("aspectRatio").fail("the ratio is not positive");
+  view.angle = static_cast<float>(yfov * 180 / std::numbers::pi);
+  setAspect(aspect, view);
+}
+
+// Half the extent of the view along an axis. The specification advises against negative values, which would mirror the
+// picture, and forbids 0.
+double magnification(const Value& lens, const char* key) {
+  const double magnitude = std::abs(lens.require(key).number());
+  if (!(static_cast<float>(2 * magnitude) > 0 && magnitude < 1e38)) {
+    lens.require(key).fail("half the extent of the view must be from 1e-45 to 1e38");
+  }
+  return magnitude;
+}
+
+void setOrthographic(const Value& lens, scene::Camera& view) {
+  const double xmag = magnification(lens, "xmag");
+  const double ymag = magnification(lens, "ymag");
+  view.orthographicHeight = static_cast<float>(2 * ymag);
+  setAspect(xmag / ymag, view);
+}
+
 View viewOf(const Value& root, const NodeTree& nodes, const PlacedCamera& placed, const std::optional<Box>& bounds) {
   const Value camera = root.require("cameras")[placed.camera];
   const std::string name = nameOf(root, "cameras", placed.camera);
-  return {perspectiveCamera(camera, nodes.world(placed.node), bounds),
+  return {cameraAt(camera, nodes.world(placed.node), bounds),
           fmt::format("camera {}{} of the file", placed.camera, name.empty() ? "" : " " + scene::quote(name))};
 }
 
@@ -84,15 +112,7 @@ View framingView(const std::optional<Box>& bounds) { return {framingCamera(bound
 
 }  // namespace
 
-scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds) {
-  if (camera.require("type").text() != "perspective") {
-    camera.require("type").fail("only perspective cameras are supported; --camera none frames the model");
-  }
-  const Value lens = camera.require("perspective");
-  const double yfov = lens.require("yfov").number();
-  if (!(yfov > 0 && yfov < std::numbers::pi)) lens.require("yfov").fail("the angle is outside 0 to pi");
-  const double aspect = lens.numberOr("aspectRatio", 1);
-  if (!(aspect > 0)) lens.require("aspectRatio").fail("the ratio is not positive");
+scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds) {
   scene::Camera view;
   const glm::dvec3 eye(world[3]);
   const glm::dvec3 forward = unitOr(-glm::dvec3(world[2]), {0, 0, -1});
@@ -103,9 +123,14 @@ scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, co
   if (view.at == view.from || glm::length(glm::cross(forward, up)) < 1e-6) {
     camera.fail("the node of the camera places it so that it has no direction");
   }
-  view.angle = static_cast<float>(yfov * 180 / std::numbers::pi);
-  view.height = kDefaultHeight;
-  view.width = static_cast<std::uint32_t>(std::clamp(std::round(aspect * kDefaultHeight), 1.0, kMaxSide));
+  const Value type = camera.require("type");
+  if (type.text() == "perspective") {
+    setPerspective(camera.require("perspective"), view);
+  } else if (type.text() == "orthographic") {
+    setOrthographic(camera.require("orthographic"), view);
+  } else {
+    type.fail("expected \"perspective\" or \"orthographic\"");
+  }
   return view;
 }
 
@@ -122,15 +147,10 @@ scene::Camera framingCamera(const std::optional<Box>& bounds) {
 }
 
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
+                const std::optional<Box>& bounds) {
   const std::vector<PlacedCamera> all = placedCameras(root, nodes);
   if (wish == "none") return framingView(bounds);
-  if (!wish) {
-    const auto first = std::ranges::find_if_not(all, [&](const PlacedCamera& of) { return isOrthographic(root, of); });
-    if (first != all.end()) return viewOf(root, nodes, *first, bounds);
-    if (!all.empty()) log.warn("orthographic", {}, "orthographic cameras are not supported: a view frames the model");
-    return framingView(bounds);
-  }
+  if (!wish) return all.empty() ? framingView(bounds) : viewOf(root, nodes, all.front(), bounds);
   const auto found = std::ranges::find_if(all,
                                           [&](const PlacedCamera& placed) { return answers(root, placed, *wish); });
   if (found == all.end()) {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "host/gltf/nodes.h"
-#include "host/scene/diagnostic_log.h"
 #include "host/scene/scene.h"
 
 namespace candela::gltf {
@@ -19,15 +18,14 @@ struct View {
   std::string description;  ///< for reports
 };
 
-/// The camera that `wish` names (LoadOptions::camera); without a wish the first perspective camera that a visible node
-/// has. A view that frames `bounds` if there is none, with a warning if all cameras are orthographic, or if the wish is
-/// "none". The target is as far away as the centre of `bounds`. Throws PlaceError for a wrong camera, and FileError,
-/// which lists the cameras, for a wish that fits none.
+/// The camera that `wish` names (LoadOptions::camera); without a wish the first camera that a visible node has. A view
+/// that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
+/// `bounds`. Throws PlaceError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds, scene::DiagnosticLog& log);
+                const std::optional<Box>& bounds);
 
-/// The camera's own view, from a perspective camera at a node.
-scene::Camera perspectiveCamera(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
+/// The view of a perspective or an orthographic camera at a node, without the node's scale.
+scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
 
 /// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with 5 % to spare.
 scene::Camera framingCamera(const std::optional<Box>& bounds);

@@ -89,7 +89,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   log.throwIfErrors();
   assembly.reportOmissions();
   scene::Scene& scene = assembly.scene();
-  const View view = chooseView(root, nodes, options.camera, assembly.bounds(), log);
+  const View view = chooseView(root, nodes, options.camera, assembly.bounds());
   scene.camera = view.camera;
   const std::string light = lightUp(scene, options);
   setReach(assembly.bounds(), scene);

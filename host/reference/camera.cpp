@@ -1,4 +1,4 @@
-// Pinhole and thin lens.
+// Pinhole, thin lens, and parallel rays.
 #include "host/reference/camera.h"
 
 #include <cmath>
@@ -16,6 +16,7 @@ CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings&
       forward_(dvec3(camera.at) - eye_),
       viewPixels_(image.size.width, image.size.height),
       pixelOrigin_(0.5),
+      isOrthographic_(camera.orthographicHeight.has_value()),
       focal_(camera.focal) {
   for (int axis = 0; axis < 2; ++axis) {
     if (image.pixelOrigin == render::PixelOrigin::centre || viewPixels_[axis] == 1) continue;
@@ -25,7 +26,8 @@ CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings&
   const dvec3 backward = normalize(-forward_);
   right_ = normalize(cross(dvec3(camera.up), backward));
   upward_ = cross(backward, right_);
-  const double height = 2 * length(forward_) * std::tan(camera.angle * kPi / 360);
+  const double height = isOrthographic_ ? double{*camera.orthographicHeight}
+                                        : 2 * length(forward_) * std::tan(camera.angle * kPi / 360);
   planeSize_ = {height * viewPixels_.x / viewPixels_.y, height};
   lensRadius_ = camera.aperture * height / camera.height;
 }
@@ -39,14 +41,16 @@ double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension)
 Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
   const dvec2 offset(filterOffset(numbers, kDimensionFilterX), filterOffset(numbers, kDimensionFilterY));
   const dvec2 raster = dvec2(x, y) + pixelOrigin_ + offset;
-  const dvec3 towards = forward_ + planeSize_.x * (raster.x / viewPixels_.x - 0.5) * right_ +
-                        planeSize_.y * (0.5 - raster.y / viewPixels_.y) * upward_;
-  if (lensRadius_ == 0) return {eye_, normalize(towards)};
+  const dvec3 place = (isOrthographic_ ? eye_ : forward_) + planeSize_.x * (raster.x / viewPixels_.x - 0.5) * right_ +
+                      planeSize_.y * (0.5 - raster.y / viewPixels_.y) * upward_;
+  const dvec3 origin = isOrthographic_ ? place : eye_;
+  const dvec3 towards = isOrthographic_ ? forward_ : place;
+  if (lensRadius_ == 0) return {origin, normalize(towards)};
 
   const dvec2 u(numbers.unit(kDimensionLensU), numbers.unit(kDimensionLensV));
   const dvec2 onLens = lensRadius_ * (lens_ == render::LensKind::disc ? sampleDisc(u) : 2.0 * u - 1.0);
   const dvec3 shift = onLens.x * right_ + onLens.y * upward_;
-  return {eye_ + shift, normalize(towards - shift / focal_)};
+  return {origin + shift, normalize(towards - shift / focal_)};
 }
 
 }  // namespace candela::reference

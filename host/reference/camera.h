@@ -27,6 +27,7 @@ class CameraRays {
   glm::dvec2 pixelOrigin_;  ///< within a pixel
   glm::dvec2 planeSize_;    ///< size of the view plane
   double lensRadius_;
+  bool isOrthographic_;
   double focal_;
 };
 

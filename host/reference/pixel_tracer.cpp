@@ -14,6 +14,9 @@ bool variesOverTriangles(const scene::Scene& scene) {
          std::ranges::any_of(scene.meshes, [](const scene::Mesh& mesh) { return !mesh.colours.empty(); });
 }
 
+// Returns whether camera rays start at different points, which a device computes.
+bool originVaries(const scene::Camera& camera) { return camera.aperture > 0 || camera.orthographicHeight; }
+
 }  // namespace
 
 PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -21,7 +24,7 @@ PixelTracer::PixelTracer(const scene::Scene& scene, const render::RenderSettings
       image_(settings.image),
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_),
-      hasLens_(scene.camera->aperture > 0),
+      originVaries_(originVaries(*scene.camera)),
       variesOverTriangles_(variesOverTriangles(scene)),
       isTransparent_(std::ranges::any_of(scene.materials, [](const auto& m) { return m.opacity.has_value(); })),
       tracing_(scene, settings),
@@ -47,7 +50,7 @@ void PixelTracer::setSeed(std::uint32_t seed) {
 
 void PixelTracer::setCamera(const scene::Camera& camera) {
   camera_ = CameraRays(camera, image_);
-  hasLens_ = camera.aperture > 0;
+  originVaries_ = originVaries(camera);
   tracing_.setEye(camera.from);
 }
 

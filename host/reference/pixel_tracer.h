@@ -57,7 +57,7 @@ class PixelTracer {
     return SampleNumbers(sampler_, place.x, place.y, place.index, cache);
   }
   Ray roundedCameraRay(const render::PixelSample& place, SampleNumbers& numbers, Rounding& rounding) const {
-    return rounding.cameraRay(camera_.generate(place.x, place.y, numbers), hasLens_);
+    return rounding.cameraRay(camera_.generate(place.x, place.y, numbers), originVaries_);
   }
 
  private:
@@ -69,7 +69,7 @@ class PixelTracer {
   render::ImageSettings image_;
   Sampler sampler_;
   CameraRays camera_;
-  bool hasLens_;
+  bool originVaries_;         ///< camera rays start at different points
   bool variesOverTriangles_;  ///< some material has textures, or some mesh vertex colours
   bool isTransparent_;        ///< some material has an opacity
   Tracing tracing_;

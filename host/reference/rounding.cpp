@@ -62,10 +62,10 @@ dvec3 Rounding::turned(const dvec3& direction, double units) {
   return perturbs_ ? normalize(direction + units * kRoundoff * signs()) : direction;
 }
 
-Ray Rounding::cameraRay(Ray ray, bool hasLens) {
+Ray Rounding::cameraRay(Ray ray, bool originVaries) {
   if (!records_) return ray;
   startVertex(0);
-  if (hasLens) ray.origin = moved(ray.origin, kRoundingBounds.lensPoint, maxNorm(ray.origin));
+  if (originVaries) ray.origin = moved(ray.origin, kRoundingBounds.lensPoint, maxNorm(ray.origin));
   ray.direction = turned(ray.direction, kRoundingBounds.cameraDirection);
   return ray;
 }

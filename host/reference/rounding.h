@@ -101,8 +101,8 @@ class Rounding {
   /// The sign of an error of one primitive among those that a ray tests; `word` is the ray's.
   static double signOf(std::uint64_t word, std::uint32_t primitive);
 
-  /// The camera's ray.
-  Ray cameraRay(Ray ray, bool hasLens);
+  /// The camera's ray. `originVaries`: its origin is computed, on a lens or on the plane of an orthographic camera.
+  Ray cameraRay(Ray ray, bool originVaries);
   /// The surface that `ray` hits, with the position and normals of single precision.
   Surface surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit);
 

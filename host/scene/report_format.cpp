@@ -15,9 +15,14 @@ using nlohmann::json;
 json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 json toJson(const Camera& camera) {
-  return {{"from", toJson(camera.from)}, {"at", toJson(camera.at)}, {"up", toJson(camera.up)},
-          {"angle", camera.angle},       {"hither", camera.hither}, {"resolution", {camera.width, camera.height}},
-          {"aperture", camera.aperture}, {"focal", camera.focal}};
+  json object{{"from", toJson(camera.from)}, {"at", toJson(camera.at)}, {"up", toJson(camera.up)},
+              {"angle", camera.angle},       {"hither", camera.hither}, {"resolution", {camera.width, camera.height}},
+              {"aperture", camera.aperture}, {"focal", camera.focal}};
+  if (camera.orthographicHeight) {
+    object.erase("angle");
+    object["orthographicHeight"] = *camera.orthographicHeight;
+  }
+  return object;
 }
 
 template <typename Value, typename Convert>
@@ -28,8 +33,10 @@ json orNull(const std::optional<Value>& value, Convert convert) {
 std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
 
 std::string toText(const Camera& c) {
-  return fmt::format("from {}, at {}, up {}, angle {:g}, {} x {}, aperture {:g}, focal {:g}", toText(c.from),
-                     toText(c.at), toText(c.up), c.angle, c.width, c.height, c.aperture, c.focal);
+  const std::string view = c.orthographicHeight ? fmt::format("orthographic height {:g}", *c.orthographicHeight)
+                                                : fmt::format("angle {:g}", c.angle);
+  return fmt::format("from {}, at {}, up {}, {}, {} x {}, aperture {:g}, focal {:g}", toText(c.from), toText(c.at),
+                     toText(c.up), view, c.width, c.height, c.aperture, c.focal);
 }
 
 std::string statementsText(const StatementCounts& counts) {

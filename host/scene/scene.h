@@ -19,12 +19,15 @@ struct Camera {
   glm::vec3 from{0, 0, 1};
   glm::vec3 at{0, 0, 0};
   glm::vec3 up{0, 1, 0};
-  float angle = 45;           ///< vertical field of view, degrees, in (0, 180)
+  float angle = 45;           ///< vertical field of view, degrees, in (0, 180); not of an orthographic camera
   float hither = 0;           ///< parsed and stored; neither tracer clips by it
   std::uint32_t width = 512;  ///< `resolution`, pixels, in [1, 65535]
   std::uint32_t height = 512;
   float aperture = 0;  ///< lens radius in pixels of the view plane at this resolution; 0: pinhole
   float focal = 1;     ///< distance of the plane in focus, as a multiple of |from - at|
+  /// Height of the view of an orthographic camera, > 0, in units of the scene; absent: a perspective camera. Its rays
+  /// start on the plane through `from` that is parallel to the view plane.
+  std::optional<float> orthographicHeight;
 };
 
 /// Radius < 0: the surface is seen from inside only and its normal points to the centre.

@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids 38 and 82 to 89 are free.
+// use are compiled out. Other ids are in specialization.h; ids 82 to 89 are free.
 #define CANDELA_FEATURES(X)                                                              \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                           \
   X(triangles, kHasTriangles, 3)                                                         \
@@ -39,6 +39,7 @@
   X(volumes, kHasVolumes, 32)           /* some transmitting surface bounds a volume */  \
   X(coats, kHasCoat, 80)                /* some surface has a coat */                    \
   X(tangents, kHasTangents, 39)         /* some triangle has tangents that its material needs */ \
-  X(normalMaps, kHasNormalMaps, 81)     /* some of them for a normal map */
+  X(normalMaps, kHasNormalMaps, 81)     /* some of them for a normal map */ \
+  X(orthographic, kHasOrthographic, 38) /* the camera's rays are parallel */
 
 #endif

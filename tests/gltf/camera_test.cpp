@@ -9,6 +9,10 @@ json perspective(double yfov, double aspect) {
   return {{"type", "perspective"}, {"perspective", {{"yfov", yfov}, {"aspectRatio", aspect}, {"znear", 0.1}}}};
 }
 
+json orthographic(double xmag, double ymag) {
+  return {{"type", "orthographic"}, {"orthographic", {{"xmag", xmag}, {"ymag", ymag}, {"znear", 0.1}, {"zfar", 9}}}};
+}
+
 /// Two cameras, "near" at node 1 and an unnamed one at the node "far eye".
 GltfFile withCameras() {
   GltfFile file = triangleFile();
@@ -77,25 +81,47 @@ TEST_CASE("the view is stated") {
   CHECK(load(triangleFile()).facts.at(0).second == "a view that frames the model");
 }
 
-TEST_CASE("orthographic cameras are skipped, and refused by name") {
+TEST_CASE("an orthographic camera shows twice its ymag vertically, and xmag decides the default width") {
   GltfFile file = withCameras();
-  file.root["cameras"][0]["type"] = "orthographic";
-  const scene::LoadedScene second = load(file);
-  CHECK(second.facts.at(0).second == "camera 1 of the file");
-  CHECK_FALSE(warns(second, "orthographic"));
-  CHECK(errorsOf(file.text(), {.camera = "near"}).find("/cameras/0/type: only perspective cameras") !=
-        std::string::npos);
+  file.root["cameras"][0] = orthographic(3, 1.5);
+  const scene::LoadedScene loaded = load(file);
+  CHECK(loaded.facts.at(0).second == "camera 0 of the file");
+  const scene::Camera camera = *loaded.scene.camera;
+  CHECK(camera.orthographicHeight == 3.0f);
+  CHECK(camera.width == 1024);
+  CHECK(camera.height == 512);
+  checkPoint(camera.from, {0, 0, 4});
+  checkPoint(camera.at, {0, 0, 0});
+  checkPoint(camera.up, {0, 1, 0});
+  CHECK(chosen("far eye").orthographicHeight == std::nullopt);
 }
 
-TEST_CASE("a file whose cameras are all orthographic is framed, with a warning") {
+TEST_CASE("orthographic cameras are chosen as others are, and turn with their node whatever its scale") {
   GltfFile file = withCameras();
-  for (json& camera : file.root["cameras"]) camera["type"] = "orthographic";
-  const scene::LoadedScene framed = load(file);
-  CHECK(framed.facts.at(0).second == "a view that frames the model");
-  CHECK(framed.scene.camera->angle == 30);
-  CHECK(warns(framed, "orthographic cameras are not supported"));
-  CHECK_FALSE(warns(load(file, {.camera = "none"}), "orthographic"));
-  CHECK(errorsOf(file.text(), {.camera = "1"}).find("/cameras/1/type: only perspective cameras") != std::string::npos);
+  file.root["cameras"][1] = orthographic(-1, -2);  // the sign has no effect
+  const double a = std::sqrt(0.5);
+  file.root["nodes"][2].update({{"rotation", {0, a, 0, a}}, {"scale", {3, 3, 3}}});
+  for (const char* wish : {"1", "far eye"}) {
+    const scene::Camera camera = *sceneOf(file, {.camera = wish}).camera;
+    CHECK(camera.orthographicHeight == 4.0f);
+    CHECK(camera.width == 256);
+    checkPoint(glm::normalize(camera.at - camera.from), {-1, 0, 0});
+  }
+  CHECK(sceneOf(file).camera->orthographicHeight == std::nullopt);
+}
+
+TEST_CASE("cameras without an extent or of another type are errors") {
+  const auto errorOf = [](const json& camera) {
+    GltfFile file = withCameras();
+    file.root["cameras"][0] = camera;
+    return errorsOf(file.text());
+  };
+  for (const double magnification : {0.0, 1e-60, 1e39}) {
+    CHECK(errorOf(orthographic(magnification, 1)).find("/cameras/0/orthographic/xmag: ") != std::string::npos);
+    CHECK(errorOf(orthographic(1, magnification)).find("/cameras/0/orthographic/ymag: ") != std::string::npos);
+  }
+  CHECK(errorOf({{"type", "orthographic"}}).find("/cameras/0: ") != std::string::npos);
+  CHECK(errorOf({{"type", "fisheye"}}).find("/cameras/0/type: expected") != std::string::npos);
 }
 
 }  // namespace candela::gltf

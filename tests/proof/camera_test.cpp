@@ -129,3 +129,25 @@ TEST_CASE("the image of an edge is the pixel filter's distribution function, hor
     }
   }
 }
+
+TEST_CASE("an orthographic view of an edge is the filter's distribution function, however far away the edge is",
+          "[swiftshader-slow]") {
+  constexpr std::uint32_t kSide = 8;
+  constexpr double kHeight = 3;
+  const dvec2 edge(3.3, 4.6);  // in pixels from the upper left corner
+  const auto onPlane = [&](const dvec2& raster) {
+    return kHeight * (dvec2(raster.x, kSide - raster.y) / double{kSide} - 0.5);
+  };
+  for (const double distance : {0.25, 1.0, 40.0}) {
+    SceneBuilder b = cameraOf(40);
+    b.scene.camera->orthographicHeight = static_cast<float>(kHeight);
+    addRectangle(b, onPlane({-8, edge.y}), onPlane({edge.x, -8}), distance);
+    const image::Film film = renderScene(b.scene, directView(kSide, 4096)).film;
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+      for (std::uint32_t x = 0; x < kSide; ++x) {
+        CAPTURE(distance, x, y);
+        CHECK(film.mean(x, y).x == Approx(boxBelow(edge.x - x - 0.5) * boxBelow(edge.y - y - 0.5)).margin(3e-3));
+      }
+    }
+  }
+}

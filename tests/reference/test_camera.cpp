@@ -112,6 +112,43 @@ TEST_CASE("a lens leaves the plane in focus sharp, and its radius is in pixels o
   }
 }
 
+TEST_CASE("the rays of an orthographic camera are parallel, and cross the view plane where those of its height do") {
+  scene::Camera camera = lookingAtOrigin();
+  camera.orthographicHeight = 6.0f;
+  render::RenderSettings settings = test::settingsOf(5, 3, 1);
+  settings.image.integrator = render::Integrator::whitted;  // without jitter; pixels are 2 apart
+  for (const double z : {4.0, 0.0, -7.0}) {
+    const auto at = [&](std::uint32_t x, std::uint32_t y) { return crossing(generate(camera, settings, x, y), z); };
+    CHECK(length(at(2, 1) - dvec2(0, 0)) < 1e-12);
+    CHECK(length(at(4, 0) - dvec2(4, 2)) < 1e-12);
+    CHECK(length(at(0, 2) - dvec2(-4, -2)) < 1e-12);
+  }
+  const Ray ray = generate(camera, settings, 4, 0);
+  CHECK(length(ray.origin - dvec3(4, 2, 4)) < 1e-12);
+  CHECK(ray.direction == dvec3(0, 0, -1));
+  settings.image.pixelOrigin = render::PixelOrigin::corner;
+  CHECK(length(crossing(generate(camera, settings, 0, 0), 1) - dvec2(-6, 3)) < 1e-12);
+}
+
+TEST_CASE("a lens blurs an orthographic view alike everywhere, and leaves the plane in focus sharp") {
+  scene::Camera camera = lookingAtOrigin();
+  camera.orthographicHeight = 8.0f;
+  camera.aperture = 5;  // 5 * 8 / 50 = 0.8
+  camera.focal = 1.5f;  // at z = -2
+  const render::RenderSettings settings = test::settingsOf(4000, 2000, 1);
+  for (const std::uint32_t column : {100u, 3000u}) {
+    const double x = (column + 0.5 - 2000) * 8 / 2000;
+    double farthest = 0;
+    for (std::uint32_t sample = 0; sample < 3000; ++sample) {
+      const Ray ray = generate(camera, settings, column, 500, sample);
+      CHECK(length(crossing(ray, -2) - dvec2(x, 1.998)) < 0.01);
+      farthest = std::max(farthest, length(crossing(ray, 4) - dvec2(x, 1.998)));
+    }
+    CHECK(farthest < 0.81);
+    CHECK(farthest > 0.76);
+  }
+}
+
 TEST_CASE("each face of the sky is seen in its direction, the right way up") {
   scene::Scene scene;
   scene.sky.emplace();

@@ -193,6 +193,20 @@ TEST_CASE("moving the camera may add or remove its lens", "[swiftshader-slow]") 
   onAllRenderers([&](render::Renderer& renderer) { requireMovable(renderer, scene, lens, sessionSettings()); });
 }
 
+TEST_CASE("moving the camera may make its rays parallel, and back", "[swiftshader-slow]") {
+  const scene::Scene scene = loadTestScene("balls.p3f");
+  scene::Camera parallel = *scene.camera;
+  parallel.orthographicHeight = 5.0f;
+  scene::Scene begun = scene;
+  begun.camera = parallel;
+  render::RenderSettings wavefront = sessionSettings();
+  wavefront.execution.kernel = render::KernelKind::wavefront;
+  onAllRenderers([&](render::Renderer& renderer) {
+    requireMovable(renderer, scene, parallel, sessionSettings());
+    requireMovable(renderer, begun, *scene.camera, wavefront);
+  });
+}
+
 TEST_CASE("square lights and ambient occlusion follow the camera", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   render::RenderSettings whitted = sessionSettings();
