@@ -34,4 +34,16 @@ inline constexpr double kGlassMargin = 1.004;
 extern const GlassTable kGlassOutside;
 extern const GlassTable kGlassInside;
 
+/// Roughness below which a sheen is no smoother.
+inline constexpr double kMinSheenRoughness = 0.07;
+
+/// Nodes of the sheen table: node (i, j) has the index j * kSheenCosines + i, belongs to the roughness
+/// rho = max(j / (kSheenRoughnesses - 1), kMinSheenRoughness) and to the cosine at which c (1 + rho) / (c + rho) is
+/// (i / (kSheenCosines - 1))^2.
+inline constexpr std::size_t kSheenCosines = 32, kSheenRoughnesses = 32;
+using SheenTable = std::array<float, kSheenCosines * kSheenRoughnesses>;
+
+/// Directional albedo of a white sheen, times rho / (0.198 + 0.24 rho).
+extern const SheenTable kSheen;
+
 }  // namespace candela::energy
