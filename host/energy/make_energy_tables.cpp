@@ -15,6 +15,9 @@
 
 namespace {
 
+using candela::energy::kGlassCosines;
+using candela::energy::kGlassIors;
+using candela::energy::kGlassRoughnesses;
 using candela::energy::kMinRoughness;
 using candela::energy::kNodes;
 
@@ -49,22 +52,47 @@ std::string sourceOf(const char* name, double Node::*member) {
   return text + "};\n";
 }
 
-double glassAt(std::size_t i, std::size_t j, std::size_t k, bool outside) {
-  using namespace candela::energy;
-  const double root = static_cast<double>(k) / 2 / (kGlassIors - 1);
-  const double ior = std::max((1 + root) / (1 - root), kMinVolumeIor);
-  const double alpha = std::pow(std::max(static_cast<double>(j) / (kGlassRoughnesses - 1), kMinRoughness), 2);
-  return kGlassMargin * integrateGlass(cosineAt(static_cast<double>(i) / (kGlassCosines - 1), alpha), alpha, ior, outside);
-}
+// A plane of a glass table: the albedos at places (i, j) between the nodes of one index of refraction.
+class GlassPlane {
+ public:
+  GlassPlane(std::size_t k, bool outside) : outside_(outside) {
+    const double root = static_cast<double>(k) / 2 / (kGlassIors - 1);
+    ior_ = std::max((1 + root) / (1 - root), candela::energy::kMinVolumeIor);
+  }
+
+  // Returns the nodes, raised until no centre of a cell falls short of its albedo.
+  std::vector<double> nodes() const {
+    std::vector<double> nodes, shortfall(kGlassCosines * kGlassRoughnesses);
+    for (std::size_t n = 0; n < shortfall.size(); ++n) nodes.push_back(albedo(n % kGlassCosines, n / kGlassCosines));
+    for (std::size_t j = 0; j + 1 < kGlassRoughnesses; ++j) {
+      for (std::size_t i = 0; i + 1 < kGlassCosines; ++i) {
+        const std::size_t first = j * kGlassCosines + i;
+        const std::array corners{first, first + 1, first + kGlassCosines, first + kGlassCosines + 1};
+        double centre = 0;
+        for (const std::size_t corner : corners) centre += nodes[corner] / 4;
+        const double missing = albedo(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) - centre;
+        for (const std::size_t corner : corners) shortfall[corner] = std::max(shortfall[corner], missing);
+      }
+    }
+    for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = kQuadratureMargin * (nodes[n] + shortfall[n]);
+    return nodes;
+  }
+
+ private:
+  double albedo(double i, double j) const {
+    const double roughness = std::max(j / (kGlassRoughnesses - 1), kMinRoughness), alpha = roughness * roughness;
+    return candela::energy::integrateGlass(cosineAt(i / (kGlassCosines - 1), alpha), alpha, ior_, outside_);
+  }
+
+  double ior_;
+  bool outside_;
+};
 
 std::string glassSourceOf(const char* name, bool outside) {
-  using namespace candela::energy;
   std::string text = fmt::format("const GlassTable {}{{\n", name);
   for (std::size_t k = 0; k < kGlassIors; ++k) {
-    for (std::size_t j = 0; j < kGlassRoughnesses; ++j) {
-      for (std::size_t i = 0; i < kGlassCosines; ++i) text += fmt::format("{:.9e}f,", glassAt(i, j, k, outside));
-      text += '\n';
-    }
+    for (const double node : GlassPlane(k, outside).nodes()) text += fmt::format("{:.9e}f,", node);
+    text += '\n';
   }
   return text + "};\n";
 }

@@ -79,9 +79,9 @@ CANDELA_CONST uint kEnergyRows = 2u;
 // Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of the
 // cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
 // energy::kGlassInside.
-CANDELA_CONST uint kGlassCosineCells = 23u;
+CANDELA_CONST uint kGlassCosineCells = 47u;
 CANDELA_CONST uint kGlassRoughnessCells = 31u;
-CANDELA_CONST uint kGlassIorCells = 15u;
+CANDELA_CONST uint kGlassIorCells = 10u;
 
 // Sheen table, if the scene has a sheen: after the tables before it, a record of four values as above for every cell of
 // energy::kSheen.

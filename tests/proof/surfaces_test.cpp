@@ -244,6 +244,8 @@ TEST_CASE("white surfaces reflect everything within 1 percent, and never more th
     materials.push_back(materialOf({.metalness = 0.5f, .specularWeight = 0.6f, .roughness = roughness, .ior = 2}));
     materials.push_back(materialOf({.roughness = roughness, .transmissionWeight = 1, .coatWeight = 1}));
     materials.push_back(materialOf({.roughness = roughness, .transmissionWeight = 1, .isThinWalled = false}));
+    materials.push_back(
+        materialOf({.metalness = 0.5f, .roughness = roughness, .transmissionWeight = 0.5f, .isThinWalled = false}));
     materials.push_back(materialOf({.roughness = 0.5f, .sheenColour = {1, 1, 1}, .sheenRoughness = roughness}));
     materials.push_back(materialOf({.metalness = 1, .roughness = roughness, .filmWeight = 1}));
     materials.push_back(materialOf({.metalness = 0.5f,
