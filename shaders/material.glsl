@@ -18,6 +18,15 @@ struct SurfaceParameters {
   float coatWeight;
   float coatRoughness;
   bool isCoatAlone;  // the layers below the coat do not count
+  vec3 sheenColour;
+  float sheenRoughness;
+  float filmWeight;
+  float filmIor;
+  float filmThickness;         // in nanometres, at a texel of 1
+  float filmThicknessMinimum;  // at a texel of 0
+  bool isConductor;
+  vec3 eta;    // complex index of refraction of a conductor
+  vec3 kappa;
 };
 
 // The part of a surface that reflects and transmits light: section 5.5.
@@ -43,6 +52,14 @@ struct SurfaceLobes {
   float coat;           // factor of the coat's microfacets
   float coatAlpha;
   float coatShare;      // probability of the coat, and the light that it takes from the lobes below
+  vec3 sheen;           // factor of the fibres
+  float sheenAlpha;
+  float sheenLambda;    // masking for wo
+  float sheenShare;     // probability of the sheen
+  float belowSheen;     // the light that the sheen leaves for the lobes below
+  vec3 conductor;       // factor of conductorReflectance()
+  vec3 eta;
+  vec3 kappa;
 };
 
 struct Material {
@@ -71,8 +88,12 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   vec4 shape = sceneRowFloat(row + 2u);
   float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
   volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
+  vec4 sheen = kHasSheen ? sceneRowFloat(row + 5u) : vec4(0.0);
+  vec4 film = kHasFilm ? sceneRowFloat(row + 6u) : vec4(0.0);
+  vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
+  vec3 kappa = kHasConductors ? sceneRowFloat(row + 8u).xyz : vec3(0.0);
   return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y, shape.z, volume == 0u, coat,
-                           shape.w, false);
+                           shape.w, false, sheen.xyz, sheen.w, film.x, film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa);
 }
 
 // Loads a material by its index in the scene.
@@ -129,6 +150,12 @@ uint texelOf(uint material, uint slot, Surface surface, uint absent) {
   return reference == 0u ? absent : textureTexel(reference, surface.texCoords, surface.jitter.xy);
 }
 
+// Multiplies a colour by the texel of a slot.
+void scaleColour(inout vec3 colour, uint material, uint slot, Surface surface) {
+  uint reference = textureOf(material, slot);
+  if (reference != 0u) colour *= linearColour(textureTexel(reference, surface.texCoords, surface.jitter.xy));
+}
+
 void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
   const uint white = 0xffffffffu;
   uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
@@ -140,9 +167,15 @@ void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surfac
     parameters.coatWeight *= redOf(texelOf(index, kSlotCoat, surface, white));
     parameters.coatRoughness *= greenOf(texelOf(index, kSlotCoatRoughness, surface, white));
   }
-  uint specularColour = textureOf(index, kSlotSpecularColour);
-  if (specularColour != 0u) {
-    parameters.specularColour *= linearColour(textureTexel(specularColour, surface.texCoords, surface.jitter.xy));
+  scaleColour(parameters.specularColour, index, kSlotSpecularColour, surface);
+  if (kHasSheen) {
+    scaleColour(parameters.sheenColour, index, kSlotSheenColour, surface);
+    parameters.sheenRoughness *= alphaOf(texelOf(index, kSlotSheenRoughness, surface, white));
+  }
+  if (kHasFilm) {
+    parameters.filmWeight *= redOf(texelOf(index, kSlotFilm, surface, white));
+    float thickness = greenOf(texelOf(index, kSlotFilmThickness, surface, white));
+    parameters.filmThickness = mix(parameters.filmThicknessMinimum, parameters.filmThickness, thickness);
   }
 }
 

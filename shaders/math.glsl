@@ -49,21 +49,36 @@ float turnsOf(vec2 v) {
   return v.y < 0.0 ? -turns : turns;
 }
 
-// Returns log(1 - q) for q in [0, 1) without cancellation at small q. 1 - q = m 2^e with m in [1/sqrt 2, sqrt 2); log
-// m = 2 atanh((m-1)/(m+1)), whose series needs five terms in this interval.
-float logOneMinus(float q) {
-  float rest = 1.0 - q;
-  uint bits = floatBitsToUint(rest);
-  int exponent = int((bits + 0x004afb0du) >> 23) - 127;
-  float m = uintBitsToFloat(bits - uint(exponent << 23));
-  float numerator = exponent == 0 ? -q : m - 1.0;
-  float f = numerator / (m + 1.0);
+// Splits x > 0 into m and e, x = m 2^e, with m in [1/sqrt 2, sqrt 2). Returns m.
+float mantissaOf(float x, out int exponent) {
+  uint bits = floatBitsToUint(x);
+  exponent = int((bits + 0x004afb0du) >> 23) - 127;
+  return uintBitsToFloat(bits - uint(exponent << 23));
+}
+
+// Returns log(m 2^exponent). log m = 2 atanh(less / (m+1)) with less = m - 1, whose series needs five terms.
+float logOfParts(float m, float less, int exponent) {
+  float f = less / (m + 1.0);
   float f2 = f * f;
   float series = 1.0 + f2 * (1.0 / 3.0 + f2 * (1.0 / 5.0 + f2 * (1.0 / 7.0 + f2 * (1.0 / 9.0))));
   return 2.0 * f * series + float(exponent) * 0.693147180559945;
 }
 
-// Returns x and z such that exp(y) = x (1 + z), for y <= 0: y = k log 2 + r with |r| <= log(2)/2, and a Taylor series
+// Returns log x for x > 0 that is not denormal.
+float logarithm(float x) {
+  int exponent;
+  float m = mantissaOf(x, exponent);
+  return logOfParts(m, m - 1.0, exponent);
+}
+
+// Returns log(1 - q) for q in [0, 1) without cancellation at small q.
+float logOneMinus(float q) {
+  int exponent;
+  float m = mantissaOf(1.0 - q, exponent);
+  return logOfParts(m, exponent == 0 ? -q : m - 1.0, exponent);
+}
+
+// Returns x and z such that exp(y) = x (1 + z), for y <= 80: y = k log 2 + r with |r| <= log(2)/2, and a Taylor series
 // for r. log 2 is split into two parts.
 vec2 exponentialParts(float y) {
   float bounded = max(y, -80.0);
@@ -73,7 +88,7 @@ vec2 exponentialParts(float y) {
   return vec2(uintBitsToFloat(uint(int(k) + 127) << 23), series);
 }
 
-// Returns exp(y) for y <= 0; results below exp(-80) become exp(-80).
+// Returns exp(y) for y <= 80; results below exp(-80) become exp(-80).
 float exponential(float y) {
   vec2 parts = exponentialParts(y);
   return parts.x + parts.x * parts.y;

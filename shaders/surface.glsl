@@ -1,11 +1,14 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.6. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.11. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
 #include "bsdf_sample.glsl"
 #include "coat.glsl"
+#include "conductor.glsl"
 #include "material.glsl"
 #include "microfacets.glsl"
+#include "sheen.glsl"
+#include "thin_film.glsl"
 #include "transmission.glsl"
 
 void addCoat(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
@@ -14,6 +17,16 @@ void addCoat(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
   lobes.coatShare = coatReflectance(s.coatWeight, wo.z);
   if (kHasNormalMaps && s.isCoatAlone) lobes.coatShare = 1.0;
   lobes.coat = lobes.coatShare / microfacetAlbedo(wo.z, roughness).x;
+}
+
+// Takes the metal out of the factors for Schlick's formula if it is a conductor.
+void separateConductor(SurfaceParameters s, vec3 metal, vec3 normal, vec3 rise, inout SurfaceLobes lobes) {
+  lobes.eta = s.eta;
+  lobes.kappa = s.kappa;
+  lobes.conductor = s.isConductor ? metal * s.baseColour : vec3(0.0);
+  if (!s.isConductor) return;
+  lobes.specular -= metal * normal;
+  lobes.grazing -= metal * rise;
 }
 
 // `outside`: wo is on the side to which the primitive's own normal points.
@@ -25,29 +38,49 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float lost = (1.0 - albedo.x) / albedo.x;
   float r = (s.ior - 1.0) / (s.ior + 1.0);
   vec3 normal = min(r * r * s.specularColour, vec3(1.0));
+  vec3 rise = 1.0 - normal;
+  vec3 metalNormal = s.baseColour;
+  vec3 metalRise = 1.0 - s.baseColour;
+  if (kHasFilm && s.filmWeight > 0.0) {
+    float cosine = filmCosine(s, wo.z, outside);
+    addFilm(s, cosine, normal, rise);
+    addFilm(s, cosine, metalNormal, metalRise);
+  }
+  if (kHasConductors && s.isConductor) {
+    metalNormal = s.baseColour * conductorReflectance(1.0, s.eta, s.kappa);
+    metalRise = s.baseColour - metalNormal;
+  }
   vec3 layer = s.specularWeight * (1.0 + normal * lost);
-  vec3 metal = s.metalness * (1.0 + s.baseColour * lost);
-  vec3 reflected = layer * (normal * albedo.x + (1.0 - normal) * albedo.y);
+  vec3 metal = s.metalness * (1.0 + metalNormal * lost);
+  vec3 reflected = layer * (normal * albedo.x + rise * albedo.y);
   float glass = kHasTransmission ? (1.0 - s.metalness) * s.transmissionWeight : 0.0;
   float opaque = 1.0 - s.metalness - glass;
   lobes.diffuse = opaque * max(0.0, 1.0 - largest(reflected)) * s.baseColour;
-  lobes.specular = opaque * layer * normal + metal * s.baseColour;
-  lobes.grazing = opaque * layer * (1.0 - normal) + metal * (1.0 - s.baseColour);
-  float specular = luminance(lobes.specular * (albedo.x - albedo.y) + (lobes.specular + lobes.grazing) * albedo.y);
+  lobes.specular = opaque * layer * normal + metal * metalNormal;
+  lobes.grazing = opaque * layer * rise + metal * metalRise;
+  float specular = luminance(lobes.specular * albedo.x + lobes.grazing * albedo.y);
+  if (kHasConductors) separateConductor(s, metal, metalNormal, metalRise, lobes);
   float diffuse = luminance(lobes.diffuse);
   float transmitting = 0.0;
   if (kHasTransmission) {
-    lobes.glass = glassAt(s, wo, normal, glass, albedo.x, roughness, outside);
-    float reflecting = s.specularWeight * (largest(normal) * (albedo.x - albedo.y) + albedo.y);
+    lobes.glass = glassAt(s, wo, normal, rise, glass, albedo.x, roughness, outside);
+    float reflecting = s.specularWeight * largest(normal * albedo.x + rise * albedo.y);
     transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
   }
   lobes.coatShare = 0.0;
   if (kHasCoat) addCoat(s, wo, lobes);
+  float below = 1.0 - lobes.coatShare;
   float total = diffuse + specular + transmitting;
-  float perUnit = total > 0.0 ? (1.0 - lobes.coatShare) / total : 0.0;
+  lobes.sheenShare = 0.0;
+  if (kHasSheen) {
+    float sheen = addSheen(s, wo, lobes);
+    lobes.sheenShare = sheen > 0.0 ? below * (sheen / (sheen + lobes.belowSheen * total)) : 0.0;
+    below -= lobes.sheenShare;
+  }
+  float perUnit = total > 0.0 ? below / total : 0.0;
   lobes.diffuseShare = diffuse * perUnit;
   lobes.glassShare = transmitting * perUnit;
-  lobes.specularShare = total > 0.0 ? specular * perUnit : 1.0 - lobes.coatShare;
+  lobes.specularShare = total > 0.0 ? specular * perUnit : below;
   return lobes;
 }
 
@@ -57,6 +90,9 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   float lengthO = stretchedLength(wo, lobes.alpha);
   float cosOH = min(dot(wo, h), 1.0);
   vec3 reflectance = lobes.specular + lobes.grazing * fifthPower(1.0 - cosOH);
+  if (kHasConductors && largest(lobes.conductor) > 0.0) {
+    reflectance += lobes.conductor * conductorReflectance(cosOH, lobes.eta, lobes.kappa);
+  }
   float share = lobes.specularShare;
   if (kHasTransmission) {
     float schlick = schlickOf(lobes.glass, cosOH);
@@ -65,6 +101,10 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   }
   pdf = lobes.diffuseShare * (wi.z / kPi) + share * visibleReflectionPdf(d, wo.z, lengthO);
   vec3 f = lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
+  if (kHasSheen && lobes.sheenShare > 0.0) {
+    f = f * lobes.belowSheen + evaluateSheen(lobes, wo, wi);
+    pdf += lobes.sheenShare * capPdf(1.0);
+  }
   if (!kHasCoat) return f;
   float coated = ggxDistribution(h, lobes.coatAlpha);
   float coatLength = stretchedLength(wo, lobes.coatAlpha);
@@ -79,17 +119,21 @@ vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   if (!kHasTransmission || wi.z == 0.0) return vec3(0.0);
   vec3 f = evaluateTransmission(lobes.glass, lobes.alpha, wo, wi, pdf);
   pdf *= lobes.glassShare;
-  return f * (1.0 - lobes.coatShare);
+  return f * ((1.0 - lobes.coatShare) * (kHasSheen ? lobes.belowSheen : 1.0));
 }
 
 // Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
 BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   BsdfSample result = kAbsorbed;
-  precise float diffuseEnd = lobes.coatShare + lobes.diffuseShare;
+  precise float sheenEnd = lobes.coatShare + lobes.sheenShare;
+  precise float diffuseEnd = sheenEnd + lobes.diffuseShare;
   bool coated = kHasCoat && numbers.x < lobes.coatShare;
-  bool isDiffuse = !coated && numbers.x < diffuseEnd;
+  bool isSheen = kHasSheen && !coated && numbers.x < sheenEnd;
+  bool isDiffuse = !coated && !isSheen && numbers.x < diffuseEnd;
   bool transmitted = false;
-  if (isDiffuse) {
+  if (isSheen) {
+    result.wi = sampleCap(numbers.yz, 1.0);
+  } else if (isDiffuse) {
     result.wi = sampleCosineHemisphere(numbers.yz);
   } else {
     vec3 h = sampleVisibleNormal(numbers.yz, wo, coated ? lobes.coatAlpha : lobes.alpha);
@@ -105,7 +149,11 @@ BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   vec3 f = evaluateSurface(lobes, wo, result.wi, result.pdf);
   if (result.pdf <= 0.0) return kAbsorbed;
   result.weight = f * (abs(result.wi.z) / result.pdf);
-  result.lobe = transmitted ? kLobeRefract : isDiffuse ? kLobeDiffuse : coated ? kLobeCoat : kLobeGlossy;
+  result.lobe = transmitted ? kLobeRefract
+                : isSheen   ? kLobeSheen
+                : isDiffuse ? kLobeDiffuse
+                : coated    ? kLobeCoat
+                            : kLobeGlossy;
   return result;
 }
 

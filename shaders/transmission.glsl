@@ -20,8 +20,8 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
 }
 
-// `weight` of the glass among the surface's lobes; `normal` reflectance of the dielectric.
-Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, float weight, float white, float roughness, bool outside) {
+// `weight` of the glass among the surface's lobes; `normal` + `rise` (1 - x)^5: reflectance of the dielectric.
+Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight, float white, float roughness, bool outside) {
   Glass glass;
   float ior = max(s.ior, kMinVolumeIor);
   glass.isThin = !kHasVolumes || s.isThinWalled;
@@ -31,7 +31,7 @@ Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, float weight, float whi
   glass.all = weight / albedo;
   glass.transmitted = glass.all * s.baseColour;
   glass.normal = s.specularWeight * normal;
-  glass.grazing = s.specularWeight * (1.0 - normal);
+  glass.grazing = s.specularWeight * rise;
   return glass;
 }
 
@@ -50,7 +50,7 @@ vec3 glassReflectance(Glass glass, float schlick) {
 // The largest channel of the reflectance, which is the fraction that is not transmitted.
 float strongestReflectance(Glass glass, float schlick) {
   if (schlick < 0.0) return 1.0;
-  return largest(glass.normal) + (largest(glass.normal + glass.grazing) - largest(glass.normal)) * schlick;
+  return largest(glass.normal + glass.grazing * schlick);
 }
 
 // `mirrored` is the direction that h reflects. Not for total reflection.

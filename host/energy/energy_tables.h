@@ -22,16 +22,26 @@ extern const Table kTilt;
 /// Nodes of the glass tables, whose first two dimensions are those above; node (i, j, k) has the index
 /// (k * kGlassRoughnesses + j) * kGlassCosines + i. The indices of refraction n are those at which (n - 1)/(n + 1) is
 /// k / 2 / (kGlassIors - 1), but at least kMinVolumeIor.
-inline constexpr std::size_t kGlassCosines = 24, kGlassRoughnesses = 32, kGlassIors = 16;
+inline constexpr std::size_t kGlassCosines = 48, kGlassRoughnesses = 32, kGlassIors = 11;
 inline constexpr double kMinVolumeIor = 1.01;
 using GlassTable = std::array<float, kGlassCosines * kGlassRoughnesses * kGlassIors>;
 
-/// Glass would gain energy where interpolation falls short of the albedo, by at most 0.4 % for n = 1.5.
-inline constexpr double kGlassMargin = 1.004;
-
-/// Directional albedo of rough glass that reflects or transmits once, seen from outside and from inside, times the
-/// margin.
+/// Directional albedo of rough glass that reflects or transmits once, seen from outside and from inside. Nodes are
+/// raised where interpolation would fall short of the albedo in the middle of a cell, since glass would gain energy
+/// there, and by 0.1 % everywhere, since quadrature falls short, too.
 extern const GlassTable kGlassOutside;
 extern const GlassTable kGlassInside;
+
+/// Roughness below which a sheen is no smoother.
+inline constexpr double kMinSheenRoughness = 0.07;
+
+/// Nodes of the sheen table: node (i, j) has the index j * kSheenCosines + i, belongs to the roughness
+/// rho = max(j / (kSheenRoughnesses - 1), kMinSheenRoughness) and to the cosine at which c (1 + rho) / (c + rho) is
+/// (i / (kSheenCosines - 1))^2.
+inline constexpr std::size_t kSheenCosines = 32, kSheenRoughnesses = 32;
+using SheenTable = std::array<float, kSheenCosines * kSheenRoughnesses>;
+
+/// Directional albedo of a white sheen, times rho / (0.198 + 0.24 rho).
+extern const SheenTable kSheen;
 
 }  // namespace candela::energy

@@ -9,15 +9,22 @@
 namespace candela::energy {
 namespace {
 
+using glm::dvec2;
 using glm::dvec3;
+
+// Returns the cosine and the sine of the azimuth of a spoke. By symmetry, half of the circle suffices.
+dvec2 azimuthOf(int spoke, int spokes) {
+  const double azimuth = std::numbers::pi * (spoke + 0.5) / spokes;
+  return {std::cos(azimuth), std::sin(azimuth)};
+}
 
 // Returns a visible normal by spherical caps: Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps",
 // 2023.
-dvec3 visibleNormal(const dvec3& wo, double alpha, double fraction, double azimuth) {
+dvec3 visibleNormal(const dvec3& wo, double alpha, double fraction, const dvec2& azimuth) {
   const dvec3 stretched = normalize(dvec3(alpha * wo.x, alpha * wo.y, wo.z));
   const double z = 1 - fraction * (1 + stretched.z);
   const double radius = std::sqrt(std::max(0.0, 1 - z * z));
-  const dvec3 half = dvec3(radius * std::cos(azimuth), radius * std::sin(azimuth), z) + stretched;
+  const dvec3 half = dvec3(radius * azimuth, z) + stretched;
   return normalize(dvec3(alpha * half.x, alpha * half.y, half.z));
 }
 
@@ -33,6 +40,8 @@ double weightOf(const dvec3& wo, const dvec3& wi, double alpha) {
   return wi.z * (wo.z + out) / (wi.z * out + wo.z * stretchedLength(wi, alpha));
 }
 
+double fifthPower(double x) { return x * x * (x * x) * x; }
+
 // One side of a boundary between dielectrics.
 struct Boundary {
   double eta;  ///< index of refraction on the side of wo divided by the other
@@ -45,7 +54,7 @@ struct Boundary {
   double reflectance(double cosine) const {
     const double refracted = refractedCosine(cosine);
     if (refracted == 0) return 1;
-    return std::lerp(normalReflectance, 1, std::pow(1 - (eta < 1 ? cosine : refracted), 5));
+    return std::lerp(normalReflectance, 1, fifthPower(1 - (eta < 1 ? cosine : refracted)));
   }
 };
 
@@ -62,10 +71,10 @@ double integrateGlass(double cosine, double alpha, double ior, bool outside, int
   const dvec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);
   const Boundary boundary{outside ? 1 / ior : ior, std::pow((ior - 1) / (ior + 1), 2)};
   double sum = 0;
-  for (int ring = 0; ring < rings; ++ring) {
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const dvec3 h = visibleNormal(wo, alpha, (ring + 0.5) / rings, std::numbers::pi * (spoke + 0.5) / spokes);
-      sum += glassWeightOf(wo, h, alpha, boundary);
+  for (int spoke = 0; spoke < spokes; ++spoke) {
+    const dvec2 azimuth = azimuthOf(spoke, spokes);
+    for (int ring = 0; ring < rings; ++ring) {
+      sum += glassWeightOf(wo, visibleNormal(wo, alpha, (ring + 0.5) / rings, azimuth), alpha, boundary);
     }
   }
   return sum / (double{1} * rings * spokes);
@@ -74,12 +83,13 @@ double integrateGlass(double cosine, double alpha, double ior, bool outside, int
 MicrofacetAlbedo integrateMicrofacets(double cosine, double alpha, int rings, int spokes) {
   const dvec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);
   MicrofacetAlbedo sum{0, 0};
-  for (int ring = 0; ring < rings; ++ring) {
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const dvec3 h = visibleNormal(wo, alpha, (ring + 0.5) / rings, std::numbers::pi * (spoke + 0.5) / spokes);
+  for (int spoke = 0; spoke < spokes; ++spoke) {
+    const dvec2 azimuth = azimuthOf(spoke, spokes);
+    for (int ring = 0; ring < rings; ++ring) {
+      const dvec3 h = visibleNormal(wo, alpha, (ring + 0.5) / rings, azimuth);
       const double weight = weightOf(wo, 2 * dot(wo, h) * h - wo, alpha);
       sum.white += weight;
-      sum.grazing += weight * std::pow(1 - dot(wo, h), 5);
+      sum.grazing += weight * fifthPower(1 - dot(wo, h));
     }
   }
   const double count = double{1} * rings * spokes;

@@ -15,6 +15,6 @@ MicrofacetAlbedo integrateMicrofacets(double cosine, double alpha, int rings = 2
 
 /// Returns the fraction of light that microfacets of glass, with Schlick's reflectance, reflect or transmit to the side
 /// where it belongs. `ior` > 1 is the index inside; `outside`: the light comes from outside.
-double integrateGlass(double cosine, double alpha, double ior, bool outside, int rings = 96, int spokes = 32);
+double integrateGlass(double cosine, double alpha, double ior, bool outside, int rings = 96, int spokes = 64);
 
 }  // namespace candela::energy

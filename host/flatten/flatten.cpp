@@ -60,7 +60,7 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
   flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
   flat.constants.firstEnergyRow = rowCount(flat.rows);
   if (surfaces.empty()) return;
-  const Rows energy = energyRows(order.volumeCount > 0);
+  const Rows energy = energyRows(flat.features);
   flat.rows.insert(flat.rows.end(), energy.begin(), energy.end());
 }
 

@@ -36,6 +36,9 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.transmission |= surface.transmissionWeight > 0;
   features.volumes |= surface.hasVolume();
   features.coats |= surface.coatWeight > 0;
+  features.films |= surface.filmWeight > 0;
+  features.conductors |= surface.conductor && surface.metalness > 0;
+  features.sheens |= surface.sheenColour != glm::vec3(0);
 }
 
 void noteMaterial(const scene::Material& material, render::Integrator integrator, SceneFeatures& features) {

@@ -33,8 +33,9 @@ struct SurfaceOrder {
 /// Throws FileError if there are more volumes than a path's record can name.
 SurfaceOrder orderSurfaces(const scene::Scene& scene);
 Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order);
-/// Returns the records of the energy tables, and of the glass tables if `hasVolumes`.
-Rows energyRows(bool hasVolumes);
+/// Returns the records of the energy tables, of the glass tables if there are volumes, and of the sheen table if there
+/// is a sheen.
+Rows energyRows(const SceneFeatures& features);
 
 /// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
 Rows srgbTableRows();

@@ -14,6 +14,8 @@ static_assert(gpu::kEnergyCells == energy::kNodes - 1);
 static_assert(gpu::kGlassCosineCells == energy::kGlassCosines - 1);
 static_assert(gpu::kGlassRoughnessCells == energy::kGlassRoughnesses - 1);
 static_assert(gpu::kGlassIorCells == energy::kGlassIors - 1);
+static_assert(gpu::kSheenCosineCells == energy::kSheenCosines - 1);
+static_assert(gpu::kSheenRoughnessCells == energy::kSheenRoughnesses - 1);
 
 // Appends a record for every cell of a plane of `width` by `height` nodes.
 void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
@@ -37,6 +39,11 @@ void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows
   rows.push_back(row(glm::dvec3(s.roughness, s.ior, s.transmissionWeight), double{s.coatRoughness}));
   rows.push_back(row(glm::dvec3(s.absorption), double{s.coatWeight}));
   rows.push_back({volume, 0, 0, 0});
+  rows.push_back(row(glm::dvec3(s.sheenColour), double{s.sheenRoughness}));
+  rows.push_back(row(glm::dvec3(s.filmWeight, s.filmIor, s.filmThickness), double{s.filmThicknessMinimum}));
+  const scene::Conductor conductor = s.conductor.value_or(scene::Conductor{});
+  rows.push_back(row(glm::dvec3(conductor.ior), s.conductor ? 1.0 : 0.0));
+  rows.push_back(row(glm::dvec3(conductor.extinction), 0.0));
 }
 
 }  // namespace
@@ -70,14 +77,16 @@ Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order) {
   return rows;
 }
 
-Rows energyRows(bool hasVolumes) {
+Rows energyRows(const SceneFeatures& features) {
   Rows white, tilt, rows;
   appendCells(energy::kWhite.data(), energy::kNodes, energy::kNodes, white);
   appendCells(energy::kTilt.data(), energy::kNodes, energy::kNodes, tilt);
   for (std::size_t cell = 0; cell < white.size(); ++cell) rows.insert(rows.end(), {white[cell], tilt[cell]});
-  if (!hasVolumes) return rows;
-  appendGlass(energy::kGlassOutside, rows);
-  appendGlass(energy::kGlassInside, rows);
+  if (features.volumes) {
+    appendGlass(energy::kGlassOutside, rows);
+    appendGlass(energy::kGlassInside, rows);
+  }
+  if (features.sheens) appendCells(energy::kSheen.data(), energy::kSheenCosines, energy::kSheenRoughnesses, rows);
   return rows;
 }
 

@@ -20,6 +20,10 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::transmission) == gp
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coat) == gpu::kSlotCoat);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatRoughness) == gpu::kSlotCoatRoughness);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatNormal) == gpu::kSlotCoatNormal);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenColour) == gpu::kSlotSheenColour);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenRoughness) == gpu::kSlotSheenRoughness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::film) == gpu::kSlotFilm);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::filmThickness) == gpu::kSlotFilmThickness);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);

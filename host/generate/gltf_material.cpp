@@ -23,6 +23,20 @@ GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
     extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", factors.clearcoat},
                                              {"clearcoatRoughnessFactor", factors.clearcoatRoughness}};
   }
+  if (factors.sheen != glm::dvec3(0)) {
+    const glm::dvec3& sheen = factors.sheen;
+    extensions["KHR_materials_sheen"] = {{"sheenColorFactor", {sheen.x, sheen.y, sheen.z}},
+                                         {"sheenRoughnessFactor", factors.sheenRoughness}};
+  }
+  if (factors.film > 0) {
+    extensions["KHR_materials_iridescence"] = {{"iridescenceFactor", factors.film},
+                                               {"iridescenceThicknessMaximum", factors.filmThickness}};
+  }
+  if (factors.eta != glm::dvec3(0)) {
+    const glm::dvec3 &eta = factors.eta, &kappa = factors.kappa;
+    extensions["CANDELA_materials_conductor"] = {{"ior", {eta.x, eta.y, eta.z}},
+                                                 {"extinction", {kappa.x, kappa.y, kappa.z}}};
+  }
   if (!extensions.empty()) material["extensions"] = extensions;
   return material;
 }

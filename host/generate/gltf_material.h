@@ -13,6 +13,12 @@ struct MaterialFactors {
   double thickness = 0;  ///< of the body that transmits; 0: a thin wall
   double clearcoat = 0;
   double clearcoatRoughness = 0;
+  glm::dvec3 sheen{0};
+  double sheenRoughness = 0;
+  double film = 0;           ///< weight of a thin film
+  double filmThickness = 0;  ///< in nanometres
+  glm::dvec3 eta{0};         ///< complex index of refraction of a metal, eta + i kappa; 0: by its colour
+  glm::dvec3 kappa{0};
   glm::dvec3 attenuation{1};       ///< colour that is left after `attenuationDistance`
   double attenuationDistance = 0;  ///< 0: nothing is absorbed
 };

@@ -1,4 +1,8 @@
 // Tables of balls: one of all mixtures, and one that absorbs nothing.
+#include <cmath>
+#include <numbers>
+#include <span>
+
 #include "host/generate/gltf_material.h"
 #include "host/generate/gltf_scenes.h"
 #include "host/generate/lathe.h"
@@ -9,43 +13,43 @@ namespace {
 constexpr double kRoughnesses[] = {0, 0.2, 0.4, 0.6, 0.8, 1};
 constexpr int kColumns = 6;
 constexpr double kRadius = 0.45;
+constexpr double kDistance = 14;  // of the camera
+constexpr double kMargin = 0.4;   // around all balls
 
-// The parameters that the balls of a row share.
-struct BallRow {
-  double metalness;
-  double transmission;
-  double clearcoat;
-  glm::dvec3 colour;
-};
-constexpr BallRow kTable[] = {{1, 0, 0, {1, 0.77, 0.34}},
-                              {0.5, 0, 0, {0.9, 0.45, 0.3}},
-                              {0, 0, 0, {0.75, 0.1, 0.1}},
-                              {0, 0.5, 0, {0.3, 0.6, 0.9}},
-                              {0, 1, 0, {0.85, 0.95, 0.9}}};
-constexpr BallRow kFurnace[] = {{1, 0, 0, glm::dvec3(1)},
-                                {0, 0, 0, glm::dvec3(1)},
-                                {0, 1, 0, glm::dvec3(1)},
-                                {0.5, 0.5, 0, glm::dvec3(1)},
-                                {1, 0, 1, glm::dvec3(1)}};
+// The parameters that the balls of a row share, which are all but the roughness.
+const MaterialFactors kTable[] = {{.colour = {1, 0.77, 0.34}, .metalness = 1},
+                                  {.colour = {0.9, 0.45, 0.3}, .metalness = 0.5},
+                                  {.colour = {0.75, 0.1, 0.1}},
+                                  {.colour = {0.3, 0.6, 0.9}, .transmission = 0.5},
+                                  {.colour = {0.85, 0.95, 0.9}, .transmission = 1},
+                                  {.colour = {0.05, 0.08, 0.2}, .sheen = {0.8, 0.7, 0.9}},
+                                  // gold
+                                  {.metalness = 1, .eta = {0.143, 0.375, 1.442}, .kappa = {3.983, 2.386, 1.603}},
+                                  {.colour = {0.03, 0.03, 0.03}, .film = 1, .filmThickness = 550}};
+const MaterialFactors kFurnace[] = {{.metalness = 1},
+                                    {},
+                                    {.transmission = 1},
+                                    {.metalness = 0.5, .transmission = 0.5},
+                                    {.metalness = 1, .clearcoat = 1},
+                                    {.sheen = glm::dvec3(1)},
+                                    {.metalness = 1, .film = 1, .filmThickness = 400}};
 
-void writeRows(std::span<const BallRow> rows, NffWriter& out, std::uint32_t size) {
+void writeRows(std::span<const MaterialFactors> rows, NffWriter& out, std::uint32_t size) {
   GltfDocument document;
   const std::size_t ball = document.addShape(lathe(sphereProfile(kRadius, size), 2 * size));
   const double middle = (kColumns - 1) / 2.0, top = (static_cast<double>(rows.size()) - 1) / 2;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (int column = 0; column < kColumns; ++column) {
-      const MaterialFactors factors{.colour = rows[row].colour,
-                                    .metalness = rows[row].metalness,
-                                    .roughness = kRoughnesses[column],
-                                    .transmission = rows[row].transmission,
-                                    .thickness = rows[row].transmission > 0 ? 2 * kRadius : 0,
-                                    .clearcoat = rows[row].clearcoat,
-                                    .clearcoatRoughness = kRoughnesses[column]};
+      MaterialFactors factors = rows[row];
+      factors.roughness = factors.clearcoatRoughness = factors.sheenRoughness = kRoughnesses[column];
+      if (factors.transmission > 0) factors.thickness = 2 * kRadius;
       document.addNode(ball, document.addMaterial(gltfMaterial(factors)),
                        {column - middle, top - static_cast<double>(row), 0});
     }
   }
-  document.addCamera({0, 0, 14}, {0, 0, 0}, 22, 6.4 / 5.4);
+  const double width = kColumns + kMargin, height = static_cast<double>(rows.size()) + kMargin;
+  document.addCamera({0, 0, kDistance}, {0, 0, 0}, 360 / std::numbers::pi * std::atan(height / 2 / kDistance),
+                     width / height);
   out.text(document.text());
 }
 

@@ -12,8 +12,9 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_materials_ior",
-                           "KHR_materials_specular", "KHR_materials_clearcoat"};
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit",        "KHR_materials_ior",
+                           "KHR_materials_specular",          "KHR_materials_clearcoat",    "KHR_materials_sheen",
+                           "KHR_materials_iridescence",       "CANDELA_materials_conductor"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -123,6 +124,39 @@ void readClearcoat(const Value& material, const TextureReader& readTexture, Gltf
   result.clearcoatNormalScale = scaleIn(*coat, "clearcoatNormalTexture");
 }
 
+void readSheen(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  const std::optional<Value> sheen = material.extension("KHR_materials_sheen");
+  if (!sheen) return;
+  result.sheenColour = fractions(*sheen, "sheenColorFactor", glm::vec3(0));
+  result.sheenRoughness = fraction(*sheen, "sheenRoughnessFactor", 0);
+  result.sheenColourTexture = textureIn(*sheen, "sheenColorTexture", readTexture);
+  result.sheenRoughnessTexture = textureIn(*sheen, "sheenRoughnessTexture", readTexture);
+}
+
+void readIridescence(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  const std::optional<Value> film = material.extension("KHR_materials_iridescence");
+  if (!film) return;
+  result.iridescence = fraction(*film, "iridescenceFactor", 0);
+  result.iridescenceIor = film->numberOr("iridescenceIor", 1.3);
+  if (result.iridescenceIor < 1) film->require("iridescenceIor").fail("the index of refraction is below 1");
+  result.iridescenceMinimum = atLeastZero(*film, "iridescenceThicknessMinimum", 100);
+  result.iridescenceMaximum = atLeastZero(*film, "iridescenceThicknessMaximum", 400);
+  result.iridescenceTexture = textureIn(*film, "iridescenceTexture", readTexture);
+  result.iridescenceThicknessTexture = textureIn(*film, "iridescenceThicknessTexture", readTexture);
+}
+
+void readConductor(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> extension = material.extension("CANDELA_materials_conductor");
+  if (!extension) return;
+  scene::Conductor conductor{.ior = extension->vectorOr("ior", glm::vec3(0)),
+                             .extinction = extension->vectorOr("extinction", glm::vec3(0))};
+  for (int c = 0; c < 3; ++c) {
+    if (conductor.ior[c] <= 0) extension->require("ior").fail("a component is not positive");
+    if (conductor.extinction[c] < 0) extension->require("extinction").fail("a component is negative");
+  }
+  result.conductor = conductor;
+}
+
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
 
 void noteExtensions(const Value& material, GltfMaterial& result) {
@@ -146,6 +180,9 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readTransmission(material, readTexture, result);
   readClearcoat(material, readTexture, result);
   readNormalMap(material, readTexture, result);
+  readSheen(material, readTexture, result);
+  readIridescence(material, readTexture, result);
+  readConductor(material, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/gltf/value.h"
+#include "host/scene/surface_parameters.h"
 #include "host/scene/texture.h"
 
 namespace candela::gltf {
@@ -30,6 +31,10 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> clearcoatNormalTexture{};
   double normalScale = 1;
   double clearcoatNormalScale = 1;
+  std::optional<scene::TextureReference> sheenColourTexture{};
+  std::optional<scene::TextureReference> sheenRoughnessTexture{};
+  std::optional<scene::TextureReference> iridescenceTexture{};
+  std::optional<scene::TextureReference> iridescenceThicknessTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
   double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;
@@ -43,7 +48,15 @@ struct GltfMaterial {
   double attenuationDistance = 0;        ///< KHR_materials_volume; 0: infinite
   double clearcoat = 0;                  ///< KHR_materials_clearcoat
   double clearcoatRoughness = 0;         ///< KHR_materials_clearcoat
-  /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_sheen".
+  glm::vec3 sheenColour{0, 0, 0};        ///< KHR_materials_sheen
+  double sheenRoughness = 0;             ///< KHR_materials_sheen
+  double iridescence = 0;                ///< KHR_materials_iridescence
+  double iridescenceIor = 1.3;           ///< KHR_materials_iridescence; at least 1
+  double iridescenceMinimum = 100;       ///< KHR_materials_iridescence; thickness in nanometres
+  double iridescenceMaximum = 400;       ///< KHR_materials_iridescence; thickness in nanometres
+  /// CANDELA_materials_conductor, docs/gltf.md
+  std::optional<scene::Conductor> conductor{};
+  /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_dispersion".
   std::set<std::string> unread;
 };
 

@@ -23,10 +23,17 @@ scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
   surface.specularColour = source.specularColour;
   surface.ior = static_cast<float>(source.ior);
   if (source.ior > 0) surface.transmissionWeight = static_cast<float>(source.transmission);  // ior 0 reflects all light
-  surface.isThinWalled = source.thickness == 0;
+  surface.isThinWalled = source.thickness == 0 || surface.transmissionWeight == 0;
   surface.absorption = absorptionOf(source);
   surface.coatWeight = static_cast<float>(source.clearcoat);
   surface.coatRoughness = static_cast<float>(source.clearcoatRoughness);
+  surface.filmWeight = static_cast<float>(source.iridescence);
+  surface.filmIor = static_cast<float>(source.iridescenceIor);
+  surface.filmThickness = static_cast<float>(source.iridescenceMaximum);
+  surface.filmThicknessMinimum = static_cast<float>(source.iridescenceMinimum);
+  surface.conductor = source.conductor;
+  surface.sheenColour = source.sheenColour;
+  surface.sheenRoughness = static_cast<float>(source.sheenRoughness);
   return surface;
 }
 
@@ -44,11 +51,20 @@ void addTextures(const GltfMaterial& source, scene::Material& material) {
   set(scene::TextureSlot::normal, source.normalTexture);
   material.normalScale = static_cast<float>(source.normalScale);
   if (material.surface->transmissionWeight > 0) set(scene::TextureSlot::transmission, source.transmissionTexture);
-  if (material.surface->coatWeight == 0) return;
-  set(scene::TextureSlot::coat, source.clearcoatTexture);
-  set(scene::TextureSlot::coatRoughness, source.clearcoatRoughnessTexture);
-  set(scene::TextureSlot::coatNormal, source.clearcoatNormalTexture);
-  material.coatNormalScale = static_cast<float>(source.clearcoatNormalScale);
+  if (material.surface->coatWeight > 0) {
+    set(scene::TextureSlot::coat, source.clearcoatTexture);
+    set(scene::TextureSlot::coatRoughness, source.clearcoatRoughnessTexture);
+    set(scene::TextureSlot::coatNormal, source.clearcoatNormalTexture);
+    material.coatNormalScale = static_cast<float>(source.clearcoatNormalScale);
+  }
+  if (source.sheenColour != glm::vec3(0)) {
+    set(scene::TextureSlot::sheenColour, source.sheenColourTexture);
+    set(scene::TextureSlot::sheenRoughness, source.sheenRoughnessTexture);
+  }
+  if (source.iridescence > 0) {
+    set(scene::TextureSlot::film, source.iridescenceTexture);
+    set(scene::TextureSlot::filmThickness, source.iridescenceThicknessTexture);
+  }
 }
 
 }  // namespace

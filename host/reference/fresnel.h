@@ -1,5 +1,6 @@
-// A smooth boundary between two dielectrics: docs/light-transport.md section 9, glass.
+// Smooth boundaries: of two dielectrics (docs/light-transport.md section 9, glass), and of conductors (section 5.10).
 #pragma once
+#include <glm/glm.hpp>
 
 namespace candela::reference {
 
@@ -11,5 +12,8 @@ struct Boundary {
 
 /// `cosIncident` in (0, 1]; `eta` > 0 is the index of refraction on the ray's side divided by that behind the boundary.
 Boundary fresnel(double cosIncident, double eta);
+
+/// Returns the reflectance of a conductor with the complex index `ior` + i `extinction`, for unpolarised light in air.
+glm::dvec3 conductorReflectance(double cosIncident, const glm::dvec3& ior, const glm::dvec3& extinction);
 
 }  // namespace candela::reference

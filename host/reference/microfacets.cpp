@@ -6,23 +6,12 @@
 
 #include "host/energy/energy_tables.h"
 #include "host/reference/sampling.h"
+#include "host/reference/table_axis.h"
 
 namespace candela::reference {
 namespace {
 
-// A place among the nodes of a table's dimension.
-struct Place {
-  std::size_t node;
-  double part;
-
-  explicit Place(double fraction) {
-    const double scaled = std::clamp(fraction, 0.0, 1.0) * (energy::kNodes - 1);
-    node = std::min(static_cast<std::size_t>(scaled), energy::kNodes - 2);
-    part = scaled - static_cast<double>(node);
-  }
-};
-
-double interpolate(const energy::Table& table, const Place& x, const Place& y) {
+double interpolate(const energy::Table& table, const TableAxis& x, const TableAxis& y) {
   const auto along = [&](std::size_t j) {
     const std::size_t first = j * energy::kNodes + x.node;
     return std::lerp(double{table[first]}, double{table[first + 1]}, x.part);
@@ -65,7 +54,7 @@ dvec3 Microfacets::sampleNormal(const dvec3& wo, const dvec2& u) const {
 }
 
 SingleScattering Microfacets::albedo(double cosine) const {
-  const Place x(cosine * (1 + alpha_) / (cosine + alpha_)), y(roughness_);
+  const TableAxis x(cosine * (1 + alpha_) / (cosine + alpha_), energy::kNodes), y(roughness_, energy::kNodes);
   const double white = interpolate(energy::kWhite, x, y);
   const double tilted = std::max(0.0, 1 - cosine - alpha_ * interpolate(energy::kTilt, x, y));
   return {white, white * std::pow(tilted, 5)};

@@ -68,7 +68,14 @@ struct PathTracer::Vertex : ShadingFrame {
       const BsdfValue mirrored = timesCosine(facets->mirrored(wi));
       value = {value.f + mirrored.f, value.pdf + mirrored.pdf};
     }
-    return rounding.bsdfValue(value, bsdf.surface() ? kRoundingBounds.surface : kRoundingBounds.bsdf);
+    return rounding.bsdfValue(value, roundingUnits());
+  }
+
+  /// Returns the bound of the rounding error of f and pdf.
+  double roundingUnits() const {
+    if (!bsdf.surface()) return kRoundingBounds.bsdf;
+    const double sheen = kRoundingBounds.sheen * bsdf.surface()->sheenSteepness();
+    return std::hypot(kRoundingBounds.surface, sheen, kRoundingBounds.film * bsdf.surface()->filmThickness());
   }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.

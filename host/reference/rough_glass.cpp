@@ -6,25 +6,15 @@
 #include <cmath>
 
 #include "host/energy/energy_tables.h"
+#include "host/reference/table_axis.h"
 
 namespace candela::reference {
 namespace {
 
-struct Axis {
-  std::size_t node;
-  double part;
-};
-
-Axis axisAt(double fraction, std::size_t nodes) {
-  const double scaled = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(nodes - 1);
-  const std::size_t node = std::min(static_cast<std::size_t>(scaled), nodes - 2);
-  return {node, scaled - static_cast<double>(node)};
-}
-
 double tableValue(const energy::GlassTable& table, double cosine, double alpha, double ior) {
-  const std::array axes{axisAt(2 * (ior - 1) / (ior + 1), energy::kGlassIors),
-                        axisAt(std::sqrt(alpha), energy::kGlassRoughnesses),
-                        axisAt(cosine * (1 + alpha) / (cosine + alpha), energy::kGlassCosines)};
+  const std::array axes{TableAxis(2 * (ior - 1) / (ior + 1), energy::kGlassIors),
+                        TableAxis(std::sqrt(alpha), energy::kGlassRoughnesses),
+                        TableAxis(cosine * (1 + alpha) / (cosine + alpha), energy::kGlassCosines)};
   double sum = 0;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     const auto bit = [&](std::size_t axis) { return corner >> axis & 1; };
@@ -38,14 +28,13 @@ double tableValue(const energy::GlassTable& table, double cosine, double alpha, 
 
 }  // namespace
 
-RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Microfacets& microfacets, const dvec3& wo,
-                       bool outside, double weight)
-    : microfacets_(microfacets), isThin_(surface.isThinWalled), base_(surface.baseColour) {
+RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectance& dielectric,
+                       const Microfacets& microfacets, const dvec3& wo, bool outside, double weight)
+    : microfacets_(microfacets),
+      isThin_(surface.isThinWalled),
+      dielectric_(double{surface.specularWeight} * dielectric),
+      base_(surface.baseColour) {
   const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
-  const double atNormal = std::pow((double{surface.ior} - 1) / (double{surface.ior} + 1), 2);
-  const dvec3 coloured = glm::min(atNormal * dvec3(surface.specularColour), dvec3(1));
-  normal_ = double{surface.specularWeight} * coloured;
-  grazing_ = dvec3(surface.specularWeight);
   if (!isThin_) (outside ? beyond_ : here_) = ior;
   const energy::GlassTable& table = outside ? energy::kGlassOutside : energy::kGlassInside;
   factor_ = weight / (isThin_ ? microfacets.albedo(wo.z).white : tableValue(table, wo.z, microfacets.alpha(), ior));
@@ -60,7 +49,7 @@ double RoughGlass::outerCosine(double cosine) const {
 dvec3 RoughGlass::schlick(double cosine) const {
   const double outer = outerCosine(cosine);
   if (here_ > beyond_ && outer == 0) return dvec3(1);
-  return glm::mix(normal_, grazing_, std::pow(std::max(0.0, 1 - outer), 5));
+  return dielectric_.at(outer);
 }
 
 dvec3 RoughGlass::reflectance(double cosine) const { return factor_ * schlick(cosine); }

@@ -2,15 +2,17 @@
 #pragma once
 #include "host/reference/bsdf_value.h"
 #include "host/reference/microfacets.h"
+#include "host/reference/reflectance.h"
 #include "host/scene/surface_parameters.h"
 
 namespace candela::reference {
 
 class RoughGlass {
  public:
-  /// `weight` of the glass among the surface's parts; `outside`: wo is on the side to which the surface is oriented.
-  RoughGlass(const scene::SurfaceParameters& surface, const Microfacets& microfacets, const dvec3& wo, bool outside,
-             double weight);
+  /// `dielectric`: reflectance from outside. `weight` of the glass among the surface's parts; `outside`: wo is on the
+  /// side to which the surface is oriented.
+  RoughGlass(const scene::SurfaceParameters& surface, const Reflectance& dielectric, const Microfacets& microfacets,
+             const dvec3& wo, bool outside, double weight);
 
   /// Returns the factor of microfacets that reflect, for wo.h = `cosine`, their weight and compensation included.
   dvec3 reflectance(double cosine) const;
@@ -32,8 +34,7 @@ class RoughGlass {
   bool isThin_;
   double here_ = 1;    ///< index of refraction on wo's side
   double beyond_ = 1;  ///< and on the other
-  dvec3 normal_;
-  dvec3 grazing_;
+  Reflectance dielectric_;
   dvec3 base_;
   double factor_;  ///< weight and compensation
 };

@@ -46,6 +46,8 @@ struct RoundingBounds {
   double pdf = 12;              ///< relative: products and two divisions
   double bsdf = 12;             ///< relative
   double surface = 18;          ///< relative, f and pdf of surfaces: energy, distribution and visibility
+  double sheen = 6;             ///< relative, of the quotient that sheen raises to a power
+  double film = 0.1;            ///< relative, per nanometre of a thin film: product with the frequency, sums
   double choice = 6;            ///< of a probability that a random number is compared with
   double surfaceChoice = 14;    ///< of the probability of a surface's lobe: quotient of albedos
   double roughDirection = 16;   ///< of a direction sampled by microfacets, per axis, times alpha, besides `frame`

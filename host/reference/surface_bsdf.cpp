@@ -1,10 +1,11 @@
-// A diffuse base below a dielectric interface, mixed with a metal.
+// A diffuse base below a dielectric interface, mixed with a metal, below a sheen and a coat.
 #include "host/reference/surface_bsdf.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "host/image/film.h"
+#include "host/reference/fresnel.h"
 #include "host/reference/sampling.h"
 
 namespace candela::reference {
@@ -12,21 +13,7 @@ namespace {
 
 double largestOf(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
-dvec3 normalReflectance(const scene::SurfaceParameters& surface) {
-  const double ior = surface.ior;
-  const double atNormal = std::pow((ior - 1) / (ior + 1), 2);
-  return glm::min(atNormal * dvec3(surface.specularColour), dvec3(1));
-}
-
 }  // namespace
-
-dvec3 SurfaceBsdf::Schlick::at(double cosine) const {
-  return compensation * glm::mix(normal, grazing, std::pow(std::max(0.0, 1 - cosine), 5));
-}
-
-dvec3 SurfaceBsdf::Schlick::albedo(const SingleScattering& single) const {
-  return compensation * (single.white * normal + single.grazing * (grazing - normal));
-}
 
 double coatReflectance(double weight, double cosine) {
   return weight * std::lerp(0.04, 1.0, std::pow(std::max(0.0, 1 - cosine), 5));
@@ -36,20 +23,26 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
     : wo_(wo),
       microfacets_(surface.roughness),
       coat_{Microfacets(surface.coatRoughness), 0, 0},
+      sheen_(surface, wo),
       metalness_(surface.metalness),
       opaque_((1 - metalness_) * (1 - double{surface.transmissionWeight})),
-      glass_(surface, microfacets_, wo, outside, 1 - metalness_ - opaque_) {
+      bases_(surface, wo, outside),
+      glass_(surface, bases_.dielectric, microfacets_, wo, outside, 1 - metalness_ - opaque_),
+      filmThickness_(surface.filmWeight > 0 ? surface.filmThickness : 0),
+      conductor_(surface.conductor) {
   coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
   coat_.factor = coat_.share / coat_.microfacets.albedo(wo.z).white;
   const SingleScattering single = microfacets_.albedo(wo.z);
   const double lost = 1 / single.white - 1;
-  const dvec3 base(surface.baseColour), coloured = normalReflectance(surface);
+  const dvec3 base(surface.baseColour);
   const double weight = surface.specularWeight;
-  metal_ = {base, dvec3(1), 1.0 + lost * base};
-  dielectric_ = {weight * coloured, dvec3(weight), 1.0 + lost * coloured};
+  const dvec3 metalFactor = 1.0 + lost * bases_.metal.normal;
+  metal_ = metalFactor * bases_.metal;
+  conductorFactor_ = metalFactor * base;
+  dielectric_ = weight * (1.0 + lost * bases_.dielectric.normal) * bases_.dielectric;
   const dvec3 layer = dielectric_.albedo(single);
   diffuse_ = opaque_ * std::max(0.0, 1 - largestOf(layer)) * base;
-  const double reflecting = weight * std::lerp(single.grazing, single.white, largestOf(coloured));
+  const double reflecting = weight * largestOf(bases_.dielectric.albedo(single));
   const double specular = image::luminance(opaque_ * layer + metalness_ * metal_.albedo(single));
   weigh(image::luminance(diffuse_), specular,
         (1 - metalness_ - opaque_) * std::lerp(image::luminance(base), 1.0, reflecting));
@@ -58,9 +51,12 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
 void SurfaceBsdf::weigh(double diffuse, double specular, double glass) {
   const double total = diffuse + specular + glass;
   const double below = 1 - coat_.share;
-  diffuseProbability_ = total > 0 ? below * diffuse / total : 0;
-  glassProbability_ = total > 0 ? below * glass / total : 0;
-  specularProbability_ = below - diffuseProbability_ - glassProbability_;
+  const double sheen = image::luminance(sheen_.albedo());
+  if (sheen > 0) sheenProbability_ = below * sheen / (sheen + (1 - sheen_.share()) * total);
+  const double base = below - sheenProbability_;
+  diffuseProbability_ = total > 0 ? base * diffuse / total : 0;
+  glassProbability_ = total > 0 ? base * glass / total : 0;
+  specularProbability_ = base - diffuseProbability_ - glassProbability_;
 }
 
 BsdfValue SurfaceBsdf::evaluate(const dvec3& wi) const {
@@ -68,7 +64,12 @@ BsdfValue SurfaceBsdf::evaluate(const dvec3& wi) const {
   if (wi.z > 0) return evaluateReflection(wi);
   if (!transmits()) return {};
   const BsdfValue transmitted = glass_.evaluate(wo_, wi);
-  return {(1 - coat_.share) * transmitted.f, glassProbability_ * transmitted.pdf};
+  return {(1 - coat_.share) * (1 - sheen_.share()) * transmitted.f, glassProbability_ * transmitted.pdf};
+}
+
+dvec3 SurfaceBsdf::metalAt(double cosine) const {
+  if (!conductor_) return metal_.at(cosine);
+  return conductorFactor_ * conductorReflectance(cosine, conductor_->ior, conductor_->extinction);
 }
 
 BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
@@ -77,7 +78,7 @@ BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
   const auto shape = [&](const Microfacets& m) {
     return m.distribution(h) * m.maskingShadowing(wo_, wi) / (4 * wo_.z * wi.z);
   };
-  dvec3 reflectance = opaque_ * dielectric_.at(cosine) + metalness_ * metal_.at(cosine);
+  dvec3 reflectance = opaque_ * dielectric_.at(cosine) + metalness_ * metalAt(cosine);
   double reflecting = specularProbability_;
   if (transmits()) {
     reflectance += glass_.reflectance(cosine);
@@ -85,6 +86,10 @@ BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
   }
   BsdfValue value{diffuse_ / kPi + reflectance * shape(microfacets_),
                   diffuseProbability_ * wi.z / kPi + reflecting * microfacets_.normalPdf(wo_, h) / (4 * cosine)};
+  if (sheen_.exists()) {
+    value.f = (1 - sheen_.share()) * value.f + sheen_.value(wo_, wi);
+    value.pdf += sheenProbability_ * capPdf(1);
+  }
   if (coat_.share == 0) return value;
   value.f = (1 - coat_.share) * value.f + coat_.factor * shape(coat_.microfacets);
   value.pdf += coat_.share * coat_.microfacets.normalPdf(wo_, h) / (4 * cosine);
@@ -93,7 +98,9 @@ BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
 
 SurfaceSample SurfaceBsdf::sample(double choice, const dvec2& u) const {
   const bool coated = choice < coat_.share;
-  if (!coated && choice < coat_.share + diffuseProbability_) {
+  const double sheenEnd = coat_.share + sheenProbability_;
+  if (!coated && choice < sheenEnd) return {render::Lobe::sheen, sampleCap(u, 1), 0};
+  if (!coated && choice < sheenEnd + diffuseProbability_) {
     return {render::Lobe::diffuse, sampleCosineHemisphere(u), 0};
   }
   const Microfacets& microfacets = coated ? coat_.microfacets : microfacets_;

@@ -1,8 +1,12 @@
 // The lobes of a surface with OpenPBR's parameters, as seen from one direction: docs/light-transport.md section 5.4.
 #pragma once
+#include <optional>
+
 #include "host/reference/bsdf_value.h"
 #include "host/reference/microfacets.h"
+#include "host/reference/reflectance.h"
 #include "host/reference/rough_glass.h"
+#include "host/reference/sheen.h"
 #include "host/render/path_record.h"
 #include "host/scene/surface_parameters.h"
 
@@ -12,7 +16,7 @@ namespace candela::reference {
 struct SurfaceSample {
   render::Lobe lobe;
   dvec3 wi;
-  double alpha;  ///< of the microfacets; 0: diffuse
+  double alpha;  ///< of the microfacets; 0: diffuse or sheen
 
   bool isOnItsSide() const { return (lobe == render::Lobe::refract) == (wi.z < 0); }
 };
@@ -27,22 +31,16 @@ class SurfaceBsdf {
   SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false);
 
   bool transmits() const { return glassProbability_ > 0; }
+  /// Returns the power to which the sheen raises a rounded quotient; 0 without a sheen.
+  double sheenSteepness() const { return sheen_.steepness(); }
+  /// Returns the thickness in nanometres of the thin film that light interferes in; 0 without one.
+  double filmThickness() const { return filmThickness_; }
   /// Returns the sum over all lobes.
   BsdfValue evaluate(const dvec3& wi) const;
   /// `choice` decides on the lobe, `u` on the direction.
   SurfaceSample sample(double choice, const dvec2& u) const;
 
  private:
-  /// A reflectance that rises from `normal` to `grazing`, and its factor for light that is reflected more than once.
-  struct Schlick {
-    dvec3 normal;
-    dvec3 grazing;
-    dvec3 compensation;
-
-    dvec3 at(double cosine) const;
-    dvec3 albedo(const SingleScattering& single) const;
-  };
-
   /// The layer on top: white microfacets that take the fraction `share` of the light.
   struct Coat {
     Microfacets microfacets;
@@ -52,16 +50,24 @@ class SurfaceBsdf {
 
   void weigh(double diffuse, double specular, double glass);
   BsdfValue evaluateReflection(const dvec3& wi) const;
+  /// Returns the reflectance of the metal for wo.h = `cosine`, with its compensation.
+  dvec3 metalAt(double cosine) const;
 
   dvec3 wo_;
   Microfacets microfacets_;
   Coat coat_;
+  Sheen sheen_;
   double metalness_;
   double opaque_;
+  BaseReflectances bases_;
   RoughGlass glass_;
-  Schlick metal_;
-  Schlick dielectric_;
+  Reflectance dielectric_;  ///< with the factor for light that is reflected more than once
+  Reflectance metal_;
+  double filmThickness_;
+  dvec3 conductorFactor_{0};
+  std::optional<scene::Conductor> conductor_;
   dvec3 diffuse_{0};
+  double sheenProbability_ = 0;
   double diffuseProbability_ = 0;
   double specularProbability_ = 0;
   double glassProbability_ = 0;

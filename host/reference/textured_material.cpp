@@ -60,6 +60,18 @@ void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters)
   if (const auto texel = texels.of(scene::TextureSlot::transmission)) parameters.transmissionWeight *= redOf(*texel);
   if (const auto texel = texels.of(scene::TextureSlot::coat)) parameters.coatWeight *= redOf(*texel);
   if (const auto texel = texels.of(scene::TextureSlot::coatRoughness)) parameters.coatRoughness *= greenOf(*texel);
+  if (const auto texel = texels.of(scene::TextureSlot::sheenColour)) {
+    parameters.sheenColour *= glm::vec3(linearColour(*texel));
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::sheenRoughness)) {
+    parameters.sheenRoughness *= static_cast<float>(alphaOf(*texel));
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::film)) {
+    parameters.filmWeight *= redOf(*texel);
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::filmThickness)) {
+    parameters.filmThickness = std::lerp(parameters.filmThicknessMinimum, parameters.filmThickness, greenOf(*texel));
+  }
 }
 
 }  // namespace

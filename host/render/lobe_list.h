@@ -12,6 +12,7 @@
   X(mirror, kLobeMirror, 3u)   \
   X(reflect, kLobeReflect, 4u) \
   X(refract, kLobeRefract, 5u) \
-  X(coat, kLobeCoat, 6u)
+  X(coat, kLobeCoat, 6u)       \
+  X(sheen, kLobeSheen, 7u)
 
 #endif

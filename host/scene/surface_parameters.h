@@ -1,8 +1,18 @@
 // The parameters of a surface, with the names of OpenPBR 1.1: docs/light-transport.md section 5.1.
 #pragma once
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace candela::scene {
+
+/// The complex index of refraction ior + i extinction of a metal, for red, green and blue. `ior` > 0, `extinction` >=
+/// 0.
+struct Conductor {
+  glm::vec3 ior{1, 1, 1};
+  glm::vec3 extinction{0, 0, 0};
+
+  bool operator==(const Conductor&) const = default;
+};
 
 /// Tracers turn the parameters into the weights of lobes at every hit. Colours are linear RGB in [0, 1], weights and
 /// roughnesses are in [0, 1].
@@ -17,11 +27,16 @@ struct SurfaceParameters {
   bool isThinWalled = true;           ///< the surface bounds no volume, and light passes it without refraction
   glm::vec3 absorption{0, 0, 0};      ///< coefficient of the volume, per unit of length in the scene, >= 0
   float coatWeight = 0;
-  glm::vec3 sheenColour{0, 0, 0};
+  glm::vec3 sheenColour{0, 0, 0};  ///< albedo of the fibres on the surface, relative to that of white ones
   float sheenRoughness = 0;
   float coatRoughness = 0;
-  float anisotropy = 0;          ///< alpha along the tangent is mix(alpha, 1, anisotropy^2)
-  float anisotropyRotation = 0;  ///< of that direction from the tangent, counter-clockwise, in radians
+  float anisotropy = 0;                  ///< alpha along the tangent is mix(alpha, 1, anisotropy^2)
+  float anisotropyRotation = 0;          ///< of that direction from the tangent, counter-clockwise, in radians
+  float filmWeight = 0;                  ///< of interference in a thin film on the surface
+  float filmIor = 1.3f;                  ///< at least 1
+  float filmThickness = 400;             ///< in nanometres
+  float filmThicknessMinimum = 100;      ///< in nanometres, where a texture's thickness is 0
+  std::optional<Conductor> conductor{};  ///< of the metal, which reflects by Fresnel's equations times the base colour
 
   /// The surface bounds a volume, which light enters and leaves by refraction.
   bool hasVolume() const { return !isThinWalled && transmissionWeight > 0; }

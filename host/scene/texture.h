@@ -45,8 +45,12 @@ enum class TextureSlot : std::uint8_t {
   transmission,       ///< weight: red
   coat,               ///< weight: red
   coatRoughness,      ///< green
-  coatNormal          ///< as `normal`
+  coatNormal,         ///< as `normal`
+  sheenColour,        ///< sRGB
+  sheenRoughness,     ///< alpha
+  film = 13,          ///< weight: red
+  filmThickness       ///< green
 };
-inline constexpr std::size_t kTextureSlotCount = 10;
+inline constexpr std::size_t kTextureSlotCount = 15;
 
 }  // namespace candela::scene

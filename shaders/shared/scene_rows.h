@@ -63,10 +63,12 @@ CANDELA_CONST uint kColourRows = 3u;
 // term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
 
-// Surface parameters, five records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word).
+// Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
+// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word, 0, 0, 0)
+// (sheen colour, sheen roughness) (film weight, film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a
+// conductor) (kappa, 0).
 // The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
-CANDELA_CONST uint kSurfaceRows = 5u;
+CANDELA_CONST uint kSurfaceRows = 9u;
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
 
 // Energy tables, two records for every cell of the tables' nodes, in the order of the cells' lower nodes: the values at
@@ -77,9 +79,14 @@ CANDELA_CONST uint kEnergyRows = 2u;
 // Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of the
 // cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
 // energy::kGlassInside.
-CANDELA_CONST uint kGlassCosineCells = 23u;
+CANDELA_CONST uint kGlassCosineCells = 47u;
 CANDELA_CONST uint kGlassRoughnessCells = 31u;
-CANDELA_CONST uint kGlassIorCells = 15u;
+CANDELA_CONST uint kGlassIorCells = 10u;
+
+// Sheen table, if the scene has a sheen: after the tables before it, a record of four values as above for every cell of
+// energy::kSheen.
+CANDELA_CONST uint kSheenCosineCells = 31u;
+CANDELA_CONST uint kSheenRoughnessCells = 31u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
@@ -130,6 +137,10 @@ CANDELA_CONST uint kSlotTransmission = 6u;
 CANDELA_CONST uint kSlotCoat = 7u;
 CANDELA_CONST uint kSlotCoatRoughness = 8u;
 CANDELA_CONST uint kSlotCoatNormal = 9u;
+CANDELA_CONST uint kSlotSheenColour = 10u;
+CANDELA_CONST uint kSlotSheenRoughness = 11u;
+CANDELA_CONST uint kSlotFilm = 13u;
+CANDELA_CONST uint kSlotFilmThickness = 14u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.

@@ -15,11 +15,11 @@ std::string fact(const scene::LoadedScene& loaded, const std::string& label) {
 
 TEST_CASE("an unknown required extension is an error with its name, an unknown optional one a warning") {
   GltfFile file = triangleFile();
-  file.root["extensionsUsed"] = {"ACME_cloth", "KHR_mesh_quantization", "KHR_materials_sheen"};
+  file.root["extensionsUsed"] = {"ACME_cloth", "KHR_mesh_quantization", "KHR_materials_dispersion"};
   const scene::LoadedScene loaded = load(file);
   CHECK(warns(loaded, "ACME_cloth"));
-  CHECK(fact(loaded, "extensions") == "ACME_cloth, KHR_mesh_quantization, KHR_materials_sheen");
-  CHECK(fact(loaded, "partly") == "KHR_materials_sheen");
+  CHECK(fact(loaded, "extensions") == "ACME_cloth, KHR_mesh_quantization, KHR_materials_dispersion");
+  CHECK(fact(loaded, "partly") == "KHR_materials_dispersion");
   CHECK(fact(loaded, "unsupported") == "ACME_cloth");
   file.root["extensionsRequired"] = {"KHR_mesh_quantization", "ACME_cloth"};
   CHECK(errorsOf(file.text()) ==

@@ -121,6 +121,53 @@ TEST_CASE("transmission and clearcoat have textures, if their factors are not 0"
   CHECK_FALSE(isTextured(mapped(material)));
 }
 
+TEST_CASE("sheen has a colour and a roughness, with textures unless it is black") {
+  json material;
+  json& sheen = material["extensions"]["KHR_materials_sheen"];
+  sheen = {
+      {"sheenRoughnessFactor", 0.25}, {"sheenColorTexture", {{"index", 7}}}, {"sheenRoughnessTexture", {{"index", 8}}}};
+  CHECK(mapped(material).surface->sheenColour == glm::vec3(0));
+  CHECK_FALSE(textureOf(mapped(material), scene::TextureSlot::sheenColour));
+  sheen["sheenColorFactor"] = {0.5, 1, 0};
+  CHECK(mapped(material).surface->sheenColour == glm::vec3(0.5f, 1, 0));
+  CHECK(mapped(material).surface->sheenRoughness == 0.25f);
+  CHECK(textureOf(mapped(material), scene::TextureSlot::sheenColour)->image == 7);
+  CHECK(textureOf(mapped(material), scene::TextureSlot::sheenRoughness)->image == 8);
+  sheen["sheenColorFactor"] = {0.5, 1.5, 0};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+}
+
+TEST_CASE("iridescence is a thin film") {
+  json material;
+  json& film = material["extensions"]["KHR_materials_iridescence"];
+  film = {{"iridescenceFactor", 0.5},
+          {"iridescenceIor", 1.5},
+          {"iridescenceThicknessMinimum", 200},
+          {"iridescenceThicknessMaximum", 800},
+          {"iridescenceTexture", {{"index", 7}}},
+          {"iridescenceThicknessTexture", {{"index", 8}}}};
+  const scene::Material mappedFilm = mapped(material);
+  CHECK(*mappedFilm.surface ==
+        scene::SurfaceParameters{
+            .metalness = 1, .filmWeight = 0.5f, .filmIor = 1.5f, .filmThickness = 800, .filmThicknessMinimum = 200});
+  CHECK(textureOf(mappedFilm, scene::TextureSlot::film)->image == 7);
+  CHECK(textureOf(mappedFilm, scene::TextureSlot::filmThickness)->image == 8);
+  film["iridescenceIor"] = 0.9;
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+}
+
+TEST_CASE("a conductor has a complex index of refraction") {
+  json material;
+  json& conductor = material["extensions"]["CANDELA_materials_conductor"];
+  conductor = {{"ior", {0.25, 0.5, 1.5}}, {"extinction", {4, 2, 1}}};
+  CHECK(mapped(material).surface->conductor == scene::Conductor{{0.25f, 0.5f, 1.5f}, {4, 2, 1}});
+  conductor["extinction"] = {4, -1, 0};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+  conductor = {{"ior", {0, 1, 1}}};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_FALSE(mapped(json::object()).surface->conductor);
+}
+
 TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
@@ -153,9 +200,9 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
 TEST_CASE("one warning lists what is not rendered") {
   GltfFile file = triangleFile();
   json material{{"occlusionTexture", {{"index", 0}}}};
-  material["extensions"]["KHR_materials_sheen"] = json::object();
+  material["extensions"]["KHR_materials_dispersion"] = json::object();
   file.root["materials"] = {material};
-  CHECK(warns(load(file), "not rendered yet: KHR_materials_sheen, occlusion texture"));
+  CHECK(warns(load(file), "not rendered yet: KHR_materials_dispersion, occlusion texture"));
 }
 
 }  // namespace candela::gltf

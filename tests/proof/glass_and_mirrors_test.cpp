@@ -123,3 +123,23 @@ TEST_CASE("volumes that are open or overlap are counted") {
   nested.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
   CHECK(renderScene(nested.scene, longPaths(8, 8, 16)).statistics.volumeFaults > 8 * 8 * 16 / 2);
 }
+
+TEST_CASE("bodies of rough glass and of glass with metal absorb less than 1 percent over all their inner reflections") {
+  // Light leaves a body of the mixture after about ten reflections.
+  const auto body = [](float roughness, float metalness, float transmission) {
+    scene::Material material;
+    material.surface = {
+        .metalness = metalness, .roughness = roughness, .transmissionWeight = transmission, .isThinWalled = false};
+    return material;
+  };
+  for (const scene::Material& material : {body(1, 0, 1), body(0.35f, 0.5f, 0.5f), body(1, 0.5f, 0.5f)}) {
+    SceneBuilder b;
+    b.material(material).sphere({0, 0, 0}, 1);
+    b.scene.background = vec3(1);
+    b.view({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 11);
+    const double mean = test::meanOf(renderScene(b.scene, longPaths(16, 16, 4096)).film).x;
+    CAPTURE(material.surface->roughness, material.surface->metalness, mean);
+    CHECK(mean >= 0.994);
+    CHECK(mean <= 1.004);  // 1.001 and twice the noise
+  }
+}

@@ -125,6 +125,38 @@ scene::Scene texturedSurfaces() {
   return b.scene;
 }
 
+// Three upright squares of cloth with a thin film: the colour of the sheen and the weight of the film have textures on
+// the first two, the sheen's roughness and the film's thickness on the last two.
+scene::Scene fabrics() {
+  SceneBuilder b;
+  b.scene.images = {noise(7, 5, 4), noise(16, 16, 5)};
+  b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  scene::Material cloth;
+  cloth.surface = scene::SurfaceParameters{.baseColour = {0.1f, 0.1f, 0.3f}, .roughness = 0.8f};
+  cloth.surface->sheenColour = {0.9f, 0.6f, 0.8f};
+  cloth.surface->sheenRoughness = 0.9f;
+  cloth.surface->filmWeight = 0.9f;
+  for (int i = 0; i < 3; ++i) {
+    scene::Material material = cloth;
+    if (i < 2) {
+      material = withTexture(material, scene::TextureSlot::sheenColour, {.image = 0});
+      material = withTexture(material, scene::TextureSlot::film, {.image = 1});
+    }
+    if (i > 0) {
+      material = withTexture(material, scene::TextureSlot::sheenRoughness, {.image = 1});
+      material = withTexture(material, scene::TextureSlot::filmThickness, {.image = 0});
+    }
+    b.material(material);
+    addMesh(b.scene, square({1.8f * static_cast<float>(i) - 2.6f, 0, 0.1f}, {1.5f, 0.9f, 0}, {0, 0, 1.8f}, i == 1),
+            static_cast<std::uint32_t>(b.scene.materials.size() - 1));
+  }
+  b.pointLight({-4, -3, 3}, vec3(1));
+  b.scene.background = vec3(0.3f);
+  b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
+  b.scene.name = "fabrics";
+  return b.scene;
+}
+
 void requireSamePixels(const scene::Scene& scene, std::uint32_t seed, render::SamplerKind sampler,
                        bool nextEventEstimation) {
   render::RenderSettings settings = squareSettings(96, 1);
@@ -199,6 +231,10 @@ TEST_CASE("textures scale the weights of transmission and coat, and vertex colou
     onBothTracers(
         [&](const RenderFunction& render) { CHECK(glm::length(shown(render) - glm::dvec3(1, 2, 3)) < 1e-5); });
   }
+}
+
+TEST_CASE("textures of a sheen and of a thin film have the reference's pixels at equal seeds") {
+  for (const std::uint32_t seed : {0u, 1u, 2u}) requireSamePixels(fabrics(), seed, render::SamplerKind::sobol, true);
 }
 
 TEST_CASE("textured emitters have the reference's pixels at equal seeds") {

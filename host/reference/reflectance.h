@@ -1,0 +1,37 @@
+// Reflectances of surfaces for light from outside: docs/light-transport.md sections 5.4 and 5.11.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "host/reference/microfacets.h"
+#include "host/scene/surface_parameters.h"
+
+namespace candela::reference {
+
+/// A reflectance that rises from `normal` to `grazing` by Schlick's formula.
+struct Reflectance {
+  dvec3 normal;
+  dvec3 grazing;
+
+  dvec3 at(double cosine) const { return glm::mix(normal, grazing, std::pow(std::max(0.0, 1 - cosine), 5)); }
+  /// Returns the mean over the light that microfacets scatter once.
+  dvec3 albedo(const SingleScattering& single) const {
+    return single.white * normal + single.grazing * (grazing - normal);
+  }
+};
+
+inline Reflectance operator*(const dvec3& factor, const Reflectance& reflectance) {
+  return {factor * reflectance.normal, factor * reflectance.grazing};
+}
+inline Reflectance operator*(double factor, const Reflectance& reflectance) { return dvec3(factor) * reflectance; }
+
+/// The reflectances of a surface's two kinds of base, seen from `wo` through its film. `outside`: wo is on the side to
+/// which the surface is oriented.
+struct BaseReflectances {
+  Reflectance dielectric;
+  Reflectance metal;  ///< of a conductor: the approximation by which its lobe is chosen
+
+  BaseReflectances(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside);
+};
+
+}  // namespace candela::reference
