@@ -39,7 +39,10 @@ void addSample(inout FilmRows film, vec3 radiance, uint sampleIndex) {
   film.green = uvec4(addFixed(film.green.xyz, toFixed(clamped.y)), film.green.w + (bad ? 1u : 0u));
   bool first = bad && (film.blue.w == 0u || sampleIndex + 1u < film.blue.w);
   film.blue = uvec4(addFixed(film.blue.xyz, toFixed(clamped.z)), first ? sampleIndex + 1u : film.blue.w);
-  film.luminanceSquared = uvec4(addFixed(film.luminanceSquared.xyz, toFixed(ySquared)), 0u);
+  film.luminanceSquared.xyz = addFixed(film.luminanceSquared.xyz, toFixed(ySquared));
 }
+
+// Counts a sample whose camera ray hit something.
+void addHit(inout FilmRows film) { film.luminanceSquared.w += 1u; }
 
 #endif

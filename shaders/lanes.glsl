@@ -47,6 +47,7 @@ void advancePixel(uvec2 inRegion) {
     if (kRecordPaths) record(pixelIndex, depth, decisions);
     if (!goesOn) {
       addSample(sums, path.radiance, sampleIndex);
+      if (kCountsHits && (depth > 1u || decisions.index != kRecordMiss)) addHit(sums);
       path.depth = 0u;
       path.volume = 0u;
       sampleIndex += 1u;

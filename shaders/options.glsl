@@ -10,6 +10,7 @@ CANDELA_FEATURES(DECLARE_FEATURE)
 #undef DECLARE_FEATURE
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
+layout(constant_id = kSpecBackdrop) const uint kBackdrop = kBackdropEnvironment;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
 layout(constant_id = kSpecFilter) const uint kFilter = kFilterBox;
 layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;
@@ -43,6 +44,7 @@ const uint kKindCount = CANDELA_PRIMITIVE_KINDS(COUNT_KIND);
 #define CHOOSE_KIND(kind, feature, name, value, flag) flag ? name :
 const uint kOnlyKind = kKindCount != 1u ? kManyKinds : CANDELA_PRIMITIVE_KINDS(CHOOSE_KIND) kManyKinds;
 #undef CHOOSE_KIND
+const bool kCountsHits = kBackdrop == kBackdropNone;
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;

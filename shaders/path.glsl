@@ -86,8 +86,11 @@ vec3 emissionFound(Path path, Surface surface, Material material, float t) {
   return material.emission * weight;
 }
 
-// Returns the background's radiance, weighted against light sampling.
+// Returns the background's radiance, weighted against light sampling; for camera rays that of the backdrop.
 vec3 backgroundFound(Path path, SampleKey key) {
+  if (kBackdrop != kBackdropEnvironment && path.depth == 1u) {
+    return kBackdrop == kBackdropColour ? constants.background : vec3(0.0);
+  }
   if (!kHasEnvironment) return backgroundRadiance(path.ray.direction);
   EnvironmentTap tap = environmentTap(path.ray.direction, toUnit(sampleGroup(key, environmentGroup(path.depth)).xy));
   bool weighted = kHasEnvironmentLight && path.pdf > 0.0 && tap.pdf > 0.0;

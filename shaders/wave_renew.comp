@@ -11,6 +11,7 @@ uint finishSample(uint pixelIndex) {
   if (!hasPath) return radianceSample.w;
   FilmRows sums = film[pixelIndex];
   addSample(sums, uintBitsToFloat(radianceSample.xyz), radianceSample.w);
+  if (kCountsHits && shadedDepthOf(waves[pixelIndex]) > 0u) addHit(sums);
   film[pixelIndex] = sums;
   atomicAdd(counters.finishedSamples, 1u);
   return radianceSample.w + 1u;

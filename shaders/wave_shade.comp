@@ -37,7 +37,9 @@ void main() {
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
-  if (kRecordPaths || kHasTransparency) shadedDepthOf(waves[pixelIndex]) = depth;
+  if (kRecordPaths || kHasTransparency || kCountsHits) {
+    shadedDepthOf(waves[pixelIndex]) = decisions.index == kRecordMiss ? depth - 1u : depth;
+  }
   if (kRecordPaths) record(pixelIndex, depth, decisions);
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);

@@ -33,6 +33,7 @@ Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
 
 image::Image pictureOf(const film::FilmHeader& header, const image::Film& film) {
   image::Image image = toImage(film);
+  if (header.hasAlpha()) addAlpha(image, film);
   image.metadata.merge(
       std::map<std::string, std::string>{{"candela.sceneHash", header.sceneHash},
                                          {"candela.filmHash", hashText(film.hash())},

@@ -53,6 +53,7 @@ std::map<std::string, std::string> imageMetadata(const RenderJob& job, const ren
 void writeImages(const RenderJob& job, const render::RenderResult& result, const Log& log) {
   if (job.arguments.outputs.empty()) return;
   image::Image image = toImage(result.film);
+  if (job.settings.image.hasAlpha()) addAlpha(image, result.film);
   image.metadata.merge(imageMetadata(job, result));
   const image::DisplayTransform display = chooseDisplay(job.arguments, image);
   if (isFalseColour(display.toneMap)) {

@@ -6,8 +6,9 @@ namespace candela::cli {
 namespace {
 
 const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{
-    {"none", image::ToneMap::none}, {"srgb", image::ToneMap::srgb},           {"aces", image::ToneMap::aces},
-    {"agx", image::ToneMap::agx},   {"pbr-neutral", image::ToneMap::neutral}, {"neutral", image::ToneMap::neutral}};
+    {"none", image::ToneMap::none},          {"srgb", image::ToneMap::srgb}, {"aces", image::ToneMap::aces},
+    {"aces-hill", image::ToneMap::acesHill}, {"agx", image::ToneMap::agx},   {"pbr-neutral", image::ToneMap::neutral},
+    {"neutral", image::ToneMap::neutral}};
 const std::vector<std::pair<std::string, verify::LightTestMethod>> kLightTests{
     {"paired", verify::LightTestMethod::paired}, {"independent", verify::LightTestMethod::independent}};
 

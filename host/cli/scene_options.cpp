@@ -61,6 +61,8 @@ std::vector<Option> imageOptions() {
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.image.lightSize; }),
     valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
+    valued({"--background", kRender | kCompare | kBench | kExplain, kGroup, "what camera rays see where they hit nothing: `env`: what lights the scene (environment, sky or background colour); `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light stays the same"},
+           choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.settings.image.backdrop; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),
   };

@@ -29,6 +29,18 @@ std::uint32_t samplerOf(render::SamplerKind kind) {
   return gpu::kSamplerSobol;
 }
 
+std::uint32_t backdropOf(render::Backdrop backdrop) {
+  switch (backdrop) {
+    case render::Backdrop::environment:
+      break;
+    case render::Backdrop::colour:
+      return gpu::kBackdropColour;
+    case render::Backdrop::none:
+      return gpu::kBackdropNone;
+  }
+  return gpu::kBackdropEnvironment;
+}
+
 std::uint32_t viewOf(render::Integrator integrator) {
   switch (integrator) {
     case render::Integrator::path:
@@ -58,6 +70,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
                                                 {gpu::kSpecOneSided, settings.image.oneSided},
                                                 {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
+                                                {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
                                                 {gpu::kSpecSampler, samplerOf(settings.image.sampler)},

@@ -69,7 +69,8 @@ std::span<const std::byte> checkedTable(std::span<const std::byte> start, const 
   return start.subspan(head.headerBytes, tableBytes);
 }
 
-void FilmBlocks::find(const FilmHead& head, const render::Window& window, std::span<const std::byte> table) {
+void FilmBlocks::find(const FilmHead& head, const FilmHeader& header, std::span<const std::byte> table) {
+  const render::Window& window = header.window;
   std::uint64_t offset = head.headerBytes + table.size();
   for (std::uint32_t i = 0; i * kTableEntryBytes < table.size(); ++i) {
     if (bytes_.size() < offset + kBlockHeadBytes) throw FileError("the file is truncated");
@@ -78,7 +79,7 @@ void FilmBlocks::find(const FilmHead& head, const render::Window& window, std::s
     const std::uint64_t rows = std::min(kBlockRows, window.height - i * kBlockRows);
     const bool inPlace = littleEndian(table.subspan(i * kTableEntryBytes, kTableEntryBytes)) == offset &&
                          littleEndian(std::span(start).first(4)) == window.y + i * kBlockRows;
-    if (!inPlace || size > rows * window.width * kPixelBytes) {
+    if (!inPlace || size > rows * window.width * pixelBytes(header.hasAlpha())) {
       throw FileError(fmt::format("the file is damaged: block {} is not where it belongs", i));
     }
     if (bytes_.size() - offset - kBlockHeadBytes < size) throw FileError("the file is truncated");

@@ -9,6 +9,7 @@
 
 #include "host/core/file_descriptor.h"
 #include "host/film/film_head.h"
+#include "host/film/film_header.h"
 #include "host/render/extent.h"
 
 namespace candela::film {
@@ -39,9 +40,9 @@ class FilmBlocks {
   const FilmBytes& bytes() const { return bytes_; }
   std::size_t count() const { return blocks_.size(); }
 
-  /// Finds the blocks of `window` and requires that they stand one behind the other up to the end of the file, as the
-  /// table says.
-  void find(const FilmHead& head, const render::Window& window, std::span<const std::byte> table);
+  /// Finds the blocks of the film's window and requires that they stand one behind the other up to the end of the file,
+  /// as the table says.
+  void find(const FilmHead& head, const FilmHeader& header, std::span<const std::byte> table);
   /// Requires that a block matches its checksum.
   void check(std::size_t index, const render::Window& window) const;
 

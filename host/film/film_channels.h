@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "host/image/film.h"
 
@@ -47,9 +48,12 @@ inline constexpr std::array kWordChannels{
     WordChannel{"sum.YY.1", wordOf(offsetof(image::FilmPixel, luminanceSquared), 1)},
     WordChannel{"sum.YY.2", wordOf(offsetof(image::FilmPixel, luminanceSquared), 2)}};
 
+/// Another channel of films with alpha.
+inline constexpr WordChannel kHitChannel{"hits", offsetof(image::FilmPixel, hitCount)};
+
 /// The picture: means and the variance of the luminance of one sample, as image::toImage() computes them.
 struct PicturePixel {
-  float red = 0, green = 0, blue = 0, variance = 0;
+  float red = 0, green = 0, blue = 0, variance = 0, alpha = 0;
 };
 
 struct PictureChannel {
@@ -61,21 +65,39 @@ inline constexpr std::array kPictureChannels{
     PictureChannel{"R", offsetof(PicturePixel, red)}, PictureChannel{"G", offsetof(PicturePixel, green)},
     PictureChannel{"B", offsetof(PicturePixel, blue)}, PictureChannel{"variance.Y", offsetof(PicturePixel, variance)}};
 
-/// Bytes of a pixel in a block that is not compressed.
-inline constexpr std::size_t kPixelBytes = 4 * (kWordChannels.size() + kPictureChannels.size());
+/// Another channel of films with alpha.
+inline constexpr PictureChannel kAlphaChannel{"A", offsetof(PicturePixel, alpha)};
 
-inline Imf::ChannelList filmChannels() {
-  Imf::ChannelList channels;
-  for (const PictureChannel& channel : kPictureChannels) channels.insert(channel.name, Imf::Channel(Imf::FLOAT));
-  for (const WordChannel& channel : kWordChannels) channels.insert(channel.name, Imf::Channel(Imf::UINT));
+inline std::vector<WordChannel> wordChannels(bool hasAlpha) {
+  std::vector<WordChannel> channels(kWordChannels.begin(), kWordChannels.end());
+  if (hasAlpha) channels.push_back(kHitChannel);
   return channels;
+}
+
+inline std::vector<PictureChannel> pictureChannels(bool hasAlpha) {
+  std::vector<PictureChannel> channels(kPictureChannels.begin(), kPictureChannels.end());
+  if (hasAlpha) channels.push_back(kAlphaChannel);
+  return channels;
+}
+
+/// Bytes of a pixel in a block that is not compressed.
+constexpr std::size_t pixelBytes(bool hasAlpha) {
+  return 4 * (kWordChannels.size() + kPictureChannels.size() + (hasAlpha ? 2 : 0));
+}
+
+inline Imf::ChannelList filmChannels(bool hasAlpha) {
+  Imf::ChannelList list;
+  for (const PictureChannel& channel : pictureChannels(hasAlpha)) list.insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const WordChannel& channel : wordChannels(hasAlpha)) list.insert(channel.name, Imf::Channel(Imf::UINT));
+  return list;
 }
 
 /// Adds the words of `pixels`, which are the rows of `window` from its top on. OpenEXR takes pointers to non-const even
 /// where it only reads.
-inline void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, const Imath::Box2i& window) {
+inline void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, const Imath::Box2i& window,
+                     bool hasAlpha) {
   const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  for (const WordChannel& channel : kWordChannels) {
+  for (const WordChannel& channel : wordChannels(hasAlpha)) {
     const std::byte* const first = reinterpret_cast<const std::byte*>(pixels) + channel.offset;
     buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, sizeof *pixels, width * sizeof *pixels));
   }

@@ -62,6 +62,8 @@ bool FilmHeader::isComplete() const {
   return covered == std::vector{SampleBox{render::windowOf(size), {0, samplesPerPixel}}};
 }
 
+bool FilmHeader::hasAlpha() const { return settingOf(*this, "background") == "none"; }
+
 void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first) {
   const auto [min, max] = std::ranges::minmax(film.pixels(), {}, &image::FilmPixel::sampleCount);
   header.covered = boxOf(header.window, first, first + min.sampleCount);

@@ -38,6 +38,8 @@ struct FilmHeader {
   std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
   std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
 
+  /// Whether the film has hit counts, which the setting `background` says. Its file has version 2 of the format.
+  bool hasAlpha() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Whether every pixel of the image has all samples.
   bool isComplete() const;

@@ -14,6 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kAlphaFormat = 2;        // with the channels of alpha
 constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 constexpr std::size_t kMaxBoxes = 10000;         // sets of boxes take time of the square of their number
 
@@ -150,9 +151,9 @@ ordered_json parsed(const std::string& text) {
   ordered_json json = ordered_json::parse(text, nullptr, false);
   if (!json.is_object()) throw FileError("the description of the film is not JSON");
   const std::uint32_t format = numberAt(json, "format", 0, 0xffffffffu);
-  if (format != kFormat) {
-    throw FileError(
-        fmt::format("the film file has version {} of the format, and this program reads version {}", format, kFormat));
+  if (format != kFormat && format != kAlphaFormat) {
+    throw FileError(fmt::format("the film file has version {} of the format, and this program reads versions {} and {}",
+                                format, kFormat, kAlphaFormat));
   }
   return json;
 }
@@ -177,7 +178,7 @@ std::string validText(const std::string& text) {
 
 std::string toJson(const FilmHeader& header) {
   ordered_json json;
-  json["format"] = kFormat;
+  json["format"] = header.hasAlpha() ? kAlphaFormat : kFormat;
   json["scene"] = header.sceneHash;
   json["size"] = {header.size.width, header.size.height};
   json["samplesPerPixel"] = header.samplesPerPixel;
@@ -199,6 +200,7 @@ FilmHeader headerFromJson(const std::string& text) {
   header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, kMaxSamples);
   header.seed = numberAt(json, "seed", 0, 0xffffffffu);
   header.settings = settingsAt(json);
+  if (json["format"] != (header.hasAlpha() ? kAlphaFormat : kFormat)) refuse("format");
   if (listAt(json, "window").size() != 4) refuse("window");
   header.window = windowFrom(json["window"], "window", header.size);
   header.covered = boxesAt(json, "covered", header);

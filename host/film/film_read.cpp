@@ -69,6 +69,9 @@ void checkCounts(const FilmHeader& header, std::uint32_t y, std::span<const imag
   count(header.covered, true);
   count(header.begun, false);
   for (std::size_t x = 0; x < row.size(); ++x) {
+    if (row[x].hitCount > row[x].sampleCount) {
+      throw FileError(fmt::format("pixel ({}, {}) holds more hits than samples", header.window.x + x, y));
+    }
     if (row[x].sampleCount >= least[x] && row[x].sampleCount <= most[x]) continue;
     throw FileError(fmt::format("pixel ({}, {}) holds {} samples, and the file says {} to {}", header.window.x + x, y,
                                 row[x].sampleCount, least[x], most[x]));
@@ -82,17 +85,18 @@ void checkRows(const FilmHeader& header, std::uint32_t first, std::span<const im
   }
 }
 
-void requireOurs(const Imf::InputFile& input) {
+void requireOurs(const Imf::InputFile& input, bool hasAlpha) {
   const bool ours = input.header().compression() == Imf::ZIP_COMPRESSION &&
-                    input.header().lineOrder() == Imf::INCREASING_Y && input.header().channels() == filmChannels() &&
-                    input.isComplete();
+                    input.header().lineOrder() == Imf::INCREASING_Y &&
+                    input.header().channels() == filmChannels(hasAlpha) && input.isComplete();
   if (!ours) throw FileError("the channels or the compression are not those of a film file");
 }
 
 // Deflate expands a byte to at most 1032.
-void requirePlausible(const render::Window& window, std::uint64_t fileBytes) {
+void requirePlausible(const FilmHeader& header, std::uint64_t fileBytes) {
   constexpr std::uint64_t kMaxExpansion = 1032;
-  if (std::uint64_t{window.width} * window.height * kPixelBytes / kMaxExpansion > fileBytes) {
+  const std::uint64_t pixels = std::uint64_t{header.window.width} * header.window.height;
+  if (pixels * pixelBytes(header.hasAlpha()) / kMaxExpansion > fileBytes) {
     throw FileError("the file is truncated");
   }
 }
@@ -113,8 +117,8 @@ FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
                              head.displayWindow == exrBoxOf(render::windowOf(header_.size));
     if (!sameWindows) throw FileError("the windows of the picture are not those of the film");
     if (table.size() / 8 != (window.height + kBlockRows - 1) / kBlockRows) throw FileError("blocks are missing");
-    requirePlausible(window, bytes.size());
-    blocks_->find(head, window, table);
+    requirePlausible(header_, bytes.size());
+    blocks_->find(head, header_, table);
   } catch (const FileError& error) {
     fail(file, error.what());
   }
@@ -137,7 +141,7 @@ void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<
     if (!input) {
       stream.emplace(blocks_->bytes());
       input.emplace(*stream, static_cast<int>(threads));
-      requireOurs(*input);
+      requireOurs(*input, header_.hasAlpha());
     }
     const auto top = static_cast<int>(header_.window.y + first);
     const auto left = static_cast<int>(header_.window.x);
@@ -145,7 +149,7 @@ void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<
                            {left + static_cast<int>(header_.window.width) - 1, top + static_cast<int>(rows) - 1});
     const std::span block = std::span(pixels).first(std::size_t{rows} * header_.window.width);
     Imf::FrameBuffer buffer;
-    addWords(buffer, block.data(), box);
+    addWords(buffer, block.data(), box, header_.hasAlpha());
     input->setFrameBuffer(buffer);
     input->readPixels(box.min.y, box.max.y);
     checkRows(header_, first, block);

@@ -27,7 +27,7 @@ Imf::Header exrHeader(const FilmHeader& header) {
   const std::uint32_t blocks = (header.window.height + kBlockRows - 1) / kBlockRows;
   Imf::Header exr(boxOf(render::windowOf(header.size)), boxOf(header.window));
   exr.compression() = Imf::ZIP_COMPRESSION;
-  exr.channels() = filmChannels();
+  exr.channels() = filmChannels(header.hasAlpha());
   Imf::addChromaticities(exr, Imf::Chromaticities());  // the default is Rec. 709
   exr.insert("candela.sceneHash", Imf::StringAttribute(header.sceneHash));
   exr.insert("candela.samplesPerPixel", Imf::StringAttribute(fmt::to_string(header.samplesPerPixel)));
@@ -44,14 +44,16 @@ void fillPicture(const image::Film& film, std::uint32_t firstRow, std::uint32_t 
   for (std::uint32_t y = firstRow; y < firstRow + rows; ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) {
       const glm::vec3 mean(film.mean(x, y));
-      picture.push_back({mean.x, mean.y, mean.z, static_cast<float>(film.luminanceVariance(x, y))});
+      picture.push_back({mean.x, mean.y, mean.z, static_cast<float>(film.luminanceVariance(x, y)),
+                         static_cast<float>(film.alpha(x, y))});
     }
   }
 }
 
-void addPicture(Imf::FrameBuffer& buffer, const std::vector<PicturePixel>& picture, const Imath::Box2i& rows) {
+void addPicture(Imf::FrameBuffer& buffer, const std::vector<PicturePixel>& picture, const Imath::Box2i& rows,
+                bool hasAlpha) {
   const auto width = static_cast<std::size_t>(rows.max.x - rows.min.x + 1);
-  for (const PictureChannel& channel : kPictureChannels) {
+  for (const PictureChannel& channel : pictureChannels(hasAlpha)) {
     const std::byte* const first = reinterpret_cast<const std::byte*>(picture.data()) + channel.offset;
     buffer.insert(channel.name,
                   Imf::Slice::Make(Imf::FLOAT, first, rows, sizeof(PicturePixel), width * sizeof(PicturePixel)));
@@ -67,8 +69,8 @@ void writeBlocks(Imf::OutputFile& output, const FilmHeader& header, const image:
     const Imath::Box2i box = boxOf({header.window.x, header.window.y + first, header.window.width, rows});
     fillPicture(film, first, rows, picture);
     Imf::FrameBuffer buffer;
-    addPicture(buffer, picture, box);
-    addWords(buffer, &film.at(0, first), box);
+    addPicture(buffer, picture, box, header.hasAlpha());
+    addWords(buffer, &film.at(0, first), box, header.hasAlpha());
     output.setFrameBuffer(buffer);
     output.writePixels(static_cast<int>(rows));
   }

@@ -1,4 +1,4 @@
-// Reads OpenEXR files of any compression: colours and, if present, variance, counts and metadata.
+// Reads OpenEXR files of any compression: colours and, if present, alpha, variance, counts and metadata.
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
@@ -137,6 +137,7 @@ Image decode(ByteView bytes) {
   const std::size_t pixelCount = std::size_t{image.width} * image.height;
   checkPlausible(header, pixelCount, bytes.size());
   image.rgb.resize(pixelCount);
+  if (hasChannel(header, kAlphaChannel)) image.alpha.resize(pixelCount);
   if (hasChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
   if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
   if (hasChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
@@ -144,6 +145,7 @@ Image decode(ByteView bytes) {
 
   ExrPixels pixels(image, window);
   addColour(header, pixels);
+  if (!image.alpha.empty()) pixels.addAlpha();
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();

@@ -41,6 +41,7 @@ Imf::Header makeHeader(const Image& image) {
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
   for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  if (!image.alpha.empty()) header.channels().insert(kAlphaChannel, Imf::Channel(Imf::FLOAT));
   if (!image.luminanceVariance.empty()) header.channels().insert(kVarianceChannel, Imf::Channel(Imf::FLOAT));
   if (!image.sampleCounts.empty()) header.channels().insert(kSamplesChannel, Imf::Channel(Imf::UINT));
   if (!image.badSampleCounts.empty()) header.channels().insert(kBadSamplesChannel, Imf::Channel(Imf::UINT));
@@ -59,6 +60,7 @@ Bytes encode(const Image& image) {
   pixels.addRgb("R", 0);
   pixels.addRgb("G", 1);
   pixels.addRgb("B", 2);
+  if (!image.alpha.empty()) pixels.addAlpha();
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();

@@ -79,6 +79,7 @@ void addSums(FilmPixel& sums, const FilmPixel& terms) {
   add(sums.luminanceSquared, terms.luminanceSquared);
   sums.sampleCount += terms.sampleCount;
   sums.badCount += terms.badCount;
+  sums.hitCount += terms.hitCount;
   sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
 }
 
@@ -106,6 +107,11 @@ glm::dvec3 Film::mean(std::uint32_t x, std::uint32_t y) const {
   if (pixel.sampleCount == 0) return glm::dvec3(0);
   return glm::dvec3(toDouble(pixel.red), toDouble(pixel.green), toDouble(pixel.blue)) /
          static_cast<double>(pixel.sampleCount);
+}
+
+double Film::alpha(std::uint32_t x, std::uint32_t y) const {
+  const FilmPixel& pixel = at(x, y);
+  return pixel.sampleCount == 0 ? 0 : static_cast<double>(pixel.hitCount) / pixel.sampleCount;
 }
 
 double Film::luminanceVariance(std::uint32_t x, std::uint32_t y) const {
@@ -145,6 +151,8 @@ std::uint64_t Film::hash() const {
     hash.add(pixel.badCount);
     hash.add(pixel.firstBadSample);
   }
+  const bool hasHits = std::ranges::any_of(pixels_, [](const FilmPixel& pixel) { return pixel.hitCount > 0; });
+  for (std::size_t i = 0; hasHits && i < pixels_.size(); ++i) hash.add(pixels_[i].hitCount);
   return hash.value();
 }
 

@@ -24,11 +24,12 @@ struct FilmPixel {
   FixedSum blue{};
   std::uint32_t firstBadSample = 0;  ///< 1 + index of the lowest bad sample; 0: none
   FixedSum luminanceSquared{};       ///< second moment of the luminance of the samples, after clamping
-  std::uint32_t spare = 0;
+  /// Number of samples whose camera ray hit something: alpha is its ratio to sampleCount. 0 in films without alpha.
+  std::uint32_t hitCount = 0;
 };
 static_assert(sizeof(FilmPixel) == 64);
 
-/// Adds the sums, counts and the first bad sample of other samples of the same pixel.
+/// Adds the sums, the counts and the first bad sample of other samples of the same pixel.
 void addSums(FilmPixel& sums, const FilmPixel& terms);
 
 inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
@@ -50,15 +51,21 @@ class Film {
   /// FilmPixel::badCount. Negative values are bad and add 0.
   void addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex);
 
+  /// Counts a sample whose camera ray hit something.
+  void addHit(std::uint32_t x, std::uint32_t y) { ++at(x, y).hitCount; }
+
   /// Returns the mean of the samples of a pixel, linear RGB; 0 without samples.
   glm::dvec3 mean(std::uint32_t x, std::uint32_t y) const;
+  /// Returns the fraction of the samples whose camera rays hit something; 0 without samples.
+  double alpha(std::uint32_t x, std::uint32_t y) const;
   /// Returns the unbiased variance of the luminance of one sample (not of the mean); 0 for fewer than two samples.
   /// Squares below 2^-40 are truncated, so that it is 0 if every luminance is below 2^-20.
   double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
   /// Adds the sums of a film of the same size. Throws UsageError and leaves the film unchanged if the sizes differ or
   /// if a sampleCount would exceed 2^32 - 1.
   void merge(const Film& other);
-  /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes.
+  /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes. Hit counts are part of
+  /// it unless all are 0.
   std::uint64_t hash() const;
 
  private:

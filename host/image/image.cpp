@@ -98,7 +98,7 @@ Image decodeImage(ByteView bytes, Format format) {
 Bytes encodeImage(Format format, const Image& image, const DisplayTransform& transform) {
   switch (format) {
     case Format::png:
-      return encodePng(toPixels8(image, transform));
+      return encodePng(image.alpha.empty() ? toPixels8(image, transform) : toStraightPixels8(image, transform));
     case Format::jpeg:
       return encodeJpeg(toPixels8(image, transform));
     case Format::hdr:
@@ -152,6 +152,27 @@ Image toImage(const Film& film) {
 
 std::uint64_t badSampleCount(const Image& image) {
   return std::accumulate(image.badSampleCounts.begin(), image.badSampleCounts.end(), std::uint64_t{0});
+}
+
+void addAlpha(Image& image, const Film& film) {
+  image.alpha.reserve(film.pixels().size());
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) image.alpha.push_back(static_cast<float>(film.alpha(x, y)));
+  }
+}
+
+Pixels8 toStraightPixels8(const Image& image, const DisplayTransform& transform) {
+  Image straight{image.width, image.height, image.rgb, {}, {}, {}, {}};
+  std::vector<std::uint8_t> alpha;
+  alpha.reserve(image.alpha.size());
+  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+    const float opacity = image.alpha[i] > 0 ? std::min(image.alpha[i], 1.0f) : 0;  // also where it is not a number
+    straight.rgb[i] = opacity > 0 ? image.rgb[i] / opacity : glm::vec3(0);
+    alpha.push_back(static_cast<std::uint8_t>(std::lround(255 * opacity)));
+  }
+  Pixels8 pixels = toPixels8(straight, transform);
+  pixels.alpha = std::move(alpha);
+  return pixels;
 }
 
 Pixels8 toPixels8(const Image& image, const DisplayTransform& transform) {

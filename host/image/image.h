@@ -13,8 +13,8 @@
 
 namespace candela::image {
 
-/// Linear RGB, row by row from the top. The other three vectors (variance of the luminance of one sample, number of
-/// samples, number of bad samples) have one entry per pixel, or none if the file did not contain them.
+/// Linear RGB, row by row from the top. The other vectors (variance of the luminance of one sample, number of samples,
+/// number of bad samples, alpha) have one entry per pixel, or none if the image does not have them.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -23,6 +23,7 @@ struct Image {
   std::vector<std::uint32_t> sampleCounts;
   std::vector<std::uint32_t> badSampleCounts;  ///< FilmPixel::badCount
   std::map<std::string, std::string> metadata;
+  std::vector<float> alpha{};  ///< in [0, 1]; `rgb` is premultiplied, that is, over black
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
@@ -31,17 +32,20 @@ struct Image {
 /// Returns the means of the film, rounded once to binary32, with variances and counts. If there are bad samples, the
 /// image has their counts, and the metadata entry "candela.badSamples" has their total.
 Image toImage(const Film& film);
+/// Adds the film's alpha to the image of the film.
+void addAlpha(Image& image, const Film& film);
 /// Returns the sum of `badSampleCounts`.
 std::uint64_t badSampleCount(const Image& image);
 
-enum class ToneMap { none, srgb, aces, agx, neutral, depth, heat };
+enum class ToneMap { none, srgb, aces, acesHill, agx, neutral, depth, heat };
 
 /// How linear RGB becomes 8-bit pixels: radiance * 2^exposure, then the tone curve, then (except for `none`) the sRGB
 /// transfer function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and
-/// negative values become black. The curves: `aces` is Narkowicz' fit (2016), `agx` Wrensch's polynomial (2023),
-/// `neutral` Khronos PBR Neutral (2024), and `srgb` has no curve. `depth` and `heat` are false colours, which are
-/// signals without a transfer function. With v = red channel * 2^exposure / scale, `depth` shows the grey 1 / (1 +
-/// v^2), or black where v is 0 because nothing was hit; `heat` shows magma(v) (host/image/colour_map.h).
+/// negative values become black. The curves: `aces` is Narkowicz' fit (2016), `acesHill` Hill's fit of ACES as three.js
+/// has it, `agx` Wrensch's polynomial (2023), `neutral` Khronos PBR Neutral (2024), and `srgb` has no curve. `depth`
+/// and `heat` are false colours, which are signals without a transfer function. With v = red channel * 2^exposure /
+/// scale, `depth` shows the grey 1 / (1 + v^2), or black where v is 0 because nothing was hit; `heat` shows magma(v)
+/// (host/image/colour_map.h).
 struct DisplayTransform {
   ToneMap toneMap = ToneMap::srgb;
   float exposure = 0;  ///< stops
@@ -58,17 +62,23 @@ struct Pixels8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> alpha{};  ///< straight, one byte per pixel; empty: opaque
 };
+/// Converts an image; one with alpha as it looks over black.
 Pixels8 toPixels8(const Image& image, const DisplayTransform& transform);
+/// Converts an image with its alpha: the transform applies to the colours divided by alpha, which are black where alpha
+/// is 0.
+Pixels8 toStraightPixels8(const Image& image, const DisplayTransform& transform);
 /// Returns the bytes of a PNG file. Throws FileError for an image without pixels or beyond the limits above.
 std::vector<std::byte> toPng(const Pixels8& pixels);
 /// Converts sRGB signals to linear values.
 Image toImage(const Pixels8& pixels);
 
-/// Checks the file name. Formats, by extension in any case: .png (8 bits, display transform), .jpg and .jpeg (quality
-/// 95), .hdr (Radiance RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32 linear Rec. 709,
-/// ZIP; channels R G B and, if the image has them, `variance.Y`, `samples` and `badSamples`; the metadata as string
-/// attributes). Throws UsageError for any other extension.
+/// Checks the file name. Formats, by extension in any case: .png (8 bits, display transform, straight alpha), .jpg and
+/// .jpeg (quality 95), .hdr (Radiance RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32
+/// linear Rec. 709, ZIP; channels R G B and, if the image has them, A, by which R G B are multiplied, `variance.Y`,
+/// `samples` and `badSamples`; the metadata as string attributes). The other formats show an image with alpha over
+/// black. Throws UsageError for any other extension.
 void checkImageFormat(const std::filesystem::path& file);
 /// Returns whether such a file has 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
 bool isEightBit(const std::filesystem::path& file);
@@ -77,9 +87,9 @@ bool isEightBit(const std::filesystem::path& file);
 /// reserves, or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
 /// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. Of an EXR file,
-/// which must be of one flat part, it reads the data window: R, G and B, or Y alone as grey, `variance.Y`, `samples`,
-/// `badSamples` and the string attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of PFM's scale
-/// is ignored; only its sign is used. Invalid files give a FileError, never a crash.
+/// which must be of one flat part, it reads the data window: R, G and B, or Y alone as grey, A, `variance.Y`,
+/// `samples`, `badSamples` and the string attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of
+/// PFM's scale is ignored; only its sign is used. Invalid files give a FileError, never a crash.
 Image readImage(const std::filesystem::path& file);
 /// Reads the pixels of a PNG or JPEG file as stored. Grey becomes equal channels, palettes are resolved, 16 bits are
 /// rounded to 8, transparent pixels are composited over black, and a PNG that states a gamma other than that of sRGB is

@@ -28,13 +28,26 @@ float rgbeValue(float value) {
   return value > 0 ? std::min(value, kMaxValue) : 0;
 }
 
+/// Returns the pixels with their alpha, 4 bytes each.
+std::vector<std::uint8_t> interleaved(const Pixels8& pixels) {
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(4 * pixels.alpha.size());
+  for (std::size_t i = 0; i < pixels.alpha.size(); ++i) {
+    rgba.insert(rgba.end(), {pixels.rgb[3 * i], pixels.rgb[3 * i + 1], pixels.rgb[3 * i + 2], pixels.alpha[i]});
+  }
+  return rgba;
+}
+
 }  // namespace
 
 Bytes encodePng(const Pixels8& pixels) {
   const auto width = static_cast<int>(pixels.width);
   const auto height = static_cast<int>(pixels.height);
+  const int channels = pixels.alpha.empty() ? 3 : 4;
+  const std::vector<std::uint8_t> rgba = pixels.alpha.empty() ? std::vector<std::uint8_t>{} : interleaved(pixels);
+  const std::uint8_t* const first = rgba.empty() ? pixels.rgb.data() : rgba.data();
   Bytes bytes;
-  const int succeeded = stbi_write_png_to_func(append, &bytes, width, height, 3, pixels.rgb.data(), 3 * width);
+  const int succeeded = stbi_write_png_to_func(append, &bytes, width, height, channels, first, channels * width);
   return checked(succeeded, std::move(bytes));
 }
 

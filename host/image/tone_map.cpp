@@ -15,6 +15,19 @@ using glm::dvec3;
 /// Krzysztof Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), applied per channel.
 dvec3 aces(const dvec3& x) { return (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14); }
 
+/// Stephen Hill's fit of the RRT and the ODT of ACES (in M. Pettineo's BakingLab, 2016) with the exposure 1 / 0.6 that
+/// three.js' ACESFilmicToneMapping and glTF's viewers put before it.
+dvec3 acesHill(const dvec3& linear) {
+  const dmat3 toAces(0.59719, 0.07600, 0.02840,  //
+                     0.35458, 0.90834, 0.13383,  //
+                     0.04823, 0.01566, 0.83777);
+  const dmat3 toDisplay(1.60475, -0.10208, -0.00327,  //
+                        -0.53108, 1.10813, -0.07276,  //
+                        -0.07367, -0.00605, 1.07602);
+  const dvec3 x = toAces * (linear / 0.6);
+  return toDisplay * ((x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.4329510) + 0.238081));
+}
+
 /// The contrast curve of AgX: the polynomial of degree 6 by Benjamin Wrensch.
 dvec3 agxContrast(const dvec3& x) {
   return -0.00232 + x * (0.1191 + x * (0.4298 + x * (-6.868 + x * (31.96 + x * (-40.14 + x * 15.5)))));
@@ -60,6 +73,8 @@ dvec3 applyCurve(const dvec3& linear, ToneMap toneMap) {
       return linear;
     case ToneMap::aces:
       return aces(linear);
+    case ToneMap::acesHill:
+      return acesHill(linear);
     case ToneMap::agx:
       return agx(linear);
     case ToneMap::neutral:

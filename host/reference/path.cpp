@@ -184,6 +184,9 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
 }
 
 dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {
+  const bool isCameraRay = u.depth == 1;
+  if (isCameraRay && settings_.image.backdrop == render::Backdrop::colour) return scene().background;
+  if (isCameraRay && settings_.image.backdrop == render::Backdrop::none) return dvec3(0);
   if (!environment_) return background_.radiance(ray.direction);
   const dvec3 direction = rounding.turned(ray.direction, kRoundingBounds.mapDirection);
   const EnvironmentMap::Tap tap = environment_->tap(direction, u.tap());

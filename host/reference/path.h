@@ -42,7 +42,8 @@ class PathTracer final : public PixelTracer {
                  Rounding& rounding) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
              Rounding& rounding) const;
-  /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction.
+  /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction. Camera
+  /// rays see the backdrop.
   dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;
   /// Returns a contribution to the path, which is darkened if light that was scattered `scatterings` times has a limit.
   dvec3 limited(const dvec3& contribution, std::uint32_t scatterings) const;

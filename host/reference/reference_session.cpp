@@ -123,7 +123,8 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
     TileJob job(*tracer_, tile, range.end, control,
-                {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas});
+                {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas,
+                 settings_.image.hasAlpha()});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;

@@ -84,7 +84,9 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
     const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
+    const std::uint64_t verticesBefore = counters.vertices;
     output_.film.addSample(x, y, traceSample(place, pixel, counters, record), i);
+    if (output_.countsHits && counters.vertices > verticesBefore) output_.film.addHit(x, y);
   }
 }
 

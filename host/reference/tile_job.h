@@ -18,6 +18,7 @@ struct JobOutput {
   render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
   render::ReplicaRecords& replicas;
   std::uint32_t replicaCount;  ///< 0: none are traced
+  bool countsHits;             ///< samples whose camera ray hits something are counted
 };
 
 /// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. The arguments that are references must outlive

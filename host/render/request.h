@@ -26,8 +26,8 @@ std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Sc
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
 
 /// Throws UsageError if the settings select the Whitted tracer, and the scene has lights or materials that it does not
-/// have: point lights with fall-off, spot and directional lights, materials without Whitted coefficients. Every session
-/// requires this.
+/// have: point lights with fall-off, spot and directional lights, materials without Whitted coefficients; and if they
+/// select a Backdrop that the integrator does not have. Every session requires this.
 void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings);
 
 }  // namespace candela::render

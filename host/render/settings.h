@@ -20,6 +20,10 @@ enum class LensKind { disc, square };
 /// Points through which camera rays pass without jitter: the centres of pixels, or the corners of a grid of (width - 1)
 /// x (height - 1) cells.
 enum class PixelOrigin { centre, corner };
+/// What camera rays see where they hit nothing: what lights the scene from there (environment, sky or background
+/// colour), the background colour alone, or nothing, so that the image has alpha. It changes no light: rays after the
+/// camera ray see what lights the scene.
+enum class Backdrop { environment, colour, none };
 enum class AccelKind { none, grid, bvh };
 /// How the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis.
 enum class BvhSplit { sah, midpoint };
@@ -73,12 +77,16 @@ struct ImageSettings {
   bool antialiasing = true;            ///< false: each camera ray passes through its pixel's origin
   float lightSize = 0;                 ///< side of the squares that replace point lights, >= 0; Whitted only
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
-  bool oneSided = false;               ///< hits on the back of triangles and planes with T = 0 are ignored
+  Backdrop backdrop = Backdrop::environment;  ///< path tracer only
+  bool oneSided = false;                      ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }
   /// Returns whether the pixel filter distributes the camera rays; otherwise they pass through the pixels' origins.
   bool jittersPixels() const { return antialiasing && (integrator == Integrator::path || sampleCount > 1); }
+
+  /// Returns whether the film counts the samples whose camera rays hit something: FilmPixel::hitCount.
+  bool hasAlpha() const { return backdrop == Backdrop::none; }
 
   bool operator==(const ImageSettings&) const = default;
 };

@@ -170,7 +170,7 @@ struct FilmRows {
   uvec4 red;               // sum, sample count
   uvec4 green;             // sum, bad count
   uvec4 blue;              // sum, 1 + first bad sample
-  uvec4 luminanceSquared;  // sum, 0
+  uvec4 luminanceSquared;  // sum, count of samples whose camera ray hit something (0 unless kCountsHits)
 };
 
 // Header of the results buffer.

@@ -22,6 +22,7 @@ CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
 CANDELA_CONST uint kSpecView = 50u;  // kView...
 CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
+CANDELA_CONST uint kSpecBackdrop = 91u;        // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
 // Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
@@ -41,6 +42,9 @@ CANDELA_CONST uint kFilterNone = 2u;  // rays pass through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
+CANDELA_CONST uint kBackdropEnvironment = 0u;  // camera rays see what lights the scene
+CANDELA_CONST uint kBackdropColour = 1u;
+CANDELA_CONST uint kBackdropNone = 2u;  // the film counts the samples that hit something
 CANDELA_CONST uint kViewNone = 0u;  // an image of light
 CANDELA_CONST uint kViewAo = 1u;
 CANDELA_CONST uint kViewNormal = 2u;

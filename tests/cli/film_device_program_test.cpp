@@ -22,6 +22,12 @@ TEST_CASE("a device's film has the same bytes however it was divided", "[swiftsh
   requireEqualDivisions(onDevice(kSmall), folder, {});
 }
 
+TEST_CASE("a device's film with alpha has the same bytes however it was divided", "[swiftshader-slow]") {
+  const TemporaryFolder folder;
+  requireEqualDivisions(onDevice(kSmall), folder, {"--background", "none"});
+  requireEqualDivisions(onDevice(kSmall), folder, {"--background", "none", "--kernel", "wavefront"});
+}
+
 TEST_CASE("the wavefront goes on from the megakernel's film, and gives its bytes") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -102,6 +102,39 @@ TEST_CASE("a film under an environment can be divided") {
   requireEqualDivisions(kReference, folder, {"--env", "sun:30,200,3"});
 }
 
+TEST_CASE("a film with alpha can be divided, and gives the pictures that the render gives") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> options{"--background", "none", "--env", "white"};
+  requireEqualDivisions(kReference, folder, options);
+
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("film.exr");
+  std::vector<std::string> words{"-o", folder.path("a.png"), "-o", folder.path("a.exr")};
+  words.insert(words.end(), options.begin(), options.end());
+  kReference.film(scene, film, words);
+  REQUIRE(runCandela({"film", film, "-o", folder.path("b.png"), "-o", folder.path("b.exr")}).exitCode == 0);
+  CHECK(readFile(folder.path("a.png")) == readFile(folder.path("b.png")));
+  const std::vector<float> alpha = image::readImage(folder.path("a.exr")).alpha;
+  CHECK(alpha == image::readImage(folder.path("b.exr")).alpha);
+  CHECK(std::ranges::count(alpha, 0.0f) > 10);
+  CHECK(std::ranges::count(alpha, 1.0f) > 10);
+  CHECK(json::parse(runCandela({"film", film, "--json", "-"}).out)["settings"]["background"] == "none");
+  CHECK_THAT(kReference.refusal(scene, {"--env", "white", "--resume", film}),
+             Contains("--background is none in the film and absent in this render"));
+}
+
+TEST_CASE("films without alpha are those of renders without --background") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = kReference.film(scene, folder.path("a.exr"));
+  CHECK(kReference.film(scene, folder.path("b.exr"), {"--background", "env"}) == film);
+  CHECK_THAT(film, Contains("\"format\":1") && !Contains("background") && !Contains("hits"));
+  const ProgramResult whitted = kReference.run(
+      scene, {"--background", "none", "--integrator", "whitted", "-o", folder.path("a.png")});
+  CHECK(whitted.exitCode == 1);
+  CHECK_THAT(whitted.err, Contains("--background colour and none: only the path tracer"));
+}
+
 TEST_CASE("a film goes on under the same environment only, whatever the name of its file") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -86,6 +86,38 @@ TEST_CASE("sums of 96 bits and counts of 32 bits survive") {
   CHECK(equal(readFilm(reader), film));
 }
 
+TEST_CASE("a film with alpha gives back its hit counts, and is a picture with alpha") {
+  const TemporaryFolder folder;
+  FilmHeader header = madeHeader({2, 1}, 8);
+  header.settings["background"] = "none";
+  image::Film film(2, 1);
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    film.addSample(0, 0, glm::dvec3(0.5), i);
+    film.addSample(1, 0, glm::dvec3(0.5), i);
+    if (i < 2) film.addHit(1, 0);
+  }
+  setCoverage(header, film, 0);
+  writeFilm(folder / "a.exr", header, film);
+  FilmReader reader(folder / "a.exr");
+  const image::Film back = readFilm(reader);
+  CHECK(equal(back, film));
+  CHECK(back.at(0, 0).hitCount == 0);
+  CHECK(back.at(1, 0).hitCount == 2);
+  CHECK(image::readImage(folder / "a.exr").alpha == std::vector<float>{0, 0.25f});
+
+  header.settings.erase("background");
+  writeFilm(folder / "opaque.exr", header, film);  // without the channels of alpha
+  FilmReader opaque(folder / "opaque.exr");
+  CHECK(readFilm(opaque).at(1, 0).hitCount == 0);
+  CHECK(image::readImage(folder / "opaque.exr").alpha.empty());
+  CHECK(bytesOf(folder / "opaque.exr").find("hits") == std::string::npos);
+
+  header.settings["background"] = "none";
+  film.at(0, 0).hitCount = 9;
+  writeFilm(folder / "b.exr", header, film);
+  CHECK_THAT(refusalOf(folder / "b.exr"), Catch::Contains("pixel (0, 0) holds more hits than samples"));
+}
+
 TEST_CASE("files that are no films are refused, and the message says what they are") {
   const TemporaryFolder folder;
   image::writeImage(folder / "picture.exr", image::toImage(madeFilm(kBox)), {});

@@ -89,9 +89,27 @@ TEST_CASE("every member of a description that is impossible is refused by name")
 
 TEST_CASE("another version of the format is refused by its number") {
   ordered_json json = ordered_json::parse(toJson(fullHeader()));
-  json["format"] = 2;
+  json["format"] = 3;
   CHECK_THROWS_WITH(headerFromJson(json.dump()),
-                    Catch::Contains("has version 2") && Catch::Contains("reads version 1"));
+                    Catch::Contains("has version 3") && Catch::Contains("reads versions 1 and 2"));
+}
+
+TEST_CASE("films with alpha have version 2 of the format, and no others have") {
+  FilmHeader header = fullHeader();
+  CHECK(ordered_json::parse(toJson(header))["format"] == 1);
+  CHECK_FALSE(header.hasAlpha());
+  header.settings["background"] = "colour";
+  CHECK(ordered_json::parse(toJson(header))["format"] == 1);
+  header.settings["background"] = "none";
+  CHECK(header.hasAlpha());
+  ordered_json json = ordered_json::parse(toJson(header));
+  CHECK(json["format"] == 2);
+  CHECK(headerFromJson(json.dump()) == header);
+  json["format"] = 1;
+  CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid format"));
+  json["format"] = 2;
+  json["settings"].erase("background");
+  CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid format"));
 }
 
 TEST_CASE("the coverage of an interrupted film is what all pixels have, and what some have") {

@@ -75,7 +75,8 @@ TEST_CASE("the scale is the maximum of costs, and the median of the depths of hi
 TEST_CASE("only depth and heat are false colours") {
   CHECK(isFalseColour(ToneMap::depth));
   CHECK(isFalseColour(ToneMap::heat));
-  for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
+  for (const ToneMap toneMap :
+       {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::acesHill, ToneMap::agx, ToneMap::neutral}) {
     CHECK_FALSE(isFalseColour(toneMap));
   }
 }

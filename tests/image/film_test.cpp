@@ -221,3 +221,24 @@ TEST_CASE("films of different sizes are refused and stay unchanged") {
   film.merge(other);
   CHECK(film.at(1, 0).sampleCount == 0xffffffffu);
 }
+
+TEST_CASE("hits add up with the samples, decide alpha, and are part of the hash unless there are none") {
+  Film film(2, 1);
+  for (std::uint32_t i = 0; i < 4; ++i) film.addSample(0, 0, glm::dvec3(1), i);
+  const std::uint64_t without = film.hash();
+  film.addHit(0, 0);
+  CHECK(film.hash() != without);
+  CHECK(film.alpha(0, 0) == 0.25);
+  CHECK(film.alpha(1, 0) == 0);
+  Film other = film;
+  other.merge(film);
+  CHECK(other.at(0, 0).hitCount == 2);
+  CHECK(other.alpha(0, 0) == 0.25);
+  film.at(0, 0).hitCount = 0;
+  film.addHit(1, 0);
+  Film moved = film;
+  moved.at(1, 0).hitCount = 0;
+  CHECK(moved.hash() == without);
+  moved.addHit(0, 0);
+  CHECK(moved.hash() != film.hash());
+}

@@ -4,6 +4,7 @@
 
 #include "host/core/errors.h"
 #include "host/image/image.h"
+#include "host/image/texels.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/image/test_images.h"
 
@@ -149,7 +150,8 @@ TEST_CASE("PNG pixels are the display transform of the values in EXR") {
   const Image image = testImage(64, 32);
   writeImage(folder / "a.exr", image, {});
   const Image linear = readImage(folder / "a.exr");
-  for (const ToneMap toneMap : {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::agx, ToneMap::neutral}) {
+  for (const ToneMap toneMap :
+       {ToneMap::none, ToneMap::srgb, ToneMap::aces, ToneMap::acesHill, ToneMap::agx, ToneMap::neutral}) {
     const DisplayTransform transform{toneMap, 1.5f};
     writeImage(folder / "a.png", image, transform);
     const Pixels8 stored = readPixels8(folder / "a.png");
@@ -164,6 +166,43 @@ TEST_CASE("PNG pixels are the display transform of the values in EXR") {
     }
     CHECK(equal);
   }
+}
+
+TEST_CASE("alpha is straight in PNG files and premultiplied in EXR files, and other formats show it over black") {
+  TemporaryFolder folder;
+  Film film(3, 1);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    film.addSample(0, 0, i < 1 ? glm::dvec3(0.5, 0.25, 1) : glm::dvec3(0), i);
+    film.addSample(1, 0, {0.125, 0.5, 1}, i);
+    film.addSample(2, 0, glm::dvec3(0), i);
+    if (i < 1) film.addHit(0, 0);
+    film.addHit(1, 0);
+  }
+  Image image = toImage(film);
+  CHECK(image.alpha.empty());
+  addAlpha(image, film);
+  REQUIRE(image.alpha == std::vector<float>{0.25f, 1, 0});
+
+  writeImage(folder / "a.exr", image, {});
+  const Image back = readImage(folder / "a.exr");
+  CHECK(back.alpha == image.alpha);
+  CHECK(back.at(0, 0) == glm::vec3(0.125f, 0.0625f, 0.25f));
+
+  writeImage(folder / "a.png", image, {});
+  const std::string bytes = readText(folder / "a.png");
+  const Texels texels = decodeTexels(std::as_bytes(std::span(bytes)));
+  const auto expected = [](const glm::vec3& colour, std::uint32_t alpha) {
+    const glm::u8vec3 shown = toDisplay(colour, {});
+    return shown.x | shown.y << 8 | shown.z << 16 | alpha << 24;
+  };
+  CHECK(texels.rgba == std::vector<std::uint32_t>{expected({0.5f, 0.25f, 1}, 64), expected({0.125f, 0.5f, 1}, 255), 0});
+
+  writeImage(folder / "a.jpg", image, {});
+  writeImage(folder / "a.pfm", image, {});
+  CHECK(readImage(folder / "a.pfm").rgb == image.rgb);
+  image.alpha.clear();
+  writeImage(folder / "black.jpg", image, {});
+  CHECK(readText(folder / "a.jpg") == readText(folder / "black.jpg"));
 }
 
 TEST_CASE("PNG files preserve every 8-bit value") {
