@@ -56,14 +56,24 @@ std::optional<std::size_t> findTooDeep(std::string_view text) {
   return std::nullopt;
 }
 
-/// The part of nlohmann's message that says what is wrong, without "[...] parse error at line 1, column 2: ".
+/// The part of nlohmann's message that says what is wrong, without "[...] parse error at line 1, column 2: ". It quotes
+/// the file, whose bytes need not be text.
 std::string reasonOf(const std::string& what) {
   const std::size_t start = what.find(": ");
   const std::string reason = start == std::string::npos ? what : what.substr(start + 2);
   constexpr std::size_t kMaxReason = 200;
   std::string shown;
-  for (const char c : reason.substr(0, kMaxReason)) shown += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  for (const char c : reason.substr(0, kMaxReason)) shown += c < 0x20 || c > 0x7e ? '?' : c;
   return shown;
+}
+
+/// The offset of a number that is too large for a double. nlohmann's message quotes it and lacks its place.
+std::size_t offsetOfNumber(std::string_view text, std::string_view what) {
+  const std::size_t end = what.rfind('\'');
+  const std::size_t start = end == std::string_view::npos ? end : what.rfind('\'', end - 1);
+  if (start == std::string_view::npos) return 0;
+  const std::size_t offset = text.find(what.substr(start + 1, end - start - 1));
+  return offset == std::string_view::npos ? 0 : offset;
 }
 
 nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
@@ -75,7 +85,7 @@ nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
   } catch (const nlohmann::json::parse_error& error) {
     failAt(file, text, error.byte > 0 ? error.byte - 1 : 0, "not valid JSON: " + reasonOf(error.what()));
   } catch (const nlohmann::json::exception& error) {
-    throw scene::SceneError({{file.name, 0, 0, "not valid JSON: " + reasonOf(error.what())}});
+    failAt(file, text, offsetOfNumber(text, error.what()), "not valid JSON: number overflow");
   }
 }
 
