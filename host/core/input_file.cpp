@@ -49,6 +49,7 @@ std::string readInputFile(const std::filesystem::path& file, std::size_t maxByte
   const std::string tooLarge = fmt::format("larger than {} MiB", maxBytes >> 20);
   if (static_cast<std::uint64_t>(status.st_size) > maxBytes) fail(file, tooLarge);
   std::string text;
+  if (S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
   std::string block(std::size_t{1} << 20, '\0');
   for (;;) {
     const ssize_t count = ::read(descriptor.get(), block.data(), block.size());

@@ -153,6 +153,14 @@ std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
   return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
 }
 
+// Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.
+std::size_t attributeRowsOf(const SceneFeatures& features) {
+  constexpr std::size_t kVectorRows = 3;  // of colours and of tangents
+  const std::size_t coordinates = features.textures ? gpu::kTexCoordRows : 0;
+  const std::size_t vectors = kVectorRows * (std::size_t{features.colours} + std::size_t{features.tangents});
+  return features.smooth || coordinates + vectors > 0 ? gpu::kNormalRows + coordinates + vectors : 0;
+}
+
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
                       std::span<const LightEntry> table, const render::ImageSettings& image, FlatScene& flat) {
   const std::vector<bool> touched = touchedPrimitives(scene, lightPlaces(scene, table, image));
@@ -161,7 +169,12 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
+  // Vectors that grow would copy the records of large meshes several times. Memory beyond what is used is never
+  // touched.
+  const std::size_t attributeRows = order.size() * attributeRowsOf(flat.features);
   Rows attributes;
+  attributes.reserve(attributeRows);
+  flat.rows.reserve(flat.rows.size() + order.size() * gpu::kPrimitiveRows + attributeRows);
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
     const PrimitiveContext context{.primitive = primitive, .light = lightOf[primitive], .touched = touched[primitive]};

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "host/core/memory_budget.h"
 #include "host/gltf/lights.h"
@@ -148,9 +149,10 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
   }
   const std::vector<glm::dmat4> instances = instancesOf(node);
   requireRoom(node, geometry->mesh, instances.size());
-  for (const glm::dmat4& instance : instances) {
-    scene::Mesh placed = geometry->mesh;
-    place(placed, nodes_.world(index) * instance, node);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const bool isLast = i + 1 == instances.size();
+    scene::Mesh placed = isLast ? std::move(geometry->mesh) : geometry->mesh;
+    place(placed, nodes_.world(index) * instances[i], node);
     scene::addMesh(scene_, std::move(placed), material);
   }
 }
@@ -229,10 +231,15 @@ void SceneAssembly::reportOmissions() {
 std::optional<Box> SceneAssembly::bounds() const {
   std::optional<Box> box;
   for (const scene::Mesh& mesh : scene_.meshes) {
+    if (mesh.indices.empty()) continue;
+    glm::vec3 low = mesh.positions[mesh.indices.front()];
+    glm::vec3 high = low;
     for (const std::uint32_t index : mesh.indices) {
-      const glm::dvec3 p(mesh.positions[index]);
-      box = box ? Box{glm::min(box->min, p), glm::max(box->max, p)} : Box{p, p};
+      low = glm::min(low, mesh.positions[index]);
+      high = glm::max(high, mesh.positions[index]);
     }
+    const Box own{glm::dvec3(low), glm::dvec3(high)};
+    box = box ? Box{glm::min(box->min, own.min), glm::max(box->max, own.max)} : own;
   }
   return box;
 }

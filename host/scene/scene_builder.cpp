@@ -38,9 +38,16 @@ std::uint32_t findOrAddMesh(Scene& scene, bool hasIndices, bool hasNormals) {
   return index;
 }
 
+/// Makes room for `count` more primitives. The capacity at least doubles, so that many small steps stay cheap.
+void reserveMore(std::vector<Primitive>& primitives, std::size_t count) {
+  const std::size_t needed = primitives.size() + count;
+  if (needed > primitives.capacity()) primitives.reserve(std::max(needed, 2 * primitives.capacity()));
+}
+
 /// Adds a primitive for each triangle of a mesh from `first` on.
 void addTrianglesOf(Scene& scene, std::uint32_t mesh, std::size_t first, std::uint32_t material) {
   const std::size_t end = triangleCount(scene.meshes[mesh]);
+  reserveMore(scene.primitives, end - first);
   for (std::size_t i = first; i < end; ++i) {
     scene.primitives.emplace_back(PrimitiveKind::triangle, static_cast<std::uint32_t>(i), material, mesh);
   }
