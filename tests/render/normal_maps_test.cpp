@@ -4,9 +4,9 @@
 
 #include "host/image/image.h"
 #include "host/scene/mikk_tangents.h"
-#include "host/verify/agreement.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
+#include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -130,13 +130,7 @@ void requireSameBumps(std::uint32_t seed, bool nextEventEstimation) {
   settings.image.seed = seed;
   settings.image.maxDepth = 4;
   settings.image.nextEventEstimation = nextEventEstimation;
-  settings.execution.recordPaths = true;
-  const scene::Scene scene = bumpyBalls();
-  const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
-                                                              renderOnReference(scene, settings));
-  CAPTURE(seed, nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes, pixels.worst,
-          pixels.worstX, pixels.worstY);
-  CHECK(pixels.agree());
+  checkPixelsAgree(bumpyBalls(), settings);
 }
 
 }  // namespace
