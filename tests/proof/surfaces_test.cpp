@@ -1,7 +1,6 @@
 // Lobes of surfaces with OpenPBR's parameters: docs/light-transport.md section 5.1 to 5.11.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <complex>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "tests/proof/leaves.h"
 #include "tests/proof/numbers.h"
 #include "tests/proof/slope_grid.h"
+#include "tests/proof/surface_material.h"
 
 using namespace candela;
 using namespace candela::proof;
@@ -25,14 +25,6 @@ constexpr double kNarrow = 0.3;  // up to this roughness, cells follow the highl
 const std::vector<float> kRoughnesses{0.01f, 0.05f, 0.2f, 0.5f, 1};
 const std::vector<dvec3> kSurfaceViews{directionAt(0.99, 0.05), directionAt(0.8, 0.42), directionAt(0.5, 0.32),
                                        directionAt(0.25, 0.7), directionAt(0.1, 0.81)};
-
-scene::Material materialOf(const SurfaceParameters& surface) {
-  scene::Material material;
-  material.surface = surface;
-  return material;
-}
-
-const scene::Conductor kGold{{0.143f, 0.375f, 1.442f}, {3.983f, 2.386f, 1.603f}};
 
 struct Mixture {
   SurfaceParameters surface;
@@ -176,10 +168,6 @@ void poolRare(std::vector<double>& expected, std::vector<double>& observed) {
     expected.back() += std::exchange(expected[i], 0);
     observed.back() += std::exchange(observed[i], 0);
   }
-}
-
-double valueAt(const MaterialLeaves& leaves, std::uint32_t material, const dvec3& wo, const dvec3& wi) {
-  return leaves.evaluate(std::vector<DirectionPair>{{material, wo, wi}}).front().f.x;
 }
 
 }  // namespace
@@ -332,118 +320,5 @@ TEST_CASE("glass is reciprocal in both directions, up to factors that depend on 
       ++compared;
     }
     CHECK(compared > 100);
-  }
-}
-
-TEST_CASE("a highlight's centre has the value of the closed form, with Schlick's reflectance") {
-  const float roughness = 0.3f;
-  const MaterialLeaves leaves({materialOf({.baseColour = {0, 0, 0}, .roughness = roughness, .ior = 1.5f}),
-                               materialOf({.baseColour = {0, 0, 0}, .metalness = 1, .roughness = roughness}),
-                               materialOf({.baseColour = {0, 0, 0}, .specularWeight = 0.5f, .roughness = roughness})});
-  const double alpha = std::pow(double{roughness}, 2);
-  for (const double cosine : {1.0, 0.7, 0.3}) {
-    const dvec3 wo = directionAt(cosine, 0.1), wi(-wo.x, -wo.y, wo.z);
-    const double length = std::sqrt(alpha * alpha * (1 - cosine * cosine) + cosine * cosine);
-    const double white = 1 / (std::numbers::pi * alpha * alpha) / (4 * cosine * length);  // D V at h = z
-    const double grazing = std::pow(1 - cosine, 5), reflectance = 0.04 + 0.96 * grazing;
-    const double coated = valueAt(leaves, 0, wo, wi);
-    CAPTURE(cosine);
-    CHECK(valueAt(leaves, 1, wo, wi) == Approx(white * grazing).epsilon(1e-4).margin(1e-6));
-    CHECK(coated >= white * reflectance);  // compensation adds less than 4 percent of what is lost
-    CHECK(coated <= white * reflectance * 1.01);
-    CHECK(valueAt(leaves, 2, wo, wi) == Approx(coated / 2).epsilon(1e-4));
-  }
-}
-
-TEST_CASE("sheen has the values of the closed form") {
-  // Computed to ten digits from the formulas of KHR_materials_sheen, and for the last the factor 0.25/0.258: roughness,
-  // cosines, turn between the azimuths, value.
-  struct Value {
-    float roughness;
-    double cosO, cosI, turn, f;
-  };
-  const std::vector<Value> values{{0.5f, 0.3, 0.3, 0.0, 0.3272520834},
-                                  {0.5f, 0.8, 0.25, 0.2, 0.08603476271},
-                                  {1, 0.6, 0.9, 0.4, 0.0455633868},
-                                  {0.25f, 0.1, 0.15, 0.02, 1.671900698}};
-  std::vector<scene::Material> materials;
-  for (const Value& value : values) {
-    materials.push_back(materialOf({.baseColour = {0, 0, 0},
-                                    .specularWeight = 0,
-                                    .sheenColour = {1, 0.5f, 0},
-                                    .sheenRoughness = value.roughness}));
-  }
-  const MaterialLeaves leaves(materials);
-  for (std::uint32_t i = 0; i < values.size(); ++i) {
-    const dvec3 wo = directionAt(values[i].cosO, 0.1), wi = directionAt(values[i].cosI, 0.1 + values[i].turn);
-    const dvec3 f = leaves.evaluate(std::vector<DirectionPair>{{i, wo, wi}}).front().f;
-    CAPTURE(i);
-    CHECK(f.x == Approx(values[i].f).epsilon(100 * kRounding + 1e-6));
-    CHECK(f.y == Approx(values[i].f / 2).epsilon(100 * kRounding + 1e-6));
-    CHECK(f.z == 0);
-  }
-}
-
-TEST_CASE("conductors reflect as Fresnel's equations state, in complex numbers and with the published values of gold") {
-  const float roughness = 0.3f;
-  const MaterialLeaves leaves({materialOf({.metalness = 1, .roughness = roughness, .conductor = kGold}),
-                               materialOf({.metalness = 1, .roughness = roughness})});
-  for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
-    const dvec3 wo = directionAt(cosine, 0.1), wi(-wo.x, -wo.y, wo.z);
-    const dvec3 gold = leaves.evaluate(std::vector<DirectionPair>{{0, wo, wi}}).front().f;
-    const double white = valueAt(leaves, 1, wo, wi);  // compensated for a reflectance of 1
-    for (int channel = 0; channel < 3; ++channel) {
-      const std::complex<double> index(kGold.ior[channel], kGold.extinction[channel]);
-      const auto reflectance = [&](double x) {
-        const std::complex<double> inside = std::sqrt(1.0 - (1 - x * x) / (index * index));
-        return (std::norm((x - index * inside) / (x + index * inside)) +
-                std::norm((index * x - inside) / (index * x + inside))) /
-               2;
-      };
-      const double normal = reflectance(1), alpha = std::pow(double{roughness}, 2);
-      const double length = std::sqrt(alpha * alpha * (1 - cosine * cosine) + cosine * cosine);
-      const double once = 1 / (std::numbers::pi * alpha * alpha) / (4 * cosine * length);  // D V at h = z
-      const double compensation = 1 + normal * (white / once - 1);
-      CAPTURE(cosine, channel);
-      CHECK(gold[channel] == Approx(once * compensation * reflectance(cosine)).epsilon(100 * kRounding + 1e-5));
-    }
-  }
-}
-
-TEST_CASE("thin films have the reflectance that the formulas of KHR_materials_iridescence give") {
-  // Computed from these formulas to ten digits, with the cosine inside of the film in the path difference: cosine,
-  // index and thickness of the film, grey reflectance of the base, and the three channels.
-  struct Value {
-    double cosine;
-    float ior, thickness, base;
-    dvec3 reflectance;
-  };
-  const std::vector<Value> values{{1, 1.3f, 400, 0.5f, {0.3411227856, 0.4951023496, 0.3802559227}},
-                                  {0.7, 1.3f, 400, 0.04f, {0.0005240861571, 0.01037269638, 0.04155650075}},
-                                  {0.3, 1.8f, 250, 0.04f, {0.2194129015, 0.2974542537, 0.2593192126}},
-                                  {0.5, 1.5f, 900, 0.9f, {0.8230353566, 0.8799916314, 0.8673222819}}};
-  const float roughness = 0.3f;
-  std::vector<scene::Material> materials{materialOf({.metalness = 1, .roughness = roughness})};
-  for (const Value& value : values) {
-    materials.push_back(materialOf({.baseColour = glm::vec3(value.base),
-                                    .metalness = 1,
-                                    .roughness = roughness,
-                                    .filmWeight = 1,
-                                    .filmIor = value.ior,
-                                    .filmThickness = value.thickness}));
-  }
-  const MaterialLeaves leaves(materials);
-  for (std::uint32_t i = 0; i < values.size(); ++i) {
-    const double cosine = values[i].cosine, alpha = std::pow(double{roughness}, 2);
-    const dvec3 wo = directionAt(cosine, 0.1), wi(-wo.x, -wo.y, wo.z);
-    const dvec3 f = leaves.evaluate(std::vector<DirectionPair>{{i + 1, wo, wi}}).front().f;
-    const double length = std::sqrt(alpha * alpha * (1 - cosine * cosine) + cosine * cosine);
-    const double once = 1 / (std::numbers::pi * alpha * alpha) / (4 * cosine * length);
-    const dvec3 compensation = 1.0 + values[i].reflectance * (valueAt(leaves, 0, wo, wi) / once - 1);
-    for (int channel = 0; channel < 3; ++channel) {
-      CAPTURE(i, channel, values[i].reflectance[channel]);
-      const double expected = once * compensation[channel] * values[i].reflectance[channel];
-      CHECK(f[channel] == Approx(expected).epsilon(100 * kRounding).margin(once * (kRounding + 1e-6)));
-    }
   }
 }
