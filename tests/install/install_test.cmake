@@ -6,7 +6,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-foreach(file share/doc/candela/LICENSE share/doc/candela/README.md share/candela/scenes/cornell.p3f)
+foreach(file share/doc/candela/copyright share/doc/candela/README.md share/candela/scenes/cornell.p3f)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(FATAL_ERROR "${file} was not installed")
   endif()
