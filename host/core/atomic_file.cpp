@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <atomic>
@@ -114,10 +115,13 @@ void AtomicFile::giveName(int descriptor) {
   temporary_ = name;
 }
 
-// Another process that writes the same file may take the name away, and even rename this file to the target. Whichever
-// comes last, the target is one of the two complete files.
+// Another process that writes the same file would remove the name, and a file that has lost its name cannot get
+// another. The folder is therefore locked; where that is not possible, the write may fail, but the target is a complete
+// file.
 void AtomicFile::replaceTarget(int descriptor) {
   const bool isNameless = temporary_.empty();
+  const FileDescriptor folder(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.isOpen()) ::flock(folder.get(), LOCK_EX);  // until the descriptor is closed
   if (isNameless) giveName(descriptor);
   while (::rename(temporary_.c_str(), target_.c_str()) != 0) {
     if (!isNameless || errno != ENOENT) failWithErrno(name_);
