@@ -28,12 +28,12 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers of Candela, w
 renders scenes.")
 
 # Every Debian package has a changelog and a copyright. The date is that of the version, so that equal sources give equal files.
-foreach(name candela candela-dev)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  set(name ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   set(file ${PROJECT_BINARY_DIR}/packages/${name}/changelog.Debian)
   file(WRITE ${file} "${name} (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * Version ${PROJECT_VERSION}: see CHANGELOG.md in this folder.\n\n -- ${CPACK_PACKAGE_CONTACT}  Sun, 22 Nov 2026 12:00:00 +0000\n")
   execute_process(COMMAND gzip -9nkf ${file} COMMAND_ERROR_IS_FATAL ANY)
-  string(REPLACE "candela-dev" "development" component ${name})
-  string(REPLACE "candela" "program" component ${component})
   install(FILES ${file}.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME changelog.gz COMPONENT ${component})
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
 endforeach()

@@ -26,9 +26,9 @@ void cameraRay(uvec2 pixel, vec4 numbers, out vec3 origin, out vec3 direction) {
   vec2 inversePixels = vec2(constants.inversePixelsAcross, constants.inversePixelsDown);
   vec2 raster = (vec2(pixel) + pixelOrigin + sampleFilter(numbers.xy)) * inversePixels;
   precise vec3 centre = kHasOrthographic ? constants.cameraOrigin : constants.cameraForward;
-  precise vec3 place = centre + (raster.x - 0.5) * constants.cameraRight + (0.5 - raster.y) * constants.cameraUp;
-  origin = kHasOrthographic ? place : constants.cameraOrigin;
-  precise vec3 toPlane = kHasOrthographic ? constants.cameraForward : place;
+  precise vec3 point = centre + (raster.x - 0.5) * constants.cameraRight + (0.5 - raster.y) * constants.cameraUp;
+  origin = kHasOrthographic ? point : constants.cameraOrigin;
+  precise vec3 toPlane = kHasOrthographic ? constants.cameraForward : point;
   if (kLens != kLensNone) {
     vec2 lens = sampleLens(numbers.zw);
     vec3 shift = lens.x * constants.lensRight + lens.y * constants.lensUp;

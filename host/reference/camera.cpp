@@ -41,10 +41,10 @@ double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension)
 Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {
   const dvec2 offset(filterOffset(numbers, kDimensionFilterX), filterOffset(numbers, kDimensionFilterY));
   const dvec2 raster = dvec2(x, y) + pixelOrigin_ + offset;
-  const dvec3 place = (isOrthographic_ ? eye_ : forward_) + planeSize_.x * (raster.x / viewPixels_.x - 0.5) * right_ +
+  const dvec3 point = (isOrthographic_ ? eye_ : forward_) + planeSize_.x * (raster.x / viewPixels_.x - 0.5) * right_ +
                       planeSize_.y * (0.5 - raster.y / viewPixels_.y) * upward_;
-  const dvec3 origin = isOrthographic_ ? place : eye_;
-  const dvec3 towards = isOrthographic_ ? forward_ : place;
+  const dvec3 origin = isOrthographic_ ? point : eye_;
+  const dvec3 towards = isOrthographic_ ? forward_ : point;
   if (lensRadius_ == 0) return {origin, normalize(towards)};
 
   const dvec2 u(numbers.unit(kDimensionLensU), numbers.unit(kDimensionLensV));

@@ -34,7 +34,7 @@ struct TextureReference {
   bool operator==(const TextureReference&) const = default;
 };
 
-/// What textures of a material stand for. Unless stated otherwise, a texel is a factor of the quantity.
+/// The quantities of a material that textures may give. Unless stated otherwise, a texel is a factor of the quantity.
 enum class TextureSlot : std::uint8_t {
   baseColour,         ///< sRGB
   emission,           ///< sRGB
