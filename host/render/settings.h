@@ -20,9 +20,9 @@ enum class LensKind { disc, square };
 /// Points through which camera rays pass without jitter: the centres of pixels, or the corners of a grid of (width - 1)
 /// x (height - 1) cells.
 enum class PixelOrigin { centre, corner };
-/// The light that camera rays see where they hit nothing: that of the scene (environment, sky or background colour), the
-/// background colour alone, or none, so that the image has alpha. It changes no other light: rays after the camera ray
-/// see what lights the scene.
+/// The light that camera rays see where they hit nothing: that of the scene (environment, sky or background
+/// colour), the background colour alone, or none, so that the image has alpha. It changes no other light: rays after
+/// the camera ray see what lights the scene.
 enum class Backdrop { environment, colour, none };
 enum class AccelKind { none, grid, bvh };
 /// How the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis.

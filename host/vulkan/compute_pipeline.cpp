@@ -28,21 +28,10 @@ vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::Descript
 
 vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout,
                                 std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
-  const bool reduces = compilesDisabledCode(device.info.driver);
-  const std::vector<std::uint32_t> reduced = reduces ? reducedSpirv(spirv, options.specialisations)
-                                                     : std::vector<std::uint32_t>{};
-  const std::span<const std::uint32_t> code = reduces ? std::span(reduced) : spirv;
-  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
-  std::vector<vk::SpecializationMapEntry> entries;
-  for (const Specialisation& constant : options.specialisations) {
-    const std::size_t offset = entries.size() * sizeof(Specialisation) + offsetof(Specialisation, value);
-    entries.emplace_back(constant.id, static_cast<std::uint32_t>(offset), sizeof constant.value);
-  }
-  const vk::SpecializationInfo specialisation(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              options.specialisations.size() * sizeof(Specialisation),
-                                              options.specialisations.data());
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str(),
-                                                &specialisation);
+  const std::vector<std::uint32_t> code = reducedSpirv(spirv, options.specialisations);
+  const vk::raii::ShaderModule module(device.handle,
+                                      vk::ShaderModuleCreateInfo({}, std::span(code).size_bytes(), code.data()));
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
   return {device.handle, device.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 

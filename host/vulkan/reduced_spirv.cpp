@@ -7,8 +7,15 @@
 #include "host/core/errors.h"
 
 namespace candela::vulkan {
+namespace {
 
-bool compilesDisabledCode(const std::string& driver) { return driver.starts_with("SwiftShader"); }
+void registerRemoval(spvtools::Optimizer& optimizer) {
+  optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
                                         std::span<const Specialisation> specialisations) {
@@ -16,11 +23,11 @@ std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
   for (const Specialisation& constant : specialisations) values[constant.id] = {constant.value};
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
-      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
-      .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
-      .RegisterPass(spvtools::CreateCCPPass())
-      .RegisterPass(spvtools::CreateDeadBranchElimPass())
-      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass());
+  // Branches on constants alone are removed first, so that constants are propagated through the functions that remain.
+  registerRemoval(optimizer);
+  optimizer.RegisterPass(spvtools::CreateCCPPass());
+  registerRemoval(optimizer);
   std::string problems;
   optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
     problems += std::string(" ") + message;
