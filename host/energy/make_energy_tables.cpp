@@ -63,7 +63,9 @@ class GlassPlane {
   // Returns the nodes, raised until no centre of a cell falls short of its albedo.
   std::vector<double> nodes() const {
     std::vector<double> nodes, shortfall(kGlassCosines * kGlassRoughnesses);
-    for (std::size_t n = 0; n < shortfall.size(); ++n) nodes.push_back(albedo(n % kGlassCosines, n / kGlassCosines));
+    for (std::size_t n = 0; n < shortfall.size(); ++n) {
+      nodes.push_back(albedo(static_cast<double>(n % kGlassCosines), static_cast<double>(n / kGlassCosines)));
+    }
     for (std::size_t j = 0; j + 1 < kGlassRoughnesses; ++j) {
       for (std::size_t i = 0; i + 1 < kGlassCosines; ++i) {
         const std::size_t first = j * kGlassCosines + i;
