@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/core/errors.h"
+#include "host/scene/shape.h"
 
 namespace candela::accel {
 namespace {
@@ -15,28 +16,32 @@ struct ExactBounds {
   glm::dvec3 max;
 };
 
-ExactBounds boundsOf(const scene::Sphere& sphere) {
+std::optional<ExactBounds> exactBounds(const scene::Sphere& sphere) {
   const glm::dvec3 centre(sphere.centre);
   const glm::dvec3 radius(std::abs(double{sphere.radius}));
-  return {centre - radius, centre + radius};
+  return ExactBounds{centre - radius, centre + radius};
 }
 
-ExactBounds boundsOf(const scene::Triangle& triangle) {
+std::optional<ExactBounds> exactBounds(const scene::Triangle& triangle) {
   const glm::dvec3 p0(triangle.p[0]), p1(triangle.p[1]), p2(triangle.p[2]);
-  return {glm::min(p0, glm::min(p1, p2)), glm::max(p0, glm::max(p1, p2))};
+  return ExactBounds{glm::min(p0, glm::min(p1, p2)), glm::max(p0, glm::max(p1, p2))};
 }
 
-ExactBounds boundsOf(const scene::Box& box) { return {glm::dvec3(box.min), glm::dvec3(box.max)}; }
+std::optional<ExactBounds> exactBounds(const scene::Box& box) {
+  return ExactBounds{glm::dvec3(box.min), glm::dvec3(box.max)};
+}
 
 // The convex hull of a truncated cone is that of its two circles. A circle of radius r around the unit axis w extends r
 // sqrt(1 - w_i^2) along axis i. 1 - w_i^2 is computed as the sum of the other two squares, which does not cancel.
-ExactBounds boundsOf(const scene::Cone& cone) {
+std::optional<ExactBounds> exactBounds(const scene::Cone& cone) {
   const glm::dvec3 base(cone.base), apex(cone.apex);
   const glm::dvec3 w = glm::normalize(apex - base);
   const glm::dvec3 reach = glm::sqrt(glm::dvec3(w.y * w.y + w.z * w.z, w.z * w.z + w.x * w.x, w.x * w.x + w.y * w.y));
   const glm::dvec3 atBase = reach * double{cone.baseRadius}, atApex = reach * double{cone.apexRadius};
-  return {glm::min(base - atBase, apex - atApex), glm::max(base + atBase, apex + atApex)};
+  return ExactBounds{glm::min(base - atBase, apex - atApex), glm::max(base + atBase, apex + atApex)};
 }
+
+std::optional<ExactBounds> exactBounds(const scene::Plane&) { return std::nullopt; }
 
 Aabb padOutward(const ExactBounds& exact) {
   const glm::dvec3 magnitudes = glm::max(glm::abs(exact.min), glm::abs(exact.max));
@@ -47,26 +52,10 @@ Aabb padOutward(const ExactBounds& exact) {
           {-roundDown(-max.x), -roundDown(-max.y), -roundDown(-max.z)}};
 }
 
-std::optional<ExactBounds> exactBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere:
-      return boundsOf(scene.spheres[primitive.index]);
-    case scene::PrimitiveKind::triangle:
-      return boundsOf(triangleOf(scene, primitive));
-    case scene::PrimitiveKind::box:
-      return boundsOf(scene.boxes[primitive.index]);
-    case scene::PrimitiveKind::cone:
-      return boundsOf(scene.cones[primitive.index]);
-    case scene::PrimitiveKind::plane:
-      return std::nullopt;
-  }
-  throw InternalError(fmt::format("unknown primitive kind {}", static_cast<int>(primitive.kind)));
-}
-
 }  // namespace
 
 std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
-  const std::optional<ExactBounds> exact = exactBounds(scene, primitive);
+  const auto exact = std::visit([](const auto& shape) { return exactBounds(shape); }, shapeOf(scene, primitive));
   if (!exact) return std::nullopt;
   const Aabb bounds = padOutward(*exact);
   const Aabb limits{glm::vec3(-kMaxCoordinate), glm::vec3(kMaxCoordinate)};

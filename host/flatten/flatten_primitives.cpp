@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "host/scene/shape.h"
+
 namespace candela::flatten {
 namespace {
 
@@ -22,9 +24,8 @@ std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& contex
   return kindAndFlags | touched | opaque | primitive.material << gpu::kMaterialShift;
 }
 
-void appendSphere(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-                  Rows& rows) {
-  const scene::Sphere& sphere = scene.spheres[primitive.index];
+void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
+                 Rows&) {
   const std::uint32_t inside = sphere.radius < 0 ? gpu::kFlagInsideOnly : 0;
   rows.push_back({});
   rows.push_back({0, 0, 0, context.primitive});
@@ -85,9 +86,9 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
   if (flags & gpu::kFlagTangents) appendVectors(mesh, mesh.tangents, triangle.index, rows);
 }
 
-void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-                    Rows& rows, Rows& attributes) {
-  const scene::Triangle triangle = triangleOf(scene, primitive);
+void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, const PrimitiveContext& context,
+                 Rows& rows, Rows& attributes) {
+  const scene::Primitive& primitive = scene.primitives[context.primitive];
   const std::uint32_t flags = attributeFlags(scene, primitive);
   const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
   const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
@@ -97,25 +98,21 @@ void appendTriangle(const scene::Scene& scene, const PrimitiveContext& context, 
   rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags | passed)));
 }
 
-void appendBox(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-               Rows& rows) {
-  const scene::Box& box = scene.boxes[primitive.index];
+void appendShape(const scene::Box& box, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows, Rows&) {
   rows.push_back(row(glm::dvec3(box.min), 0u));
   rows.push_back(row(glm::dvec3(box.max), context.primitive));
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindBox)});
 }
 
-void appendCone(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-                Rows& rows) {
-  const scene::Cone& cone = scene.cones[primitive.index];
+void appendShape(const scene::Cone& cone, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
+                 Rows&) {
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
   rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
   rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});
 }
 
-void appendPlane(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& primitive,
-                 Rows& rows) {
-  const scene::Plane& plane = scene.planes[primitive.index];
+void appendShape(const scene::Plane& plane, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
+                 Rows&) {
   const glm::dvec3 point(plane.p[0]);
   const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(plane.p[1]) - point, glm::dvec3(plane.p[2]) - point));
   rows.push_back(row(point, 0u));
@@ -135,19 +132,8 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
 }
 
 void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
-  const scene::Primitive& primitive = scene.primitives[context.primitive];
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere:
-      return appendSphere(scene, context, primitive, primitives);
-    case scene::PrimitiveKind::triangle:
-      return appendTriangle(scene, context, primitive, primitives, attributes);
-    case scene::PrimitiveKind::box:
-      return appendBox(scene, context, primitive, primitives);
-    case scene::PrimitiveKind::cone:
-      return appendCone(scene, context, primitive, primitives);
-    case scene::PrimitiveKind::plane:
-      return appendPlane(scene, context, primitive, primitives);
-  }
+  std::visit([&](const auto& shape) { appendShape(shape, scene, context, primitives, attributes); },
+             shapeOf(scene, scene.primitives[context.primitive]));
 }
 
 }  // namespace candela::flatten

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/scene/shape.h"
 #include "shaders/shared/render_data.h"
 
 namespace candela::flatten {
@@ -10,20 +11,13 @@ namespace {
 
 // Cost of one test in a linear list, in units of about 9 ns for eight rays on lavapipe. A cone's test takes 8, but BVHs
 // save so many of these tests that it counts twice.
-std::uint32_t rowCost(scene::PrimitiveKind kind) {
-  switch (kind) {
-    case scene::PrimitiveKind::plane:
-      return 1;
-    case scene::PrimitiveKind::sphere:
-    case scene::PrimitiveKind::box:
-      return 2;
-    case scene::PrimitiveKind::triangle:
-      return 3;
-    case scene::PrimitiveKind::cone:
-      return 16;
-  }
-  return 0;
-}
+struct TestCost {
+  std::uint32_t operator()(const scene::Plane&) const { return 1; }
+  std::uint32_t operator()(const scene::Sphere&) const { return 2; }
+  std::uint32_t operator()(const scene::Box&) const { return 2; }
+  std::uint32_t operator()(const scene::Triangle&) const { return 3; }
+  std::uint32_t operator()(const scene::Cone&) const { return 16; }
+};
 
 }  // namespace
 
@@ -41,7 +35,9 @@ bool isSmall(const scene::Scene& scene, const SmallSceneRule& rule) {
     return false;
   }
   std::uint32_t cost = 0;
-  for (const scene::Primitive& primitive : scene.primitives) cost += rowCost(primitive.kind);
+  for (const scene::Primitive& primitive : scene.primitives) {
+    cost += std::visit(TestCost(), shapeOf(scene, primitive));
+  }
   return cost <= rule.maxCost;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "host/flatten/overlap.h"
+#include "host/scene/shape.h"
 
 namespace candela::flatten {
 namespace {
@@ -59,33 +60,30 @@ FlatShape faceShape(const scene::Box& box, int axis, bool upper) {
   return face;
 }
 
-std::vector<FlatShape> flatShapes(const scene::Scene& scene, const scene::Primitive& primitive) {
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::triangle:
-      return {triangleShape(triangleOf(scene, primitive))};
-    case scene::PrimitiveKind::plane:
-      return {planeShape(scene.planes[primitive.index])};
-    case scene::PrimitiveKind::box: {
-      std::vector<FlatShape> faces;
-      for (int face = 0; face < 6; ++face)
-        faces.push_back(faceShape(scene.boxes[primitive.index], face / 2, face % 2 != 0));
-      return faces;
-    }
-    case scene::PrimitiveKind::sphere:
-    case scene::PrimitiveKind::cone:
-      break;
-  }
-  return {};
-}
+// The flat parts of a shape; none of a curved one.
+struct FlatParts {
+  using Result = std::vector<FlatShape>;
 
-bool sphereHolds(const scene::Sphere& sphere, const dvec3& point, double slack) {
+  Result operator()(const scene::Triangle& triangle) const { return {triangleShape(triangle)}; }
+  Result operator()(const scene::Plane& plane) const { return {planeShape(plane)}; }
+  Result operator()(const scene::Box& box) const {
+    Result faces;
+    for (int face = 0; face < 6; ++face) faces.push_back(faceShape(box, face / 2, face % 2 != 0));
+    return faces;
+  }
+  Result operator()(const scene::Sphere&) const { return {}; }
+  Result operator()(const scene::Cone&) const { return {}; }
+};
+
+// Returns whether a curved shape contains the point.
+bool curveHolds(const scene::Sphere& sphere, const dvec3& point, double slack) {
   const dvec3 centre(sphere.centre);
   const double radius = std::abs(double{sphere.radius});
   const double allowed = tolerance(point, largest(centre) + radius, slack);
   return std::abs(length(point - centre) - radius) <= allowed;
 }
 
-bool coneHolds(const scene::Cone& cone, const dvec3& point, double slack) {
+bool curveHolds(const scene::Cone& cone, const dvec3& point, double slack) {
   const dvec3 base(cone.base), apex(cone.apex);
   const double height = length(apex - base);
   const dvec3 axis = (apex - base) / height;
@@ -96,17 +94,18 @@ bool coneHolds(const scene::Cone& cone, const dvec3& point, double slack) {
   return std::abs(off) <= tolerance(point, reach, slack) * std::sqrt(1 + slope * slope);
 }
 
-// Returns whether a curved primitive contains the point.
-bool curveHolds(const scene::Scene& scene, const scene::Primitive& primitive, const dvec3& point, double slack) {
-  if (primitive.kind == scene::PrimitiveKind::sphere) return sphereHolds(scene.spheres[primitive.index], point, slack);
-  return primitive.kind == scene::PrimitiveKind::cone && coneHolds(scene.cones[primitive.index], point, slack);
+bool curveHolds(const scene::Triangle&, const dvec3&, double) { return false; }
+bool curveHolds(const scene::Box&, const dvec3&, double) { return false; }
+bool curveHolds(const scene::Plane&, const dvec3&, double) { return false; }
+
+bool curveHolds(const scene::Shape& shape, const dvec3& point, double slack) {
+  return std::visit([&](const auto& curve) { return curveHolds(curve, point, slack); }, shape);
 }
 
-bool holdsPoint(const scene::Scene& scene, const scene::Primitive& primitive, const std::vector<FlatShape>& shapes,
-                const LightPlaces& lights) {
+bool holdsPoint(const scene::Shape& shape, const std::vector<FlatShape>& parts, const LightPlaces& lights) {
   return std::any_of(lights.points.begin(), lights.points.end(), [&](const dvec3& point) {
-    const auto holds = [&](const FlatShape& shape) { return shape.holds(point, lights.slack); };
-    return std::any_of(shapes.begin(), shapes.end(), holds) || curveHolds(scene, primitive, point, lights.slack);
+    const auto holds = [&](const FlatShape& part) { return part.holds(point, lights.slack); };
+    return std::any_of(parts.begin(), parts.end(), holds) || curveHolds(shape, point, lights.slack);
   });
 }
 
@@ -116,13 +115,13 @@ bool holdsTriangle(const FlatShape& shape, const EmitterPlace& emitter) {
   return shape.corners.empty() || overlap(shape.corners, emitter.vertices, shape.normal);
 }
 
-bool holdsTriangle(const scene::Scene& scene, std::uint32_t primitive, const std::vector<FlatShape>& shapes,
+bool holdsTriangle(const scene::Shape& shape, std::uint32_t primitive, const std::vector<FlatShape>& parts,
                    const LightPlaces& lights) {
   return std::any_of(lights.triangles.begin(), lights.triangles.end(), [&](const EmitterPlace& emitter) {
     if (emitter.primitive == primitive) return false;
-    const auto flat = [&](const FlatShape& shape) { return holdsTriangle(shape, emitter); };
-    const auto curved = [&](const dvec3& vertex) { return curveHolds(scene, scene.primitives[primitive], vertex, 0); };
-    return std::any_of(shapes.begin(), shapes.end(), flat) ||
+    const auto flat = [&](const FlatShape& part) { return holdsTriangle(part, emitter); };
+    const auto curved = [&](const dvec3& vertex) { return curveHolds(shape, vertex, 0); };
+    return std::any_of(parts.begin(), parts.end(), flat) ||
            std::all_of(emitter.vertices.begin(), emitter.vertices.end(), curved);
   });
 }
@@ -155,9 +154,9 @@ std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPlaces
   std::vector<bool> touched(scene.primitives.size(), comparisons > kMaxComparisons);
   if (lightCount == 0 || comparisons > kMaxComparisons) return touched;
   for (std::uint32_t i = 0; i < touched.size(); ++i) {
-    const scene::Primitive& primitive = scene.primitives[i];
-    const std::vector<FlatShape> shapes = flatShapes(scene, primitive);
-    touched[i] = holdsPoint(scene, primitive, shapes, lights) || holdsTriangle(scene, i, shapes, lights);
+    const scene::Shape shape = shapeOf(scene, scene.primitives[i]);
+    const std::vector<FlatShape> parts = std::visit(FlatParts(), shape);
+    touched[i] = holdsPoint(shape, parts, lights) || holdsTriangle(shape, i, parts, lights);
   }
   return touched;
 }

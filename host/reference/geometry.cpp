@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "host/scene/shape.h"
+
 namespace candela::reference {
 namespace {
 
@@ -26,6 +28,14 @@ std::pair<double, double> roots(double a, double b, double c) {
 double sideOfEdge(const dvec3& direction, const dvec3& from, const dvec3& to) {
   return dot(direction, cross(from, to));
 }
+
+struct Prepare {
+  Shape operator()(const scene::Sphere& sphere) const { return SphereShape(sphere); }
+  Shape operator()(const scene::Triangle& triangle) const { return TriangleShape(triangle); }
+  Shape operator()(const scene::Box& box) const { return BoxShape(box); }
+  Shape operator()(const scene::Cone& cone) const { return ConeShape(cone); }
+  Shape operator()(const scene::Plane& plane) const { return PlaneShape(plane); }
+};
 
 }  // namespace
 
@@ -157,6 +167,12 @@ double PlaneShape::distance(const Ray& ray) const {
   const double towards = dot(ray.direction, unitNormal);
   if (towards == 0) return kNoHit;
   return positiveOrNoHit(dot(point - ray.origin, unitNormal) / towards);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+Shape shapeOf(const scene::Scene& scene, const scene::Primitive& primitive) {
+  return std::visit(Prepare(), scene::shapeOf(scene, primitive));
 }
 
 }  // namespace candela::reference

@@ -2,6 +2,8 @@
 // docs/light-transport.md section 4. Distances are kNoHit if there is no hit, and above 0 otherwise. `leaving` says
 // that the primitive is the ray's origin primitive. A ray never hits a flat origin primitive.
 #pragma once
+#include <variant>
+
 #include "host/reference/ray.h"
 #include "host/scene/scene.h"
 
@@ -76,5 +78,9 @@ struct PlaneShape {
   explicit PlaneShape(const scene::Plane& plane);
   double distance(const Ray& ray) const;
 };
+
+using Shape = std::variant<SphereShape, TriangleShape, BoxShape, ConeShape, PlaneShape>;
+
+Shape shapeOf(const scene::Scene& scene, const scene::Primitive& primitive);
 
 }  // namespace candela::reference

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "host/scene/shape.h"
+
 namespace candela::reference {
 namespace {
 
@@ -22,12 +24,24 @@ Bounds ofCircle(const dvec3& centre, const dvec3& axis, double radius) {
   return around(centre, radius * glm::sqrt(glm::max(dvec3(0), 1.0 - axis * axis)));
 }
 
-Bounds ofCone(const scene::Cone& cone) {
+std::optional<Bounds> exactBounds(const scene::Sphere& sphere) {
+  return around(sphere.centre, dvec3(std::abs(sphere.radius)));
+}
+
+std::optional<Bounds> exactBounds(const scene::Triangle& triangle) {
+  return ofPoints({triangle.p[0], triangle.p[1], triangle.p[2]});
+}
+
+std::optional<Bounds> exactBounds(const scene::Box& box) { return Bounds{box.min, box.max}; }
+
+std::optional<Bounds> exactBounds(const scene::Cone& cone) {
   const dvec3 axis = glm::normalize(dvec3(cone.apex) - dvec3(cone.base));
   Bounds bounds = ofCircle(cone.base, axis, cone.baseRadius);
   bounds.extend(ofCircle(cone.apex, axis, cone.apexRadius));
   return bounds;
 }
+
+std::optional<Bounds> exactBounds(const scene::Plane&) { return std::nullopt; }
 
 Bounds widened(const Bounds& bounds) {
   const dvec3 reach = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
@@ -124,25 +138,10 @@ class Builder {
 }  // namespace
 
 std::optional<Bounds> boundsOf(const scene::Scene& scene, const scene::Primitive& primitive) {
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere: {
-      const scene::Sphere& sphere = scene.spheres[primitive.index];
-      return widened(around(sphere.centre, dvec3(std::abs(sphere.radius))));
-    }
-    case scene::PrimitiveKind::triangle: {
-      const scene::Triangle triangle = triangleOf(scene, primitive);
-      return widened(ofPoints({triangle.p[0], triangle.p[1], triangle.p[2]}));
-    }
-    case scene::PrimitiveKind::box: {
-      const scene::Box& box = scene.boxes[primitive.index];
-      return widened({box.min, box.max});
-    }
-    case scene::PrimitiveKind::cone:
-      return widened(ofCone(scene.cones[primitive.index]));
-    case scene::PrimitiveKind::plane:
-      break;
-  }
-  return std::nullopt;
+  const auto bounds = std::visit([](const auto& shape) { return exactBounds(shape); },
+                                 scene::shapeOf(scene, primitive));
+  if (!bounds) return std::nullopt;
+  return widened(*bounds);
 }
 
 Hierarchy buildHierarchy(std::span<const Bounds> boxes, render::BvhSplit split) {

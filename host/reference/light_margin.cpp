@@ -15,22 +15,22 @@ bool LightMargin::isIn(const dvec3& at, const dvec3& normal, double reach) const
   return std::abs(dot(normal, point_ - at)) <= margin(reach) * (size.x + size.y + size.z);
 }
 
-bool LightMargin::contains(const TriangleShape& triangle) const {
+bool LightMargin::contains(const TriangleShape& triangle, double, bool) const {
   const double reach = std::max({maxNorm(triangle.corner), maxNorm(triangle.corner1), maxNorm(triangle.corner2)});
   return isIn(triangle.corner, triangle.areaNormal(), reach);
 }
 
-bool LightMargin::contains(const PlaneShape& plane) const {
+bool LightMargin::contains(const PlaneShape& plane, double, bool) const {
   return isIn(plane.point, plane.unitNormal, maxNorm(plane.point));
 }
 
-bool LightMargin::contains(const BoxShape& box, bool leaving) const {
+bool LightMargin::contains(const BoxShape& box, double, bool leaving) const {
   const dvec3 normal = box.normal(ray_, leaving);
   const bool isUpper = normal.x + normal.y + normal.z > 0;
   return isIn(isUpper ? box.max : box.min, normal, std::max(maxNorm(box.min), maxNorm(box.max)));
 }
 
-bool LightMargin::contains(const SphereShape& sphere, double t) const {
+bool LightMargin::contains(const SphereShape& sphere, double t, bool) const {
   const double radius = std::abs(sphere.radius);
   const dvec3 towardsEye = eye_ - sphere.centre;
   const dvec3 outward = towardsEye == dvec3(0) ? dvec3(1, 0, 0) : normalize(towardsEye);
@@ -40,7 +40,7 @@ bool LightMargin::contains(const SphereShape& sphere, double t) const {
   return isEndAtLight(t, dot(fromCentre, ray_.direction));
 }
 
-bool LightMargin::contains(const ConeShape& cone, double t) const {
+bool LightMargin::contains(const ConeShape& cone, double t, bool) const {
   const double apexRadius = cone.baseRadius + cone.slope * cone.height;
   const double reach = std::max(maxNorm(cone.base) + cone.baseRadius,
                                 maxNorm(cone.base + cone.height * cone.axis) + apexRadius);

@@ -9,22 +9,18 @@
 namespace candela::reference {
 namespace {
 
-dvec3 outwardNormalAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
-  const scene::Primitive& primitive = scene.primitives[hit.primitive];
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere:
-      return SphereShape(scene.spheres[primitive.index]).normal(ray.at(hit.distance));
-    case scene::PrimitiveKind::triangle:
-      return normalize(TriangleShape(triangleOf(scene, primitive)).areaNormal());
-    case scene::PrimitiveKind::box:
-      return BoxShape(scene.boxes[primitive.index]).normal(ray, ray.leaving == hit.primitive);
-    case scene::PrimitiveKind::cone:
-      return ConeShape(scene.cones[primitive.index]).normal(ray.at(hit.distance));
-    case scene::PrimitiveKind::plane:
-      break;
-  }
-  return PlaneShape(scene.planes[primitive.index]).unitNormal;
-}
+// The outward normal where a ray hits a shape.
+struct OutwardNormal {
+  const Ray& ray;
+  double distance;
+  bool leaving;
+
+  dvec3 operator()(const SphereShape& sphere) const { return sphere.normal(ray.at(distance)); }
+  dvec3 operator()(const TriangleShape& triangle) const { return normalize(triangle.areaNormal()); }
+  dvec3 operator()(const BoxShape& box) const { return box.normal(ray, leaving); }
+  dvec3 operator()(const ConeShape& cone) const { return cone.normal(ray.at(distance)); }
+  dvec3 operator()(const PlaneShape& plane) const { return plane.unitNormal; }
+};
 
 bool hasAttributes(const scene::Mesh& mesh) {
   return !mesh.normals.empty() || !mesh.texCoords[0].empty() || !mesh.texCoords[1].empty() || !mesh.tangents.empty() ||
@@ -51,7 +47,8 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   Surface surface;
   surface.position = ray.at(hit.distance);
-  surface.outwardNormal = outwardNormalAt(scene, ray, hit);
+  surface.outwardNormal = std::visit(OutwardNormal{ray, hit.distance, ray.leaving == hit.primitive},
+                                     shapeOf(scene, primitive));
   surface.fromOutside = dot(ray.direction, surface.outwardNormal) < 0;
   surface.facingNormal = surface.fromOutside ? surface.outwardNormal : -surface.outwardNormal;
   surface.shadingNormal = surface.facingNormal;

@@ -50,6 +50,23 @@ bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
          TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
 }
 
+// The distance at which a ray hits a shape. A flat shape is not hit from behind if it has one side.
+struct HitDistance {
+  const Ray& ray;
+  bool leaving;
+  bool oneSided;
+
+  double operator()(const SphereShape& sphere) const { return sphere.distance(ray, leaving); }
+  double operator()(const BoxShape& box) const { return box.distance(ray, leaving); }
+  double operator()(const ConeShape& cone) const { return cone.distance(ray, leaving); }
+  double operator()(const TriangleShape& triangle) const {
+    return isPassed(oneSided ? triangle.areaNormal() : dvec3(0)) ? kNoHit : triangle.distance(ray);
+  }
+  double operator()(const PlaneShape& plane) const { return isPassed(plane.unitNormal) ? kNoHit : plane.distance(ray); }
+
+  bool isPassed(const dvec3& normal) const { return leaving || (oneSided && dot(ray.direction, normal) > 0); }
+};
+
 }  // namespace
 
 Counters& Counters::operator+=(const Counters& other) {
@@ -101,81 +118,16 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
 }
 
 void Tracing::findReaches(const dvec3& eye) {
-  for (const Item& item : items_) reaches_.push_back(reachOf(item, eye));
+  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye));
 }
 
-Tracing::RoundingReach Tracing::reachOf(const Item& item, const dvec3& eye) const {
-  switch (item.kind) {
-    case scene::PrimitiveKind::sphere: {
-      const SphereShape& sphere = spheres_[item.shape];
-      const dvec3 towards = eye - sphere.centre;
-      const dvec3 outward = towards == dvec3(0) ? dvec3(0) : std::abs(sphere.radius) * normalize(towards);
-      return {sphere.centre + outward, 0, kRoundingBounds.sphereTest};
-    }
-    case scene::PrimitiveKind::triangle: {
-      const TriangleShape& triangle = triangles_[item.shape];
-      const dvec3 centre = (triangle.corner + triangle.corner1 + triangle.corner2) / 3.0;
-      const double radius = std::max(
-          {length(triangle.corner - centre), length(triangle.corner1 - centre), length(triangle.corner2 - centre)});
-      return {centre, radius, kRoundingBounds.triangleTest};
-    }
-    case scene::PrimitiveKind::box: {
-      const BoxShape& box = boxes_[item.shape];
-      return {(box.min + box.max) / 2.0, length(box.max - box.min) / 2, kRoundingBounds.boxTest};
-    }
-    case scene::PrimitiveKind::cone: {
-      const ConeShape& cone = cones_[item.shape];
-      return {cone.base, cone.height, kRoundingBounds.coneTest};
-    }
-    case scene::PrimitiveKind::plane:
-      break;
-  }
-  return {planes_[item.shape].point, 0, kRoundingBounds.planeTest};
-}
-
-void Tracing::addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
-  const scene::PrimitiveKind kind = scene.primitives[primitive].kind;
-  const std::uint32_t index = scene.primitives[primitive].index;
-  const auto append = [&](auto& shapes, const auto& source) {
-    shapes.emplace_back(source);
-    const bool transparent = isTransparent(scene, scene.primitives[primitive]);
-    items_.push_back({kind, oneSided, transparent, static_cast<std::uint32_t>(shapes.size() - 1), primitive});
-  };
-  switch (kind) {
-    case scene::PrimitiveKind::sphere:
-      return append(spheres_, scene.spheres[index]);
-    case scene::PrimitiveKind::triangle:
-      return append(triangles_, triangleOf(scene, scene.primitives[primitive]));
-    case scene::PrimitiveKind::box:
-      return append(boxes_, scene.boxes[index]);
-    case scene::PrimitiveKind::cone:
-      return append(cones_, scene.cones[index]);
-    case scene::PrimitiveKind::plane:
-      return append(planes_, scene.planes[index]);
-  }
+void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
+  const scene::Primitive& primitive = scene.primitives[index];
+  items_.push_back({shapeOf(scene, primitive), oneSided, isTransparent(scene, primitive), index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
-  const bool leaving = item.primitive == ray.leaving;
-  const auto flat = [&](const auto& shape, const dvec3& normal) {
-    if (leaving || (item.oneSided && dot(ray.direction, normal) > 0)) return kNoHit;
-    return shape.distance(ray);
-  };
-  switch (item.kind) {
-    case scene::PrimitiveKind::sphere:
-      return spheres_[item.shape].distance(ray, leaving);
-    case scene::PrimitiveKind::triangle: {
-      const TriangleShape& triangle = triangles_[item.shape];
-      return flat(triangle, item.oneSided ? triangle.areaNormal() : dvec3(0));
-    }
-    case scene::PrimitiveKind::box:
-      return boxes_[item.shape].distance(ray, leaving);
-    case scene::PrimitiveKind::cone:
-      return cones_[item.shape].distance(ray, leaving);
-    case scene::PrimitiveKind::plane:
-      return flat(planes_[item.shape], planes_[item.shape].unitNormal);
-  }
-  return kNoHit;
+  return std::visit(HitDistance{ray, item.primitive == ray.leaving, item.oneSided}, item.shape);
 }
 
 bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
@@ -251,19 +203,8 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
 bool Tracing::containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const {
   if (!end.point) return false;
   const LightMargin margin(ray, end.distance, *end.point, eye_, fraction);
-  switch (item.kind) {
-    case scene::PrimitiveKind::sphere:
-      return margin.contains(spheres_[item.shape], t);
-    case scene::PrimitiveKind::triangle:
-      return margin.contains(triangles_[item.shape]);
-    case scene::PrimitiveKind::box:
-      return margin.contains(boxes_[item.shape], item.primitive == ray.leaving);
-    case scene::PrimitiveKind::cone:
-      return margin.contains(cones_[item.shape], t);
-    case scene::PrimitiveKind::plane:
-      break;
-  }
-  return margin.contains(planes_[item.shape]);
+  const bool leaving = item.primitive == ray.leaving;
+  return std::visit([&](const auto& shape) { return margin.contains(shape, t, leaving); }, item.shape);
 }
 
 bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
@@ -278,8 +219,7 @@ bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) 
 }
 
 dvec3 Tracing::testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const {
-  const RoundingReach& reach = reaches_[static_cast<std::size_t>(&item - items_.data())];
-  return origin + reach.units * kRoundoff * (length(origin - reach.centre) + reach.radius) * signs;
+  return origin + reaches_[static_cast<std::size_t>(&item - items_.data())].at(origin) * signs;
 }
 
 Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {

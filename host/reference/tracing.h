@@ -9,6 +9,7 @@
 #include "host/reference/light_margin.h"
 #include "host/reference/ray.h"
 #include "host/reference/rounding.h"
+#include "host/reference/rounding_reach.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
 
@@ -56,32 +57,22 @@ class Tracing {
   const Grid& grid() const { return grid_; }
 
  private:
-  /// A primitive to test. `shape` is an index into the shapes of its kind.
+  /// A primitive to test.
   struct Item {
-    scene::PrimitiveKind kind;
+    Shape shape;
     bool oneSided;
     bool transparent;
-    std::uint32_t shape;
     std::uint32_t primitive;
   };
 
-  void addItem(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
+  void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
   /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
   /// is kLightMargin, or what rounding makes of it.
   bool containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const;
   /// Whether a ray passes an item that it would hit. `word`: of the rounding of a replica; 0: exactly.
   bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
-  /// The rounding in an item's test has the effect of a displaced ray: by `units` of kRoundoff of the distance of the
-  /// ray's origin from `centre`, plus `radius`.
-  struct RoundingReach {
-    dvec3 centre;
-    double radius;
-    double units;
-  };
-
   void findReaches(const dvec3& eye);
-  RoundingReach reachOf(const Item& item, const dvec3& eye) const;
   /// The origin of the ray that the device's test of this item amounts to; `signs` of the errors.
   dvec3 testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const;
   template <class Visit>
@@ -93,13 +84,8 @@ class Tracing {
 
   const scene::Scene* scene_;
   dvec3 eye_{0};
-  std::vector<Item> items_;       ///< in the structure's order, then those outside of the structure
-  std::size_t firstOutside_ = 0;  ///< index of the first item outside of the structure
-  std::vector<SphereShape> spheres_;
-  std::vector<TriangleShape> triangles_;
-  std::vector<BoxShape> boxes_;
-  std::vector<ConeShape> cones_;
-  std::vector<PlaneShape> planes_;
+  std::vector<Item> items_;             ///< in the structure's order, then those outside of the structure
+  std::size_t firstOutside_ = 0;        ///< index of the first item outside of the structure
   std::vector<RoundingReach> reaches_;  ///< of items_; empty unless replicas are traced
   Hierarchy hierarchy_;
   Grid grid_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/scene/shape.h"
+
 namespace candela::scene {
 namespace {
 
@@ -51,6 +53,16 @@ std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
   return extent.bounds();
 }
 
+struct EmitterCount {
+  SceneReport::Lights& lights;
+
+  void operator()(const Sphere&) const { ++lights.spheres; }
+  void operator()(const Triangle&) const { ++lights.triangles; }
+  void operator()(const Cone&) const { ++lights.cones; }
+  void operator()(const Plane&) const { ++lights.planes; }
+  void operator()(const Box&) const {}  // emitting boxes have become triangles
+};
+
 SceneReport::Lights lightsOf(const Scene& scene) {
   SceneReport::Lights lights;
   lights.points = scene.pointLights.size();
@@ -61,22 +73,7 @@ SceneReport::Lights lightsOf(const Scene& scene) {
   }
   for (const Primitive& primitive : scene.primitives) {
     if (!isEmissive(scene.materials[primitive.material])) continue;
-    switch (primitive.kind) {
-      case PrimitiveKind::sphere:
-        ++lights.spheres;
-        break;
-      case PrimitiveKind::triangle:
-        ++lights.triangles;
-        break;
-      case PrimitiveKind::cone:
-        ++lights.cones;
-        break;
-      case PrimitiveKind::plane:
-        ++lights.planes;
-        break;
-      case PrimitiveKind::box:  // emitting boxes have become triangles
-        break;
-    }
+    std::visit(EmitterCount{lights}, shapeOf(scene, primitive));
   }
   return lights;
 }
