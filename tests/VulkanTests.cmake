@@ -33,8 +33,8 @@ function(candela_vulkan_test name)
   candela_discover_on_driver(${name} swiftshader "${CANDELA_SWIFTSHADER_ICD}" chromium-common "[slow],[swiftshader-slow]")
 endfunction()
 
-# `slow`: the cases that carry the label `slow` on this driver. SwiftShader takes five seconds to compile a path tracer, so
-# that cases which need many kernels are slow there, and only there.
+# `slow`: the cases that carry the label `slow` on this driver. SwiftShader takes five seconds to compile a path tracer
+# with many features, and computes slowly, so that cases which need many kernels or samples are slow there, and only there.
 function(candela_discover_on_driver name driver icd package slow)
   if(NOT EXISTS "${icd}")
     add_test(NAME "${driver}: ${name}" COMMAND sh -c "echo '${driver} is not installed: apt-get install ${package}, then configure again'; exit 1")

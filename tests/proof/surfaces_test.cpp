@@ -172,7 +172,7 @@ void poolRare(std::vector<double>& expected, std::vector<double>& observed) {
 
 }  // namespace
 
-TEST_CASE("surfaces are sampled with the stated density at five roughnesses and five angles") {
+TEST_CASE("surfaces are sampled with the stated density at five roughnesses and five angles", "[swiftshader-slow]") {
   const Cases cases;
   const MaterialLeaves leaves(cases.materials());
   const std::vector<glm::vec3> numbers = randomNumbers(kSurfaceSamples, 301);
@@ -203,7 +203,7 @@ TEST_CASE("surfaces are sampled with the stated density at five roughnesses and 
   });
 }
 
-TEST_CASE("the mean weight of a surface's samples is the albedo computed by quadrature") {
+TEST_CASE("the mean weight of a surface's samples is the albedo computed by quadrature", "[swiftshader-slow]") {
   const Cases cases;
   const MaterialLeaves leaves(cases.materials());
   const std::vector<glm::vec3> numbers = latticeNumbers(50000);
@@ -223,7 +223,7 @@ TEST_CASE("the mean weight of a surface's samples is the albedo computed by quad
   });
 }
 
-TEST_CASE("white surfaces reflect everything within 1 percent, and never more than 1.001 of it") {
+TEST_CASE("white surfaces reflect everything within 1 percent, and never more than 1.001 of it", "[swiftshader-slow]") {
   constexpr int kAngles = 16;
   std::vector<scene::Material> materials;
   for (const float roughness : kRoughnesses) {
