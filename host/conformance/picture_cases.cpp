@@ -68,6 +68,7 @@ Picture basicPicture(const std::string& scene = "cornell") {
   picture.settings.image.sampleCount = kSamples;
   picture.settings.execution.threads = 1;
   picture.settings.execution.kernel = KernelKind::megakernel;
+  picture.settings.structure.bvhLayout = BvhLayout::cwbvh;
   return picture;
 }
 
