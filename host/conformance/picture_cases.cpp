@@ -4,6 +4,7 @@
 #include <array>
 
 #include "host/conformance/case_tables.h"
+#include "host/conformance/identity_run.h"
 #include "host/conformance/picture_run.h"
 #include "host/conformance/scenes.h"
 #include "host/conformance/workbench.h"
@@ -56,14 +57,8 @@ constexpr std::array<Named<SamplerKind>, 2> kSamplers{
 constexpr std::array<Named<Extent>, 5> kWorkgroups{
     {{"1x1", {1, 1}}, {"3x5", {3, 5}}, {"32x1", {32, 1}}, {"1x64", {1, 64}}, {"16x16", {16, 16}}}};
 
-/// A picture before it has a name.
-struct Picture {
-  std::string scene = "cornell";
-  render::RenderSettings settings;
-};
-
 Picture basicPicture(const std::string& scene = "cornell") {
-  Picture picture{scene, {}};
+  Picture picture{scene, {}, 0};
   picture.settings.image.size = {kSide, kSide};
   picture.settings.image.sampleCount = kSamples;
   picture.settings.execution.threads = 1;
@@ -76,7 +71,7 @@ class Table {
  public:
   void add(const std::string& path, const std::string& group, const Picture& picture) {
     cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
-                      [picture](Workbench& bench) { return comparePicture(picture.scene, picture.settings, bench); }});
+                      [picture](Workbench& bench) { return comparePicture(picture, bench); }});
   }
   Cases take() { return std::move(cases_); }
 
@@ -141,6 +136,14 @@ void addWorkgroups(Table& table) {
   }
 }
 
+void addSubgroups(Table& table) {
+  for (const std::uint32_t size : kSubgroupSizes) {
+    Picture picture = basicPicture();
+    picture.subgroupSize = size;
+    table.add(fmt::format("megakernel.subgroup.{}", size), "workgroup", picture);
+  }
+}
+
 }  // namespace
 
 Cases pictureCases() {
@@ -151,6 +154,7 @@ Cases pictureCases() {
   addSamplers(table);
   addMaterials(table);
   addWorkgroups(table);
+  addSubgroups(table);
   return table.take();
 }
 

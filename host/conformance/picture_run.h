@@ -10,9 +10,16 @@ namespace candela::conformance {
 /// Probability that a picture of a correct device fails.
 inline constexpr double kPictureAlpha = 1e-5;
 
-/// Renders the scene named `sceneName` (see scenes.h) on both sides and asks for the verdict of host/verify: decidable
-/// samples are equal, and the paired test finds no difference of light. A failure names the pixel, and the path vertex
-/// and quantity where its path leaves the reference's. Throws as Renderer::prepare() does.
-Finding comparePicture(const std::string& sceneName, const render::RenderSettings& settings, Workbench& workbench);
+struct Picture {
+  std::string scene = "cornell";  ///< see scenes.h
+  render::RenderSettings settings;
+  std::uint32_t subgroupSize = 0;  ///< that pipelines require; 0: as the driver chooses
+};
+
+/// Renders the picture on both sides and asks for the verdict of host/verify: decidable samples are equal, and the
+/// paired test finds no difference of light. A failure names the pixel, and the path vertex and quantity where its path
+/// leaves the reference's. Skipped if the device does not have the workgroup or the subgroup size. Throws as
+/// Renderer::prepare() does.
+Finding comparePicture(const Picture& picture, Workbench& workbench);
 
 }  // namespace candela::conformance

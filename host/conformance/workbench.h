@@ -1,4 +1,4 @@
-// What the cases of one child process share: the open device and the reference's images.
+// What the cases of one child process share: the open device and the two tracers.
 #pragma once
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ class Workbench {
   vulkan::Device& device();
   /// Returns the device renderer on device().
   render::Renderer& renderer();
-  /// Returns the reference tracer. It renders a picture once, however many cases ask for it.
+  /// Returns the reference tracer.
   render::Renderer& reference() { return *reference_; }
 
  private:
