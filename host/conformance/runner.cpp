@@ -49,6 +49,7 @@ class Runner {
     while (!(waiting_.empty() && running_.empty()) && !isStopped()) {
       startChildren();
       listen();
+      if (isStopped()) break;  // Ctrl-C has ended the children, too
       endLateChildren();
       collectEnded();
     }
