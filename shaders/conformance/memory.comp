@@ -61,7 +61,7 @@ void scan(uint i, uint local) {
 void listInShared(uint i, uint local) {
   if (local == 0u) sharedCount = 0u;
   barrier();
-  if ((next(i) & 1u) != 0u) sharedWords[atomicAdd(sharedCount, 1u)] = i;
+  if (((next(i) >> 20) & 1u) != 0u) sharedWords[atomicAdd(sharedCount, 1u)] = i;
   barrier();
   if (local != 0u) return;
   uint sum = 0u;
@@ -86,8 +86,8 @@ void exchangeInStorage(uint i, uint local) {
 
 // Reads what the invocation has just written, at indices that are equal for some invocations.
 void aliased(uint i) {
-  uint first = 8u * i + (next(i) & 7u);
-  uint second = 8u * i + (next(i + 1u) & 7u);
+  uint first = 8u * i + ((next(i) >> 20) & 7u);
+  uint second = 8u * i + ((next(next(i)) >> 20) & 7u);
   data[first] = i;
   data[second] = i + 7u;
   uint seen = data[first];
