@@ -32,5 +32,6 @@ install(FILES ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/ca
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/candela COMPONENT program)
+install(DIRECTORY host/conformance/baselines/ DESTINATION ${CMAKE_INSTALL_DATADIR}/candela/conformance COMPONENT program)
 install(FILES cmake/desktop/candela.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 install(FILES cmake/desktop/candela.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)

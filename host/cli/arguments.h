@@ -28,7 +28,8 @@ enum class Command : unsigned {
   tune = 512,
   doctor = 1024,
   film = 2048,
-  merge = 4096
+  merge = 4096,
+  conformance = 8192
 };
 
 /// The renderer that finishes a render after its device has failed for good.
@@ -37,6 +38,19 @@ enum class Fallback { none, reference };
 struct PixelPlace {
   std::uint32_t x = 0;  ///< from the left
   std::uint32_t y = 0;  ///< from the top
+};
+
+/// What `candela conformance` runs, and what it expects.
+struct ConformanceArguments {
+  bool list = false;                     ///< print the names of the cases, and run none
+  std::string cases = "*";               ///< pattern of their names
+  std::optional<std::uint32_t> jobs;     ///< child processes at a time; empty: one per core
+  std::optional<std::uint32_t> shuffle;  ///< seed of the order; empty: the order of the list
+  double timeout = 60;                   ///< for each case, in seconds
+  std::filesystem::path baseline;        ///< empty: every case is expected to pass
+  std::filesystem::path skips;
+  std::filesystem::path flakes;
+  std::string csv;  ///< like `Arguments::json`
 };
 
 /// A default-constructed object has the default of every option; the option table reads the defaults from it.
@@ -97,6 +111,8 @@ struct Arguments {
   std::string svg;                  ///< like `json`
 
   bool dryRun = false;  ///< for `tune`: store nothing
+
+  ConformanceArguments conformance;
 
   std::filesystem::path report;  ///< HTML file; empty for none
   std::string json;              ///< a file, "-" for stdout, empty for none

@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 13> table{{
+  static const std::array<CommandInfo, 14> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
@@ -21,6 +21,9 @@ std::span<const CommandInfo> commandTable() {
        runCompare},
       {Command::verify, "verify", "verify SCENE",
        "test statistically whether a device computes the same light as the reference tracer", "scene", 1, 1, runVerify},
+      {Command::conformance, "conformance", "conformance",
+       "run many small cases on a device, each in a child process, and compare the results with those of a baseline",
+       "", 0, 0, runConformance},
       {Command::explain, "explain", "explain SCENE",
        "trace one sample on a device and on the reference tracer, and show where the paths diverge", "scene", 1, 1,
        runExplain},

@@ -30,6 +30,7 @@ ExitCode runDevices(const Arguments& arguments, const Log& log);
 ExitCode runDoctor(const Arguments& arguments, const Log& log);
 ExitCode runCheck(const Arguments& arguments, const Log& log);
 ExitCode runCompare(const Arguments& arguments, const Log& log);
+ExitCode runConformance(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runExplain(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);

@@ -18,7 +18,7 @@ constexpr float kMaxGridDensity = 64;
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing | kTune | kDoctor, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
+    valued({"--device", kTracing | kTune | kDoctor | kConformance, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain, kGroup, "acceleration structure"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),

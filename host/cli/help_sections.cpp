@@ -15,6 +15,7 @@ constexpr std::array kGroupTitles{
                "Execution (only --device affects the image, by rounding; --accel affects the view `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
+    GroupTitle{OptionGroup::conformance, "Conformance of a driver"},
     GroupTitle{OptionGroup::explanation, "Explaining a sample"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
     GroupTitle{OptionGroup::tuning, "Tuning"},

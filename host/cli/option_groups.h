@@ -20,11 +20,12 @@ inline constexpr unsigned kTune = static_cast<unsigned>(Command::tune);
 inline constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 inline constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
 inline constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
+inline constexpr unsigned kConformance = static_cast<unsigned>(Command::conformance);
 inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
 inline constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 inline constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 inline constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune |
-                                       kDoctor | kFilm | kMerge;
+                                       kDoctor | kFilm | kMerge | kConformance;
 inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes;
 
 inline constexpr std::uint32_t kMaxSamples = 1u << 30;
@@ -38,6 +39,7 @@ std::vector<Option> outputOptions();
 std::vector<Option> filmOptions();
 std::vector<Option> comparisonOptions();
 std::vector<Option> verificationOptions();
+std::vector<Option> conformanceOptions();
 std::vector<Option> explanationOptions();
 std::vector<Option> benchmarkOptions();
 std::vector<Option> tuningOptions();

@@ -9,8 +9,8 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(),
-                             comparisonOptions(), verificationOptions(), explanationOptions(), benchmarkOptions(),
-                             tuningOptions(), generationOptions(), generalOptions()}) {
+                             comparisonOptions(), verificationOptions(), conformanceOptions(), explanationOptions(),
+                             benchmarkOptions(), tuningOptions(), generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

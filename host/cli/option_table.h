@@ -17,6 +17,7 @@ enum class OptionGroup {
   output,
   comparison,
   verification,
+  conformance,
   explanation,
   benchmark,
   tuning,

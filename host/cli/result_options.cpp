@@ -73,7 +73,7 @@ std::vector<Option> verificationOptions() {
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
            orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
-    valued({"--junit", kVerify, kGroup, "write the verdict as JUnit XML; `-`: to stdout"},
+    valued({"--junit", kVerify | kConformance, kGroup, "write the results as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),
     flag({"--explain", kVerify, kGroup, "after the verdict, explain the pixel that differs most, as `candela explain` does"},
          [](auto& a) -> auto& { return a.explain; }),

@@ -1,5 +1,6 @@
 // Characters with a special meaning in HTML and XML.
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace candela {
@@ -21,6 +22,20 @@ constexpr std::string_view entityOf(char character) {
     default:
       return {};
   }
+}
+
+/// Returns `text` as content or attribute of XML. Control characters except newlines become spaces.
+inline std::string xmlEscaped(std::string_view text) {
+  std::string out;
+  for (const char character : text) {
+    const std::string_view entity = entityOf(character);
+    if (!entity.empty()) {
+      out += entity;
+    } else {
+      out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
+    }
+  }
+  return out;
 }
 
 }  // namespace candela

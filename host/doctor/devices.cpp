@@ -8,7 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "host/doctor/child_process.h"
+#include "host/process/child_process.h"
 
 namespace candela::doctor {
 namespace {
@@ -26,7 +26,7 @@ void openDriver(const std::string& library) {
 }
 
 ListedDevices listIn(const std::function<void()>& prepare) {
-  const ChildResult result = runInChild(kListLimit, [&] {
+  const process::ChildResult result = process::runInChild(kListLimit, [&] {
     ::unsetenv("CANDELA_VALIDATION");
     prepare();
     return nlohmann::json(vulkan::listDevices());

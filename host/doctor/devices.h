@@ -11,7 +11,8 @@
 namespace candela::vulkan {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driver, driverVersion, pipelineCacheUuid, apiVersion,
                                    usable, whyNot, memoryBytes, maxStorageBufferRange, maxTexelBufferElements,
-                                   maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize)
+                                   maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize, minSubgroupSize,
+                                   maxSubgroupSize)
 }  // namespace candela::vulkan
 
 namespace candela::doctor {

@@ -6,7 +6,7 @@
 #include "embedded/cornell.h"
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_renderer.h"
-#include "host/doctor/child_process.h"
+#include "host/process/child_process.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
 #include "host/scene/load.h"
@@ -60,7 +60,7 @@ Trial interpretTrial(const nlohmann::json& comparison) {
 }
 
 Trial tryRender(const std::string& selector) {
-  const ChildResult result = runInChild(kTrialLimit, [&] {
+  const process::ChildResult result = process::runInChild(kTrialLimit, [&] {
     const std::unique_ptr<render::Renderer> device = device::makeGpuRenderer(selector);
     return compareWithReference(*device);
   });

@@ -98,19 +98,6 @@ ordered_json lightJson(const LightTestResult& light, const LightTestOptions& opt
   return json;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char character : text) {
-    const std::string_view entity = entityOf(character);
-    if (!entity.empty()) {
-      out += entity;
-    } else {
-      out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
-    }
-  }
-  return out;
-}
-
 struct JunitCase {
   std::string name;
   bool passed;
@@ -118,9 +105,10 @@ struct JunitCase {
 };
 
 std::string toXml(const JunitCase& junitCase) {
-  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"", escaped(junitCase.name));
+  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"",
+                                       xmlEscaped(junitCase.name));
   if (junitCase.passed) return head + "/>\n";
-  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, escaped(junitCase.text));
+  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, xmlEscaped(junitCase.text));
 }
 
 }  // namespace
@@ -183,7 +171,7 @@ std::string toJunit(const VerifyReport& report, bool strict) {
   const auto failures = std::count_if(cases.begin(), cases.end(), [](const JunitCase& c) { return !c.passed; });
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuite name=\"candela verify {}\" tests=\"{}\" failures=\"{}\" time=\"{:.3f}\">\n",
-                     escaped(report.scene), cases.size(), failures, report.seconds);
+                     xmlEscaped(report.scene), cases.size(), failures, report.seconds);
   for (const JunitCase& junitCase : cases) xml += toXml(junitCase);
   return xml + "</testsuite>\n";
 }

@@ -31,7 +31,9 @@ vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout l
   const std::vector<std::uint32_t> code = reducedSpirv(spirv, options.specialisations);
   const vk::raii::ShaderModule module(device.handle,
                                       vk::ShaderModuleCreateInfo({}, std::span(code).size_bytes(), code.data()));
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
+  const vk::PipelineShaderStageRequiredSubgroupSizeCreateInfoEXT size(device.options.subgroupSize);
+  vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
+  if (device.options.subgroupSize > 0) stage.pNext = &size;
   return {device.handle, device.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 

@@ -21,14 +21,23 @@ namespace {
 // beta header.
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
 
-vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {
+vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily,
+                              const DeviceOptions& options) {
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
   std::vector<const char*> extensions;
   for (const vk::ExtensionProperties& extension : physicalDevice.enumerateDeviceExtensionProperties()) {
     if (std::strcmp(extension.extensionName, kPortabilitySubset) == 0) extensions.push_back(kPortabilitySubset);
   }
-  return {physicalDevice, vk::DeviceCreateInfo({}, queue, {}, extensions)};
+  vk::PhysicalDeviceFeatures features;
+  features.robustBufferAccess = options.robustBufferAccess;
+  vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT sizeControl(VK_TRUE);
+  vk::DeviceCreateInfo info({}, queue, {}, extensions, &features);
+  if (options.subgroupSize > 0) {
+    extensions.push_back(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME);
+    info.setPEnabledExtensionNames(extensions).setPNext(&sizeControl);
+  }
+  return {physicalDevice, info};
 }
 
 }  // namespace
@@ -42,7 +51,7 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
       limits(physicalDevice.getProperties().limits),
       memoryProperties(physicalDevice.getMemoryProperties()) {
   const std::uint32_t queueFamily = findComputeQueue(physicalDevice).value();
-  handle = createDevice(physicalDevice, queueFamily);
+  handle = createDevice(physicalDevice, queueFamily, options);
   queue = handle.getQueue(queueFamily, 0);
   pipelineCache = handle.createPipelineCache({});
   commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});

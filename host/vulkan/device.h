@@ -28,6 +28,11 @@ struct DeviceOptions {
   /// Maximum duration of a run in seconds; 0: unlimited. Absent: as Patience says on hardware, and unlimited on
   /// devices in software, which are slow on a loaded machine.
   std::optional<double> hangTimeout{};
+  /// True: enables robustBufferAccess, with which shaders cannot access memory beyond their buffers.
+  bool robustBufferAccess = false;
+  /// Number of invocations in a subgroup of every pipeline, from DeviceInfo::minSubgroupSize to maxSubgroupSize and a
+  /// power of two; 0: as the driver chooses.
+  std::uint32_t subgroupSize = 0;
 };
 
 /// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.

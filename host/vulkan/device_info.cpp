@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "host/vulkan/describe.h"
 #include "host/vulkan/device_choice.h"
 #include "host/vulkan/instance.h"
@@ -58,6 +61,26 @@ void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
 }
 
+bool hasSizeControl(const vk::raii::PhysicalDevice& device) {
+  const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
+  return std::ranges::any_of(extensions, [](const vk::ExtensionProperties& extension) {
+    return std::string_view(extension.extensionName.data()) == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
+  });
+}
+
+void fillSubgroupSizes(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
+  if (!hasSizeControl(device)) return;
+  using Features = vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT;
+  using Properties = vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT;
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>();
+  const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, Properties>();
+  const Properties& sizes = chain.get<Properties>();
+  const bool forCompute = static_cast<bool>(sizes.requiredSubgroupSizeStages & vk::ShaderStageFlagBits::eCompute);
+  if (!features.get<Features>().subgroupSizeControl || !forCompute) return;
+  info.minSubgroupSize = sizes.minSubgroupSize;
+  info.maxSubgroupSize = sizes.maxSubgroupSize;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device) {
@@ -84,6 +107,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
     return info;
   }
   fillDriver(info, device);
+  fillSubgroupSizes(info, device);
   if (!findComputeQueue(device)) {
     info.whyNot = "it has no compute queue";
     return info;

@@ -23,6 +23,8 @@ struct DeviceInfo {
   std::uint32_t maxWorkgroupInvocations = 0;
   std::uint32_t maxWorkgroupSize[3]{};
   std::uint32_t subgroupSize = 0;
+  std::uint32_t minSubgroupSize = 0;  ///< that a compute pipeline may require; 0: it cannot require any
+  std::uint32_t maxSubgroupSize = 0;
 };
 
 /// Returns every device of every Vulkan driver, in the order of the loader. Empty if there is none.

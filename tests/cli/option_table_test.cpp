@@ -109,6 +109,15 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--time-limit", "TIME", "none", Command::verify},
       {"--junit", "FILE", ""},
       {"--explain", "", ""},
+      {"--cases", "GLOB", "*"},
+      {"--list", "", ""},
+      {"--jobs", "N", "auto"},
+      {"--shuffle", "N", "off"},
+      {"--timeout", "TIME", "60s"},
+      {"--baseline", "FILE", ""},
+      {"--skips", "FILE", ""},
+      {"--flakes", "FILE", ""},
+      {"--csv", "FILE", ""},
       {"--pixel", "X,Y", "the pixel that differs most"},
       {"--sample", "N", "0"},
       {"--repeat", "N", "3"},
@@ -192,6 +201,10 @@ TEST_CASE("an option prints the value that it was given") {
       {"--checkpoint-every", {"0s", "90s", "0.5s"}},
       {"--samples", {"0:1", "16:64"}},
       {"--crop", {"0,0,1,1", "12,34,56,78"}},
+      {"--cases", {"leaf.*"}},
+      {"--jobs", {"1", "16", "auto"}},
+      {"--shuffle", {"0", "7", "off"}},
+      {"--timeout", {"0.5s", "90s"}},
       {"--allow-path", {"/a", "b c"}}};
   Arguments arguments;
   for (const auto& [name, values] : samples) {

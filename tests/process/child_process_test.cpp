@@ -1,5 +1,5 @@
 // Work in a child process: its result, and every way in which it can fail.
-#include "host/doctor/child_process.h"
+#include "host/process/child_process.h"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 #include "host/vulkan/validation.h"
 #include "host/vulkan/validation_log.h"
 
-namespace candela::doctor {
+namespace candela::process {
 namespace {
 
 using nlohmann::json;
@@ -72,4 +72,4 @@ TEST_CASE("messages of the validation layer in a child are those of the program"
   vulkan::clearValidationMessages();
 }
 
-}  // namespace candela::doctor
+}  // namespace candela::process

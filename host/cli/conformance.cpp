@@ -1,0 +1,102 @@
+// `candela conformance`: asks a device many small questions, each in a child process.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/cli/text_output.h"
+#include "host/conformance/case_tables.h"
+#include "host/conformance/results.h"
+#include "host/core/interrupt.h"
+#include "host/core/stopwatch.h"
+#include "host/doctor/devices.h"
+#include "host/vulkan/device_choice.h"
+
+namespace candela::cli {
+namespace {
+
+using conformance::CaseResult;
+using conformance::Cases;
+
+Cases chosenCases(const ConformanceArguments& arguments) {
+  Cases chosen = conformance::casesNamed(conformance::allCases(), arguments.cases);
+  if (!chosen.empty()) return chosen;
+  throw UsageError(fmt::format("--cases {}: no case has such a name; `candela conformance --list` prints all names",
+                               arguments.cases));
+}
+
+void printNames(const Cases& cases) {
+  for (const conformance::Case& one : cases) std::cout << one.name << '\n';
+  std::cout << std::flush;
+}
+
+// A driver that crashes while it lists its devices ends a child alone.
+vulkan::DeviceInfo deviceFor(const std::string& selector) {
+  const doctor::ListedDevices listed = doctor::listAllDevices();
+  if (!listed.failure.empty()) {
+    throw NoDeviceError(
+        fmt::format("listing the Vulkan devices {}; `candela doctor` names the driver", listed.failure));
+  }
+  return vulkan::chooseDevice(listed.devices, selector);
+}
+
+conformance::RunOptions optionsFrom(const ConformanceArguments& arguments) {
+  conformance::RunOptions options;
+  options.jobs = arguments.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeout * 1000));
+  options.shuffle = arguments.shuffle;
+  options.expectations = {conformance::readBaseline(arguments.baseline), conformance::readPatterns(arguments.skips),
+                          conformance::readPatterns(arguments.flakes)};
+  return options;
+}
+
+// Results that are expected appear only with --verbose.
+bool isWorthALine(const CaseResult& result, const Log& log) {
+  return !result.verdict.isExpected() || result.verdict.status == conformance::Status::flake ||
+         log.verbosity() == Verbosity::verbose;
+}
+
+void requireWritableOutputs(const Arguments& arguments) {
+  for (const std::string& target : {arguments.conformance.csv, arguments.json, arguments.junit}) {
+    requireWritableReport(target);
+  }
+}
+
+}  // namespace
+
+ExitCode runConformance(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the cases ask a Vulkan driver, which the reference tracer is not; choose a Vulkan device (see "
+        "candela devices)");
+  }
+  const Cases cases = chosenCases(arguments.conformance);
+  if (arguments.conformance.list) {
+    printNames(cases);
+    return ExitCode::done;
+  }
+  requireWritableOutputs(arguments);
+  conformance::RunOptions options = optionsFrom(arguments.conformance);
+  const bool asText = arguments.wantsText() && arguments.junit != "-" && arguments.conformance.csv != "-";
+  options.note = [&](const CaseResult& result) {
+    if (asText && isWorthALine(result, log)) std::cout << lineOf(result) << std::flush;
+  };
+  const vulkan::DeviceInfo device = deviceFor(arguments.device);
+  log.note(fmt::format("{} cases on {} ({}), {} at a time", cases.size(), device.name, device.driver, options.jobs));
+  options.stop = &watchInterrupts();
+  Stopwatch watch;
+  const conformance::RunResult run = conformance::runCases(cases, device, options);
+  const double seconds = watch.lap();
+  if (asText) std::cout << fmt::format("{} ({:.1f} s)\n", countsOf(run), seconds) << std::flush;
+  writeText(arguments.conformance.csv, toCsv(run));
+  writeText(arguments.junit, toJunit(run, device, seconds));
+  writeJson(arguments.json, toJson(run, device, seconds));
+  if (run.interrupted) return ExitCode::interrupted;
+  return run.isExpected() ? ExitCode::done : ExitCode::differ;
+}
+
+}  // namespace candela::cli

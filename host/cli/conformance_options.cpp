@@ -1,0 +1,39 @@
+// Options of `candela conformance`.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::uint32_t kMaxJobs = 1024;
+
+}  // namespace
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> conformanceOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::conformance;
+  return {
+    valued({"--cases", kConformance, kGroup, "run the cases whose names match a pattern with *, ? and [...]"},
+           text("GLOB", "a pattern"), [](auto& a) -> auto& { return a.conformance.cases; }),
+    flag({"--list", kConformance, kGroup, "print the names of the cases, and run none"}, [](auto& a) -> auto& { return a.conformance.list; }),
+    valued({"--jobs", kConformance, kGroup, "number of child processes at a time; `auto`: one per core"},
+           orAbsent(wholeNumber(1, kMaxJobs), "auto"), [](auto& a) -> auto& { return a.conformance.jobs; }),
+    valued({"--shuffle", kConformance, kGroup, "run the cases in the order that a seed determines"},
+           orAbsent(wholeNumber(0, kAnySize), "off"), [](auto& a) -> auto& { return a.conformance.shuffle; }),
+    valued({"--timeout", kConformance, kGroup, "time limit of each case"},
+           duration(0.1), [](auto& a) -> auto& { return a.conformance.timeout; }),
+    path({"--baseline", kConformance, kGroup, "file of expected results, a line `case,Result` for each case that does not pass"}, "FILE",
+         [](auto& a) -> auto& { return a.conformance.baseline; }),
+    path({"--skips", kConformance, kGroup, "file of regular expressions, one a line: cases that are not run"}, "FILE",
+         [](auto& a) -> auto& { return a.conformance.skips; }),
+    path({"--flakes", kConformance, kGroup, "file of regular expressions, one a line: cases whose failures do not count"}, "FILE",
+         [](auto& a) -> auto& { return a.conformance.flakes; }),
+    valued({"--csv", kConformance, kGroup, "write lines `case,Result,seconds`, as deqp-runner's results.csv; `-`: to stdout"},
+           text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.conformance.csv; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli

@@ -1,0 +1,12 @@
+// Makes findings.
+#include "host/conformance/case.h"
+
+#include <utility>
+
+namespace candela::conformance {
+
+Finding passed() { return {}; }
+Finding failed(std::string text) { return {Outcome::fail, std::move(text)}; }
+Finding skipped(std::string missingFeature) { return {Outcome::skip, std::move(missingFeature)}; }
+
+}  // namespace candela::conformance

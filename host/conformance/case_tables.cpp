@@ -1,0 +1,27 @@
+// Joins the tables, and selects cases.
+#include "host/conformance/case_tables.h"
+
+#include <fnmatch.h>
+
+#include <iterator>
+
+namespace candela::conformance {
+
+Cases allCases() {
+  Cases all;
+  for (Cases part :
+       {pictureCases(), integerCases(), floatCases(), functionCases(), controlCases(), memoryCases(), groupCases()}) {
+    std::ranges::move(part, std::back_inserter(all));
+  }
+  return all;
+}
+
+Cases casesNamed(const Cases& cases, const std::string& glob) {
+  Cases chosen;
+  for (const Case& one : cases) {
+    if (::fnmatch(glob.c_str(), one.name.c_str(), 0) == 0) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+}  // namespace candela::conformance

@@ -1,0 +1,27 @@
+// The tables from which the cases are made.
+#pragma once
+#include "host/conformance/case.h"
+
+namespace candela::conformance {
+
+/// Integer functions of GLSL and the samplers, bit for bit.
+Cases integerCases();
+/// Arithmetic, roots, conversions and built-in functions of GLSL, to the errors that Vulkan allows.
+Cases floatCases();
+/// Candela's own functions: the exact sums of films, elementary functions and warps, to the errors that they state.
+Cases functionCases();
+/// Loops, breaks, switches, stacks.
+Cases controlCases();
+/// Buffers, atomic operations, barriers, queues, robust access.
+Cases memoryCases();
+/// Subgroups and workgroups.
+Cases groupCases();
+/// Whole pictures by each kernel, compared with the reference.
+Cases pictureCases();
+
+/// Returns all of the above.
+Cases allCases();
+/// Returns the cases of `cases` whose name matches `glob`, a pattern with *, ? and [...] as in a shell.
+Cases casesNamed(const Cases& cases, const std::string& glob);
+
+}  // namespace candela::conformance

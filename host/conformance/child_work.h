@@ -1,0 +1,26 @@
+// What a child process of a run does: it runs cases one after the other, and sends a value before and after each.
+#pragma once
+#include <vector>
+
+#include "host/conformance/case.h"
+#include "host/conformance/status.h"
+#include "host/process/child_process.h"
+#include "host/vulkan/device_info.h"
+
+namespace candela::conformance {
+
+/// What a child sends. Before a case it has no status.
+struct ChildNote {
+  std::optional<Status> status;
+  std::string text;
+  double seconds = 0;
+};
+
+nlohmann::json toJson(const ChildNote& note);
+ChildNote noteFrom(const nlohmann::json& json);
+
+/// Runs the cases, and ends early after a device was lost, because nothing more can be asked of it.
+void runInThisProcess(const std::vector<const Case*>& cases, const vulkan::DeviceInfo& device,
+                      const process::ChildProcess::Send& send);
+
+}  // namespace candela::conformance

@@ -1,0 +1,17 @@
+// Cases with several dispatches or commands in one submission, and with structures in buffers.
+#pragma once
+#include "host/conformance/case.h"
+#include "host/vulkan/device.h"
+
+namespace candela::conformance {
+
+/// Dispatches each of which reads what the one before wrote.
+Finding runChain(vulkan::Device& device);
+/// Rounds of a queue with indirect dispatches, as the wavefront kernel has them.
+Finding runQueue(vulkan::Device& device);
+/// Fills, updates and copies of buffers.
+Finding runCopies(vulkan::Device& device);
+/// Members of structures with the padding of std430.
+Finding runRecords(vulkan::Device& device);
+
+}  // namespace candela::conformance

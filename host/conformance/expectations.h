@@ -1,0 +1,47 @@
+// The files that state what a driver is expected to do, in the formats of deqp-runner.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/conformance/status.h"
+
+namespace candela::conformance {
+
+/// Results by the name of their case.
+using Baseline = std::map<std::string, Status, std::less<>>;
+
+/// Reads lines `case,Result` or `case,Result,seconds`; empty lines and lines that start with # are ignored. Throws
+/// FileError with the line for any other line, an unknown result, and a case that occurs twice.
+Baseline parseBaseline(const std::string& text, const std::string& fileName);
+/// Reads the file; an empty path gives an empty baseline. Throws FileError.
+Baseline readBaseline(const std::filesystem::path& file);
+
+/// Regular expressions. A name matches if any of them occurs anywhere in it.
+class NamePatterns {
+ public:
+  NamePatterns() = default;
+  /// Reads one expression a line; empty lines and lines that start with # are ignored. Throws FileError with the line.
+  NamePatterns(const std::string& text, const std::string& fileName);
+  bool match(const std::string& name) const;
+
+ private:
+  std::vector<std::regex> expressions_;
+};
+
+/// Reads the file; an empty path gives no patterns. Throws FileError.
+NamePatterns readPatterns(const std::filesystem::path& file);
+
+struct Expectations {
+  Baseline baseline;
+  NamePatterns skips;   ///< cases that do not run
+  NamePatterns flakes;  ///< cases whose failures do not count
+
+  std::optional<Status> of(std::string_view name) const;
+};
+
+}  // namespace candela::conformance

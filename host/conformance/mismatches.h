@@ -1,0 +1,26 @@
+// Collects what differs in one case, for its text.
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "host/conformance/case.h"
+
+namespace candela::conformance {
+
+class Mismatches {
+ public:
+  /// Counts one more comparison, which failed unless `text` is empty.
+  void note(const std::string& text);
+  /// Counts one more comparison of two numbers for `what`, e.g. "invocation 5, the sum".
+  void expect(const std::string& what, std::uint32_t expected, std::uint32_t found);
+
+  /// Returns a failure with the number of mismatches and the first three, or a pass if there is none.
+  Finding finding() const;
+
+ private:
+  std::size_t compared_ = 0;
+  std::size_t failed_ = 0;
+  std::string first_;
+};
+
+}  // namespace candela::conformance

@@ -1,0 +1,172 @@
+// The table of pictures: kernels, layouts, loads, integrators, samplers, materials and workgroups.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "host/conformance/case_tables.h"
+#include "host/conformance/identity_run.h"
+#include "host/conformance/picture_run.h"
+#include "host/conformance/scenes.h"
+#include "host/conformance/workbench.h"
+
+namespace candela::conformance {
+namespace {
+
+using render::AccelKind;
+using render::BvhLayout;
+using render::BvhSplit;
+using render::Extent;
+using render::Integrator;
+using render::KernelKind;
+using render::SamplerKind;
+using render::SceneLoads;
+
+constexpr std::uint32_t kSide = 24;
+constexpr std::uint32_t kSamples = 8;
+constexpr std::uint32_t kWhittedDepth = 5;
+
+template <class Value>
+struct Named {
+  const char* name;
+  Value value;
+};
+
+struct Structure {
+  AccelKind accel;
+  BvhSplit split;
+  BvhLayout layout;
+};
+
+constexpr std::array<Named<KernelKind>, 2> kKernels{
+    {{"megakernel", KernelKind::megakernel}, {"wavefront", KernelKind::wavefront}}};
+constexpr std::array<Named<Structure>, 4> kStructures{
+    {{"grid", {AccelKind::grid, BvhSplit::sah, BvhLayout::automatic}},
+     {"midpoint", {AccelKind::bvh, BvhSplit::midpoint, BvhLayout::bvh2}},
+     {"bvh2", {AccelKind::bvh, BvhSplit::sah, BvhLayout::bvh2}},
+     {"cwbvh", {AccelKind::bvh, BvhSplit::sah, BvhLayout::cwbvh}}}};
+constexpr std::array<Named<SceneLoads>, 2> kLoads{{{"texel", SceneLoads::texel}, {"storage", SceneLoads::storage}}};
+constexpr std::array<Named<Integrator>, 6> kIntegrators{{{"whitted", Integrator::whitted},
+                                                         {"ao", Integrator::ao},
+                                                         {"normal", Integrator::normal},
+                                                         {"albedo", Integrator::albedo},
+                                                         {"depth", Integrator::depth},
+                                                         {"id", Integrator::id}}};
+constexpr std::array<Named<SamplerKind>, 2> kSamplers{
+    {{"independent", SamplerKind::independent}, {"stratified", SamplerKind::stratified}}};
+constexpr std::array<Named<Extent>, 5> kWorkgroups{
+    {{"1x1", {1, 1}}, {"3x5", {3, 5}}, {"32x1", {32, 1}}, {"1x64", {1, 64}}, {"16x16", {16, 16}}}};
+
+Picture basicPicture(const std::string& scene = "cornell") {
+  Picture picture{scene, {}, 0};
+  picture.settings.image.size = {kSide, kSide};
+  picture.settings.image.sampleCount = kSamples;
+  picture.settings.execution.threads = 1;
+  picture.settings.execution.kernel = KernelKind::megakernel;
+  picture.settings.structure.bvhLayout = BvhLayout::cwbvh;
+  return picture;
+}
+
+class Table {
+ public:
+  void add(const std::string& path, const std::string& group, const Picture& picture) {
+    cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
+                      [picture](Workbench& bench) { return comparePicture(picture, bench); }});
+  }
+  Cases take() { return std::move(cases_); }
+
+ private:
+  Cases cases_;
+};
+
+// Tests of all primitives in sequence read the uniform buffer, so that loads make no difference.
+void addSequences(Table& table) {
+  for (const auto& [kernelName, kernel] : kKernels) {
+    Picture picture = basicPicture();
+    picture.settings.structure.accel = AccelKind::none;
+    picture.settings.structure.bvhLayout = BvhLayout::automatic;
+    picture.settings.execution.kernel = kernel;
+    table.add(fmt::format("{}.layout.sequential", kernelName), kernelName, picture);
+  }
+}
+
+void addStructures(Table& table) {
+  for (const auto& [kernelName, kernel] : kKernels) {
+    for (const auto& [structureName, structure] : kStructures) {
+      for (const auto& [loadsName, loads] : kLoads) {
+        Picture picture = basicPicture();
+        picture.settings.structure.accel = structure.accel;
+        picture.settings.structure.bvhSplit = structure.split;
+        picture.settings.structure.bvhLayout = structure.layout;
+        picture.settings.execution.kernel = kernel;
+        picture.settings.execution.sceneLoads = loads;
+        table.add(fmt::format("{}.layout.{}.{}", kernelName, structureName, loadsName), kernelName, picture);
+      }
+    }
+  }
+}
+
+void addScenes(Table& table) {
+  for (const auto& [kernelName, kernel] : kKernels) {
+    for (const char* const scene : {"primitives", "depth_of_field", "terrain"}) {
+      Picture picture = basicPicture(scene);
+      picture.settings.execution.kernel = kernel;
+      table.add(fmt::format("{}.scene", kernelName), "scene", picture);
+    }
+  }
+}
+
+void addIntegrators(Table& table) {
+  for (const auto& [name, integrator] : kIntegrators) {
+    Picture picture = basicPicture("primitives");
+    picture.settings.image.integrator = integrator;
+    if (integrator == Integrator::whitted) picture.settings.image.maxDepth = kWhittedDepth;
+    table.add(fmt::format("integrator.{}", name), "integrator", picture);
+  }
+}
+
+void addSamplers(Table& table) {
+  for (const auto& [name, sampler] : kSamplers) {
+    Picture picture = basicPicture();
+    picture.settings.image.sampler = sampler;
+    table.add(fmt::format("megakernel.sampler.{}", name), "sampler", picture);
+  }
+}
+
+void addMaterials(Table& table) {
+  for (const std::string_view name : materialNames()) {
+    table.add("megakernel.material", "material", basicPicture(std::string(name)));
+  }
+}
+
+void addWorkgroups(Table& table) {
+  for (const auto& [name, size] : kWorkgroups) {
+    Picture picture = basicPicture();
+    picture.settings.execution.workgroup = size;
+    table.add(fmt::format("megakernel.workgroup.{}", name), "workgroup", picture);
+  }
+}
+
+void addSubgroups(Table& table) {
+  for (const std::uint32_t size : kSubgroupSizes) {
+    Picture picture = basicPicture();
+    picture.subgroupSize = size;
+    table.add(fmt::format("megakernel.subgroup.{}", size), "workgroup", picture);
+  }
+}
+
+}  // namespace
+
+Cases pictureCases() {
+  Table table;
+  addSequences(table);
+  addStructures(table);
+  addScenes(table);
+  addIntegrators(table);
+  addSamplers(table);
+  addMaterials(table);
+  addWorkgroups(table);
+  addSubgroups(table);
+  return table.take();
+}
+
+}  // namespace candela::conformance

@@ -1,0 +1,25 @@
+// Compares a whole picture of a device with the reference's, as a case.
+#pragma once
+#include <string>
+
+#include "host/conformance/case.h"
+#include "host/render/settings.h"
+
+namespace candela::conformance {
+
+/// Probability that a picture of a correct device fails.
+inline constexpr double kPictureAlpha = 1e-5;
+
+struct Picture {
+  std::string scene = "cornell";  ///< see scenes.h
+  render::RenderSettings settings;
+  std::uint32_t subgroupSize = 0;  ///< that pipelines require; 0: as the driver chooses
+};
+
+/// Renders the picture on both sides and asks for the verdict of host/verify: decidable samples are equal, and the
+/// paired test finds no difference of light. A failure names the pixel, and the path vertex and quantity where its path
+/// leaves the reference's. Skipped if the device does not have the workgroup or the subgroup size. Throws as
+/// Renderer::prepare() does.
+Finding comparePicture(const Picture& picture, Workbench& workbench);
+
+}  // namespace candela::conformance

@@ -1,0 +1,20 @@
+// Formats the results of a run: for people, as deqp-runner's results.csv, as JSON, and as JUnit XML.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "host/conformance/runner.h"
+
+namespace candela::conformance {
+
+/// Returns one line: "Pass,control.nested_break", and the text of an unexpected result, indented, below it.
+std::string lineOf(const CaseResult& result);
+/// Returns the number of cases with each result, e.g. "Pass: 58, ExpectedFail: 2".
+std::string countsOf(const RunResult& run);
+/// Returns lines `case,Result,seconds`, sorted by case.
+std::string toCsv(const RunResult& run);
+nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& device, double seconds);
+/// Returns a JUnit test suite. Unexpected results are failures; skipped cases say what is missing.
+std::string toJunit(const RunResult& run, const vulkan::DeviceInfo& device, double seconds);
+
+}  // namespace candela::conformance

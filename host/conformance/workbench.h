@@ -1,0 +1,30 @@
+// What the cases of one child process share: the open device and the two tracers.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "host/render/renderer.h"
+#include "host/vulkan/device.h"
+
+namespace candela::conformance {
+
+class Workbench {
+ public:
+  explicit Workbench(vulkan::DeviceInfo info);
+
+  const vulkan::DeviceInfo& info() const { return info_; }
+  /// Returns the device, which the first call opens without optional features.
+  vulkan::Device& device();
+  /// Returns the device renderer on device().
+  render::Renderer& renderer();
+  /// Returns the reference tracer.
+  render::Renderer& reference() { return *reference_; }
+
+ private:
+  vulkan::DeviceInfo info_;
+  std::optional<vulkan::Device> device_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Renderer> reference_;
+};
+
+}  // namespace candela::conformance

@@ -1,0 +1,177 @@
+// The child sends JSON values, one a line, through a pipe, and its messages go to a temporary file.
+#include "host/process/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "host/core/errors.h"
+#include "host/vulkan/validation.h"
+#include "host/vulkan/validation_log.h"
+
+namespace candela::process {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::json;
+
+std::string lineOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+Json resultOf(const std::function<Json()>& work) {
+  try {
+    Json answer = work();
+    return {{"answer", std::move(answer)}, {"validation", vulkan::validationMessages()}};
+  } catch (const std::exception& error) {
+    return {{"error", error.what()}, {"validation", vulkan::validationMessages()}};
+  }
+}
+
+void writeAll(int descriptor, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) return;
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+// Handlers of this process would report a crash of the child as one of the program.
+void resetSignals() {
+  for (const int signal : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGSEGV, SIGTERM}) {
+    std::signal(signal, SIG_DFL);
+  }
+}
+
+// A crash leaves no core dump. An exception of `work` is a crash, too: it must not reach the callers of this process.
+[[noreturn]] void beChild(int out, std::FILE* messages, std::chrono::milliseconds limit,
+                          const std::function<void(const ChildProcess::Send&)>& work) noexcept {
+  const rlimit noCoreDump{0, 0};
+  ::setrlimit(RLIMIT_CORE, &noCoreDump);
+  resetSignals();
+  const auto seconds = static_cast<unsigned>(limit.count() / 1000 + 2);
+  ::alarm(seconds);
+  if (messages != nullptr) {
+    ::dup2(::fileno(messages), STDOUT_FILENO);
+    ::dup2(::fileno(messages), STDERR_FILENO);
+  }
+  vulkan::clearValidationMessages();
+  work([&](const Json& json) {
+    writeAll(out, lineOf(json));
+    ::alarm(seconds);
+  });
+  std::fflush(nullptr);
+  ::_exit(0);
+}
+
+int waitFor(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+// Returns whether the child sends something, or ends, before `end`.
+bool waitForMore(const ChildProcess& child, Clock::time_point end) {
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    pollfd ready{child.descriptor(), POLLIN, 0};
+    const int count = left <= 0 ? 0 : ::poll(&ready, 1, static_cast<int>(left));
+    if (count >= 0) return count > 0;
+  }
+}
+
+void interpret(const Json& json, ChildResult& result) {
+  for (const Json& message : json["validation"]) vulkan::addValidationMessage(message.get<std::string>());
+  if (json.contains("error")) {
+    result.failure = "fails: " + json["error"].get<std::string>();
+  } else {
+    result.answer = json["answer"];
+  }
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(std::chrono::milliseconds limit, const std::function<void(const Send&)>& work)
+    : messages_(std::tmpfile()) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw InternalError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
+  in_ = FileDescriptor(ends[0]);
+  const FileDescriptor out(ends[1]);
+  std::fflush(nullptr);  // otherwise the child would print once more what this process has not printed yet
+  child_ = ::fork();
+  if (child_ < 0) throw InternalError(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (child_ == 0) beChild(out.get(), messages_.get(), limit, work);
+}
+
+ChildProcess::~ChildProcess() {
+  if (child_ < 0) return;
+  kill();
+  waitFor(child_);
+}
+
+void ChildProcess::kill() { ::kill(child_, SIGKILL); }
+
+std::vector<Json> ChildProcess::receive() {
+  std::array<char, 4096> block;
+  const ssize_t size = ::read(in_.get(), block.data(), block.size());
+  ended_ = ended_ || size == 0;
+  if (size > 0) unread_.append(block.data(), static_cast<std::size_t>(size));
+  std::vector<Json> received;
+  for (std::size_t end = unread_.find('\n'); end != std::string::npos; end = unread_.find('\n')) {
+    received.push_back(Json::parse(unread_.substr(0, end), nullptr, false));
+    unread_.erase(0, end + 1);
+  }
+  return received;
+}
+
+std::string ChildProcess::failure() {
+  const int status = waitFor(std::exchange(child_, -1));
+  if (WIFSIGNALED(status)) return fmt::format("crashes ({})", ::strsignal(WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0) return fmt::format("ends the program with exit code {}", WEXITSTATUS(status));
+  return "";
+}
+
+std::string ChildProcess::lastMessage() const {
+  if (messages_ == nullptr) return "";
+  std::rewind(messages_.get());
+  std::string last;
+  std::array<char, 1024> line;
+  while (std::fgets(line.data(), static_cast<int>(line.size()), messages_.get()) != nullptr) {
+    std::string text = line.data();
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+    if (!text.empty()) last = std::move(text);
+  }
+  return last;
+}
+
+ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json()>& work) {
+  const Clock::time_point end = Clock::now() + limit;
+  ChildProcess child(limit, [&](const ChildProcess::Send& send) { send(resultOf(work)); });
+  std::optional<Json> sent;
+  while (!child.hasEnded() && waitForMore(child, end)) {
+    for (Json& json : child.receive()) sent = std::move(json);
+  }
+  ChildResult result;
+  const bool ended = child.hasEnded();
+  if (!ended) child.kill();
+  result.failure = child.failure();
+  result.lastMessage = child.lastMessage();
+  if (!ended) {
+    result.failure = fmt::format("does not end within {:g} s", static_cast<double>(limit.count()) / 1000);
+  } else if (!sent && result.failure.empty()) {
+    result.failure = "ends the program with exit code 0";
+  } else if (sent) {
+    interpret(*sent, result);
+  }
+  return result;
+}
+
+}  // namespace candela::process

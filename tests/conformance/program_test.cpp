@@ -1,0 +1,52 @@
+// `candela conformance` as a newcomer uses it, without a device.
+#include <catch2/catch.hpp>
+
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+const Surroundings kNoDriver{
+    .environment = {"VK_DRIVER_FILES=/nonexistent/none.json", "VK_ICD_FILENAMES=/nonexistent/none.json"}};
+
+ProgramResult runConformance(std::vector<std::string> words) {
+  words.insert(words.begin(), "conformance");
+  return runCandela(words, kNoDriver);
+}
+
+}  // namespace
+
+TEST_CASE("conformance --list prints the names without a device") {
+  const ProgramResult all = runConformance({"--list"});
+  CHECK(all.exitCode == 0);
+  CHECK(contains(all.out, "kernel.megakernel.layout.cwbvh.texel.cornell\n"));
+  CHECK(contains(all.out, "control.loop.ended_in_the_middle\n"));
+  CHECK(runConformance({"--list", "--cases", "leaf.film.*"}).out == "leaf.film.sums\nleaf.film.carry\n");
+}
+
+TEST_CASE("conformance refuses what it cannot do, and says what to do instead") {
+  struct Refusal {
+    std::vector<std::string> words;
+    int exitCode;
+    const char* message;
+  };
+  const TemporaryFolder folder;
+  const std::string wrong = folder.write("wrong.txt", "control.loop.iterations\n");
+  for (const Refusal& refusal :
+       std::vector<Refusal>{{{"--cases", "nothing.*"}, 1, "--cases nothing.*: no case has such a name"},
+                            {{"--device", "cpu"}, 1, "choose a Vulkan device"},
+                            {{"--jobs", "0"}, 1, "--jobs"},
+                            {{"--timeout", "soon"}, 1, "--timeout"},
+                            {{"scene.p3f"}, 1, "scene.p3f"},
+                            {{"--baseline", "/nonexistent/fails.txt"}, 2, "/nonexistent/fails.txt"},
+                            {{"--baseline", wrong}, 2, "wrong.txt:1: expected `case,Result`"},
+                            {{"--csv", "/nonexistent/results.csv"}, 2, "/nonexistent"},
+                            {{}, 4, "apt-get install mesa-vulkan-drivers"}}) {
+    const ProgramResult result = runConformance(refusal.words);
+    INFO(result.err);
+    CHECK(result.exitCode == refusal.exitCode);
+    CHECK(contains(result.err, refusal.message));
+  }
+}
+
+}  // namespace candela
