@@ -172,6 +172,15 @@ void requireOneReaderOfStdout(const Arguments& arguments) {
 
 }  // namespace
 
+Arguments parseOptions(Command command, std::span<const std::string> words) {
+  Arguments arguments;
+  arguments.command = command;
+  split(words, arguments);
+  requireFilms(arguments);
+  requireTreeDepth(arguments);
+  return arguments;
+}
+
 Arguments parseCommandLine(std::span<const std::string> words) {
   if (words.empty()) throw UsageError("no scene given\nsee candela --help");
   Arguments arguments;
