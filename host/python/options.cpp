@@ -16,6 +16,7 @@ using cli::Command;
 using cli::OptionGroup;
 
 const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
+const FunctionOptions kSceneOptions{"Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time"}};
 const FunctionOptions kRenderOptions{
     "render", Command::render, {OptionGroup::image, OptionGroup::execution, OptionGroup::film}, {}, {"--memory"}};
 const FunctionOptions kSessionOptions{
@@ -87,9 +88,18 @@ std::string nameOf(std::string keyword) {
   return "--" + keyword;
 }
 
-// Options that the command has, but not the function: most of them belong to another function.
+// The option of this name that the function has, or else one that it lacks; null if there is none.
+const cli::Option* find(const FunctionOptions& function, const std::string& name) {
+  const cli::Option* found = nullptr;
+  for (const cli::Option& option : cli::optionTable()) {
+    if (option.name() == name && (found == nullptr || function.has(option))) found = &option;
+  }
+  return found;
+}
+
+// Options of the program that the function lacks: most of them belong to another function.
 [[noreturn]] void refuse(const FunctionOptions& function, const cli::Option& option) {
-  const bool isOfLoad = option.group == OptionGroup::sceneFile;
+  const bool isOfLoad = kLoadOptions.has(option) && function.command != Command::check;
   throw UsageError(fmt::format("{} is not an option of candela.{}(){}", option.name(), function.function,
                                isOfLoad ? "; candela.load() has it" : ""));
 }
@@ -105,9 +115,8 @@ cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& op
   std::vector<std::string> words;
   for (const auto& [keyword, value] : options) {
     const std::string name = nameOf(py::str(keyword));
-    const auto isMeant = [&](const cli::Option& o) { return o.name() == name && o.isFor(function.command); };
-    const auto option = std::ranges::find_if(cli::optionTable(), isMeant);
-    if (option == cli::optionTable().end()) {
+    const cli::Option* option = find(function, name);
+    if (option == nullptr) {
       words.push_back(name);  // the parser refuses it with a suggestion
     } else if (!function.has(*option)) {
       refuse(function, *option);

@@ -20,8 +20,8 @@ struct FunctionOptions {
   bool has(const cli::Option& option) const;
 };
 
-extern const FunctionOptions kLoadOptions, kRenderOptions, kSessionOptions, kVerifyOptions, kExplainOptions,
-    kCompareTracersOptions, kCompareImagesOptions, kDisplayOptions, kMergeOptions;
+extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessionOptions, kVerifyOptions,
+    kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kDisplayOptions, kMergeOptions;
 
 /// Returns the arguments of a command that has these options: max_depth=8 is --max-depth 8. A pair or a range becomes
 /// "WxH", "X,Y" or "A:B", True and False "on" and "off" (or a flag), and None leaves an option out. Throws UsageError

@@ -128,7 +128,7 @@ const image::Image& pictureOf(const PythonFilm& film) {
 }
 
 void defineFilm(py::module_& module) {
-  py::class_<PythonFilm, Film> type(module, "Film", "The exact sums of a render. It does not change.");
+  py::class_<PythonFilm, Film> type(module, "Film", py::is_final(), "The exact sums of a render. It does not change.");
   defineArrays(type);
   type.def_property_readonly("width", [](const PythonFilm& film) { return film.film.width(); })
       .def_property_readonly("height", [](const PythonFilm& film) { return film.film.height(); })

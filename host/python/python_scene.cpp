@@ -83,7 +83,7 @@ void setCamera(const std::optional<scene::Camera>& camera, scene::Scene& scene) 
 // candela._arrays turns arrays into a glTF file in memory, so that every rule for files applies to them.
 Loaded fromArrays(const py::args& positional, const py::kwargs& keywords) {
   const py::dict built = py::module_::import("candela._arrays").attr("build")(*positional, **keywords);
-  cli::Arguments arguments = argumentsOf(kLoadOptions, py::kwargs(built["options"]));
+  cli::Arguments arguments = argumentsOf(kSceneOptions, py::kwargs(built["options"]));
   arguments.files = {built["name"].cast<std::string>()};
   const auto bytes = built["glb"].cast<std::string>();
   const std::optional<scene::Camera> camera = built["camera"].is_none() ? std::nullopt
@@ -115,11 +115,12 @@ cli::RenderJob PythonScene::jobOf(const cli::Arguments& arguments, const Log& lo
 
 void defineScene(py::module_& module) {
   const std::string options = helpOf(kLoadOptions);
-  py::class_<PythonScene, Loaded>(module, "Scene", "A scene that is ready to be rendered. It does not change.")
+  py::class_<PythonScene, Loaded>(module, "Scene", py::is_final(),
+                                  "A scene that is ready to be rendered. It does not change.")
       .def(py::init(&fromArrays),
            ("Scene(vertices, faces, materials=(), face_materials=None, *, normals=None, texcoords=None, colours=None, "
             "lights=(), camera=None, name='scene', **options)\n\nA scene of triangles; see docs/python.md.\n\n" +
-            options)
+            helpOf(kSceneOptions))
                .c_str())
       .def_property_readonly("name", [](const PythonScene& scene) { return scene.scene->name; })
       .def_property_readonly("hash", [](const PythonScene& scene) { return hashText(scene.scene->hash); })

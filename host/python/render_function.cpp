@@ -22,6 +22,7 @@ Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watc
   cli::TracedFilm traced = traceFilm(job, start, {watch.stop, nullptr, watch.report}, log);
   if (traced.failure) throw Error(traced.failure->code, traced.failure->message);
   if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
+  if (!traced.result.interrupted) watch.report(1, traced.result.statistics.samples);
   const film::WorkReport work = traced.work.value_or(film::workOf(traced.result.statistics));
   return filmOf(job, std::move(traced.result), std::move(traced.header), work, monotonicSeconds() - start, log);
 }

@@ -33,7 +33,11 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   const bool isComplete = session_->advance(wanted, {&watch.stop, watch.report});
   if (!first_) first_ = wanted.first;
   wanted_ = std::max(wanted_, wanted.end);
-  if (isComplete) done_ = std::max(done_, wanted.end);
+  if (isComplete) {
+    const render::Extent size = job_.settings.image.window().extent();
+    done_ = std::max(done_, wanted.end);
+    watch.report(1, std::uint64_t{size.width} * size.height * (wanted.end - wanted.first));
+  }
   seconds_ += monotonicSeconds() - start;
   return isComplete;
 }

@@ -77,7 +77,8 @@ std::uint32_t total(const SharedSession& shared) { return shared.session ? share
 }  // namespace
 
 void defineSession(py::module_& module) {
-  py::class_<SharedSession, Shared>(module, "Session", "A prepared render, to which samples are added call by call.")
+  py::class_<SharedSession, Shared>(module, "Session", py::is_final(),
+                                    "A prepared render, to which samples are added call by call.")
       .def(py::init(&prepare), py::arg("scene"), py::pos_only(),
            ("Session(scene, /, **options)\n\n" + helpOf(kSessionOptions)).c_str())
       .def("advance", &advance, py::arg("samples") = py::none(), py::kw_only(), py::arg("progress") = py::none(),

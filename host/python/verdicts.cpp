@@ -153,7 +153,7 @@ bool truthOf(const Outcome& outcome) {
 
 template <class Kind>
 void defineKind(py::module_& module, const char* name, const char* help) {
-  py::class_<Kind>(module, name, help)
+  py::class_<Kind>(module, name, py::is_final(), help)
       .def_property_readonly("agrees", [](const Kind& outcome) { return outcome.agrees; })
       .def_property_readonly("verdict", [](const Kind& outcome) { return outcome.verdict; })
       .def_property_readonly("text", [](const Kind& outcome) { return outcome.text; })

@@ -105,6 +105,8 @@ void runAlone(const std::function<void(const Watch&)>& work, Meeting& meeting) {
 }  // namespace
 
 void runWatched(const std::function<void(const Watch&)>& work, const py::object& progress) {
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("progress: expected a callable");
   Meeting meeting;
   std::exception_ptr raised;
   {
