@@ -25,7 +25,7 @@ def words_of(options):
             value = f"{value.start}:{value.stop}"
         words.append("--" + name.replace("_", "-"))
         if name not in FLAGS:
-            words.append({True: "on", False: "off"}.get(value, str(value)))
+            words.append("on" if value is True else "off" if value is False else str(value))
     return words
 
 
