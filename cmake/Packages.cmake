@@ -1,6 +1,7 @@
 # `cpack` in a build folder makes Debian packages for the release on which it runs:
 #   candela      the program, its manual pages, completions, scenes and documentation
 #   candela-dev  the libraries and headers for find_package(candela)
+#   python3-candela  the Python module, where it is built
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Candela authors")
 set(CANDELA_PACKAGE_CONTACT "The Candela authors <candela@candela.invalid>" CACHE STRING "Maintainer of the Debian packages")
@@ -9,6 +10,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "path tracer for Vulkan with a reference t
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program development)
+if(CANDELA_BUILDS_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -26,6 +30,17 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libvulkan-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, libpng-dev, libjpeg-dev, libopenexr-dev, libwebp-dev, zlib1g-dev, libstb-dev, libdraco-dev, libmeshoptimizer-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers of Candela, with which another program loads and
 renders scenes.")
+
+if(CANDELA_BUILDS_PYTHON)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-candela)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "libvulkan1, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "mesa-vulkan-drivers")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of Candela, a path tracer: renders files and arrays to
+NumPy arrays, and says whether the image is right.")
 
 # Every Debian package has a changelog and a copyright. The date is that of the version, so that equal sources give equal files.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)

@@ -38,6 +38,7 @@ function(candela_library name)
     set_property(GLOBAL APPEND PROPERTY CANDELA_EXPORTED ${name})
   endif()
   candela_compile_options(${name})
+  candela_for_python(${name})
   candela_precompile(${name} candela_library_headers)
 endfunction()
 

@@ -141,9 +141,12 @@ void requireTogether(const Arguments& arguments, const char* option, const char*
   fail(arguments.command, fmt::format("{} has no effect without {}", option, other));
 }
 
-void requireFilms(const Arguments& arguments) {
+void requireCompleteFilmOptions(const Arguments& arguments) {
   requireTogether(arguments, "--checkpoint-every", "--checkpoint");
   requireTogether(arguments, "--resume-anyway", "--resume");
+}
+
+void requireMergedFilm(const Arguments& arguments) {
   if (arguments.command == Command::merge && arguments.mergedFilm.empty()) {
     fail(Command::merge, "no output given: name the merged film with -o FILE");
   }
@@ -172,6 +175,15 @@ void requireOneReaderOfStdout(const Arguments& arguments) {
 
 }  // namespace
 
+Arguments parseOptions(Command command, std::span<const std::string> words) {
+  Arguments arguments;
+  arguments.command = command;
+  split(words, arguments);
+  requireCompleteFilmOptions(arguments);
+  requireTreeDepth(arguments);
+  return arguments;
+}
+
 Arguments parseCommandLine(std::span<const std::string> words) {
   if (words.empty()) throw UsageError("no scene given\nsee candela --help");
   Arguments arguments;
@@ -182,7 +194,8 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   refuseTracingOptionsForImages(arguments);
   refuseImageOptionsForScene(arguments);
   requireOutput(arguments);
-  requireFilms(arguments);
+  requireCompleteFilmOptions(arguments);
+  requireMergedFilm(arguments);
   requireOneReaderOfStdout(arguments);
   requireTreeDepth(arguments);
   return arguments;

@@ -6,13 +6,10 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
-#include "host/cli/display_choice.h"
-#include "host/cli/image_verdict.h"
+#include "host/cli/image_pair.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/report_page.h"
-#include "host/image/flip.h"
-#include "host/image/metrics.h"
 
 namespace candela::cli {
 namespace {
@@ -36,28 +33,16 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const image::Image a = image::readImage(arguments.files[0]);
   const image::Image reference = image::readImage(arguments.files[1]);
-  const image::ImageComparison comparison = compareImages(a, reference);
-  const image::DisplayTransform display = chooseDisplay(arguments, reference);
-  const image::FlipResult flip = computeFlip(displayed(a, display), displayed(reference, display));
-  const ImageVerdict verdict = judgeImages(arguments, a, reference, comparison);
+  const ImagePair pair = comparePair(arguments, a, reference);
 
-  writePictures(arguments, a, reference, flip);
-  if (arguments.wantsText()) {
-    std::cout << toText(comparison) << fmt::format("FLIP mean {:.6g}, maximum {:.6g}\n", flip.mean, flip.maximum)
-              << toText(verdict) << std::flush;
-  }
-  nlohmann::ordered_json json = toJson(comparison);
-  json["flipMean"] = flip.mean;
-  json["flipMaximum"] = flip.maximum;
-  const std::uint64_t badSamples = badSampleCount(a) + badSampleCount(reference);
-  json["badSamples"] = badSamples;
-  addToJson(verdict, json);
-  writeJson(arguments.json, json);
+  writePictures(arguments, a, reference, pair.flip);
+  if (arguments.wantsText()) std::cout << toText(pair) << std::flush;
+  writeJson(arguments.json, toJson(pair));
   if (!arguments.report.empty()) {
-    writeReport(arguments.report, imageReport(arguments, a, reference, comparison, flip, verdict));
+    writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
   }
-  if (badSamples > 0) log.problem(fmt::format("the files contain {} bad samples", badSamples));
-  return strictly(verdict.passes() ? ExitCode::done : ExitCode::differ, badSamples, arguments, log);
+  if (pair.badSamples > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples));
+  return strictly(pair.verdict.passes() ? ExitCode::done : ExitCode::differ, pair.badSamples, arguments, log);
 }
 
 }  // namespace candela::cli

@@ -7,23 +7,14 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/cli/report_page.h"
+#include "host/cli/requirements.h"
 #include "host/reference/reference_renderer.h"
 #include "host/verify/agreement.h"
 
 namespace candela::cli {
 
 ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
-        "devices)");
-  }
-  if (arguments.settings.image.integrator == render::Integrator::cost) {
-    throw UsageError(
-        "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
-        "compared; "
-        "use `candela render` to see the counts of one");
-  }
+  requireComparable(arguments);
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   const RenderJob job = loadJob(arguments, log);

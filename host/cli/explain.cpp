@@ -1,6 +1,4 @@
 // `candela explain`: compares one sample on both tracers, vertex by vertex.
-#include <fmt/format.h>
-
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +6,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/cli/requirements.h"
 #include "host/explain/explanation.h"
 #include "host/reference/reference_renderer.h"
 #include "host/verify/agreement.h"
@@ -16,35 +15,6 @@ namespace candela::cli {
 namespace {
 
 using explain::Explanation;
-
-// Checks that do not need the scene.
-void requireSense(const Arguments& arguments) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
-        "devices)");
-  }
-  if (!arguments.pixel && arguments.given.contains("--sample")) {
-    throw UsageError(
-        "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");
-  }
-  explain::requirePaths(arguments.settings.image.integrator);
-}
-
-render::PixelSample sampleAskedFor(const RenderJob& job) {
-  const auto [x, y] = *job.arguments.pixel;
-  const auto [width, height] = job.settings.image.size;
-  if (x >= width || y >= height) {
-    throw UsageError(fmt::format("--pixel {},{}: outside the image of {}x{} pixels (0,0 to {},{})", x, y, width, height,
-                                 width - 1, height - 1));
-  }
-  if (job.arguments.sample >= job.settings.image.sampleCount) {
-    throw UsageError(fmt::format("--sample {}: a pixel has {} samples (0 to {}); use --spp {} or more",
-                                 job.arguments.sample, job.settings.image.sampleCount,
-                                 job.settings.image.sampleCount - 1, job.arguments.sample + 1));
-  }
-  return {x, y, job.arguments.sample};
-}
 
 void publish(const Explanation& explanation, const Arguments& arguments) {
   requireComplete(explanation.statistics);
@@ -78,7 +48,7 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
 }  // namespace
 
 ExitCode runExplain(const Arguments& arguments, const Log& log) {
-  requireSense(arguments);
+  requireExplainable(arguments);
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
   const std::optional<render::PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;

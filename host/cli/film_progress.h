@@ -2,17 +2,21 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "host/cli/render_job.h"
-#include "host/core/progress.h"
 
 namespace candela::cli {
 
 /// Reports the share of a range of samples that is done, samples of earlier runs included.
 class FilmProgress {
  public:
-  FilmProgress(const RenderJob& job, const render::SampleRange& range, std::uint64_t samplesBefore, Progress& progress)
-      : progress_(progress),
+  /// `report` gets the fraction and the number of samples that this process has traced.
+  using Report = std::function<void(double fraction, std::uint64_t samples)>;
+
+  FilmProgress(const RenderJob& job, const render::SampleRange& range, std::uint64_t samplesBefore, Report report)
+      : report_(std::move(report)),
         total_(static_cast<double>(job.settings.image.window().width) * job.settings.image.window().height *
                (range.end - range.first)),
         before_(samplesBefore) {}
@@ -20,7 +24,7 @@ class FilmProgress {
   void update(std::uint64_t samplesDone) {
     current_ = samplesDone;
     const double done = static_cast<double>(before_ + earlier_ + current_);
-    progress_.update(std::min(1.0, done / total_), earlier_ + current_);
+    report_(std::min(1.0, done / total_), earlier_ + current_);
   }
   void endOfCall() {
     earlier_ += current_;
@@ -28,7 +32,7 @@ class FilmProgress {
   }
 
  private:
-  Progress& progress_;
+  Report report_;
   double total_;
   std::uint64_t before_;
   std::uint64_t earlier_ = 0, current_ = 0;

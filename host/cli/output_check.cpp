@@ -44,6 +44,22 @@ void requireWritableImage(const std::filesystem::path& file) {
   requireWritableFile(file);
 }
 
+void requireCheckpoint(const Arguments& arguments) {
+  const std::filesystem::path& file = arguments.checkpoint;
+  if (file.empty()) return;
+  requireWritableFile(file);
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    throw FileError(fmt::format("{}: a film is written to a regular file only", file.string()));
+  }
+  if (!arguments.resume.empty() && std::filesystem::equivalent(file, arguments.resume, ignored)) return;
+  throw FileError(
+      fmt::format("{}: the file exists, and its samples would be lost; go on from it with --resume {}, or "
+                  "remove it",
+                  file.string(), file.string()));
+}
+
 void requireWritableReport(const std::string& target) {
   if (!target.empty() && target != "-") requireWritableFile(target);
 }

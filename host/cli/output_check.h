@@ -14,6 +14,9 @@ void requireWritableImage(const std::filesystem::path& file);
 /// Throws UsageError if a file that the command writes is one that it reads. `merge` may replace one of its films, and
 /// a render the film that it goes on from.
 void requireSeparateFiles(const Arguments& arguments);
+/// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not go on
+/// from it: its samples are not to be lost.
+void requireCheckpoint(const Arguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);
 

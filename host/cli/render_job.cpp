@@ -111,16 +111,27 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
   warnOfDarkness(arguments.settings, scene, log);
 }
 
-RenderJob loadJob(const Arguments& arguments, const Log& log) {
-  const double start = monotonicSeconds();
+scene::Scene readScene(const Arguments& arguments, const Log& log) {
   scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
-  RenderJob job{arguments, {}, std::move(loaded.scene), 0};
+  return std::move(loaded.scene);
+}
+
+RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
+  RenderJob job{arguments, {}, std::move(scene)};
   resolveRequests(job.arguments, job.scene, log);
   job.settings = job.arguments.settings;
-  job.parseSeconds = monotonicSeconds() - start;
   requirePossible(job.arguments, job.scene, log);
+  return job;
+}
+
+RenderJob loadJob(const Arguments& arguments, const Log& log) {
+  const double start = monotonicSeconds();
+  auto scene = std::make_shared<const scene::Scene>(readScene(arguments, log));
+  const double seconds = monotonicSeconds() - start;
+  RenderJob job = jobOf(arguments, std::move(scene), log);
+  job.parseSeconds = seconds;
   return job;
 }
 

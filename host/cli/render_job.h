@@ -14,12 +14,20 @@ namespace candela::cli {
 struct RenderJob {
   Arguments arguments;  ///< complete: nothing depends on the scene file any more
   render::RenderSettings settings;
-  scene::Scene scene;
+  /// Jobs may share a scene, which lives as long as one of them.
+  std::shared_ptr<const scene::Scene> sharedScene = std::make_shared<scene::Scene>();
   double parseSeconds = 0;
+  const scene::Scene& scene = *sharedScene;
 };
 
-/// Reads the first of `arguments.files`. Warnings about the file go to the log. Throws SceneError, FileError and
-/// OutOfMemoryError (if the render needs more than the machine's memory).
+/// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws
+/// SceneError and FileError.
+scene::Scene readScene(const Arguments& arguments, const Log& log);
+
+/// Combines options with a scene that has a view. Throws as requirePossible() does.
+RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log);
+
+/// Reads the first of `arguments.files`. Throws as readScene() and jobOf() do.
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
 /// Checks resolved arguments before a render. Throws UsageError if the integrator cannot render the scene, FileError if

@@ -3,13 +3,11 @@
 
 #include <chrono>
 
-#include "host/core/interrupt.h"
-
 namespace candela::cli {
 
-RenderWatch::RenderWatch(double deadline, bool writesFilm)
-    : interrupted_(watchInterrupts()),
-      writeRequested_(writesFilm ? &watchWriteRequests() : nullptr),
+RenderWatch::RenderWatch(double deadline, const std::atomic<bool>& interrupted, std::atomic<bool>* writeRequested)
+    : interrupted_(interrupted),
+      writeRequested_(writeRequested),
       deadline_(deadline),
       thread_([this](const std::stop_token& ended) { run(ended); }) {}
 

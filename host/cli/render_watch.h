@@ -9,19 +9,19 @@
 
 namespace candela::cli {
 
-/// A thread looks at signals and the clock, so that renders need only poll a flag.
+/// A thread looks at flags and the clock, so that renders need only poll a flag.
 class RenderWatch {
  public:
-  /// `deadline` is a time of monotonicSeconds(), or infinity. SIGINT and SIGTERM end the render; SIGUSR1 has its film
-  /// written if `writesFilm`, and else keeps its default action.
-  RenderWatch(double deadline, bool writesFilm);
+  /// `deadline` is a time of monotonicSeconds(), or infinity. `interrupted` ends the render while it is true;
+  /// `writeRequested`, which may be null, has the film written and is reset. Both must outlive the object.
+  RenderWatch(double deadline, const std::atomic<bool>& interrupted, std::atomic<bool>* writeRequested);
 
   /// Becomes true when there is something to do.
   const std::atomic<bool>& stop() const { return stop_; }
   /// Whether the render is to end before it is finished.
   bool mustEnd() const { return isInterrupted() || isTimeUp(); }
   bool isTimeUp() const { return monotonicSeconds() >= deadline_; }
-  /// Lets the render go on. SIGUSR1 from this call on counts as new.
+  /// Lets the render go on. A request to write from this call on counts as new.
   void goOn();
   /// The film is to be written at `time`, of monotonicSeconds().
   void writeAt(double time);
@@ -32,7 +32,7 @@ class RenderWatch {
   void look();
 
   const std::atomic<bool>& interrupted_;
-  std::atomic<bool>* writeRequested_;  ///< null if no film is written
+  std::atomic<bool>* writeRequested_;
   double deadline_;
   std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than goOn()
   double nextWrite_ = std::numeric_limits<double>::infinity();

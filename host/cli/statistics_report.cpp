@@ -153,4 +153,11 @@ std::string toText(const RenderReport& report) {
   return out;
 }
 
+void reportFlaws(const RenderReport& report, const Log& log) {
+  for (const std::string& line : badSampleLines(report.badSamples, report.job)) log.problem(line);
+  if (const std::uint64_t faults = report.result.statistics.volumeFaults; faults > 0) {
+    log.warning(fmt::format("{} rays found volumes that are open or overlap; absorption is wrong there", faults));
+  }
+}
+
 }  // namespace candela::cli

@@ -18,6 +18,8 @@ struct RenderReport {
   std::optional<film::WorkReport> work{};  ///< of all runs that made the film, if it has a file
 };
 
+/// Logs bad samples, with the commands that replay them, and rays that found volumes in disorder.
+void reportFlaws(const RenderReport& report, const Log& log);
 /// Returns all figures, with keys in lowerCamel. Rates are per second of the phase `trace`.
 nlohmann::ordered_json toJson(const RenderReport& report);
 /// Returns all figures as a table.

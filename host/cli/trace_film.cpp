@@ -51,14 +51,15 @@ double deadlineOf(const RenderJob& job, double start) {
 /// One render on one device after the other, as long as devices fail.
 class FilmTrace {
  public:
-  FilmTrace(const RenderJob& job, double start, const Log& log)
+  FilmTrace(const RenderJob& job, double start, const TraceControl& control, const Log& log)
       : job_(job),
         log_(log),
+        control_(control),
         range_(samplesOf(job)),
         settings_(job.settings),
         usesReference_(job.arguments.device == "cpu"),
         reader_(openFilm(job)),
-        watch_(deadlineOf(job, start), !job.arguments.checkpoint.empty()),
+        watch_(deadlineOf(job, start), control.stop, control.writeRequested),
         failures_(job, log) {}
 
   TracedFilm run();
@@ -73,6 +74,7 @@ class FilmTrace {
   void advance();
   void pause();
   void scheduleWrite(double start);
+  film::FilmHeader headerOf(const image::Film& film) const;
   TracedFilm end();
   std::optional<TracedFilm> handle(const Error& error);
   void salvage();
@@ -83,6 +85,7 @@ class FilmTrace {
 
   const RenderJob& job_;
   const Log& log_;
+  const TraceControl& control_;
   render::SampleRange range_;
   render::RenderSettings settings_;
   bool usesReference_;
@@ -177,8 +180,9 @@ void FilmTrace::pause() {
 }
 
 void FilmTrace::advance() {
-  Progress progress(std::cerr, progressStyle(log_.verbosity()));
-  FilmProgress filmProgress(job_, range_, samplesBefore_, progress);
+  Progress line(std::cerr, control_.report ? ProgressStyle::none : progressStyle(log_.verbosity()));
+  const auto showLine = [&](double fraction, std::uint64_t samples) { line.update(fraction, samples); };
+  FilmProgress filmProgress(job_, range_, samplesBefore_, control_.report ? control_.report : showLine);
   const render::RenderControl control{&watch_.stop(),
                                       [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
   scheduleWrite(monotonicSeconds());
@@ -191,12 +195,19 @@ void FilmTrace::advance() {
   }
 }
 
+film::FilmHeader FilmTrace::headerOf(const image::Film& film) const {
+  film::FilmHeader header = header_;
+  setCoverage(header, film, inheritance_.firstSample);
+  return header;
+}
+
 TracedFilm FilmTrace::end() {
   TracedFilm traced;
   traced.result.interrupted = isInterrupted_;
   traced.result.film = session_->film();
   traced.result.statistics = session_->statistics();
   requireComplete(traced.result.statistics);
+  traced.header = headerOf(traced.result.film);
   if (checkpoints_) {
     traced.isFilmLost = !checkpoints_->write(traced.result.film, traced.result.statistics, monotonicSeconds());
     traced.work = checkpoints_->work();
@@ -250,6 +261,7 @@ TracedFilm FilmTrace::giveUp(const Error& error) {
   traced.result.interrupted = true;
   traced.result.film = std::move(kept_->film);
   traced.result.statistics = std::move(kept_->statistics);
+  traced.header = headerOf(traced.result.film);
   if (checkpoints_) traced.work = checkpoints_->work();
   traced.isFilmLost = file.empty();
   traced.failure = std::move(failure);
@@ -281,6 +293,8 @@ TracedFilm FilmTrace::run() {
 
 }  // namespace
 
-TracedFilm traceFilm(const RenderJob& job, double start, const Log& log) { return FilmTrace(job, start, log).run(); }
+TracedFilm traceFilm(const RenderJob& job, double start, const TraceControl& control, const Log& log) {
+  return FilmTrace(job, start, control, log).run();
+}
 
 }  // namespace candela::cli

@@ -10,6 +10,7 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/cli/report_page.h"
+#include "host/cli/requirements.h"
 #include "host/cli/text_output.h"
 #include "host/core/interrupt.h"
 #include "host/explain/explanation.h"
@@ -33,10 +34,7 @@ void explainWorst(const verify::VerifyReport& report, const RenderJob& job, rend
 }  // namespace
 
 ExitCode runVerify(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot verify itself; choose a Vulkan device (see candela devices)");
-  }
+  requireVerifiable(arguments);
   if (arguments.explain) explain::requirePaths(arguments.settings.image.integrator);
   requireWritableReport(arguments.json);
   requireWritableReport(arguments.junit);

@@ -12,12 +12,15 @@ enum class Verbosity { quiet, normal, verbose };
 class Log {
  public:
   Log(std::ostream& sink, Verbosity verbosity) : sink_(sink), verbosity_(verbosity) {}
+  virtual ~Log() = default;
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
 
   Verbosity verbosity() const { return verbosity_; }
-  void problem(const std::string& text) const;  ///< an error or a bad result, e.g. bad samples; always shown
-  void warning(const std::string& text) const;  ///< hidden by --quiet
-  void note(const std::string& text) const;     ///< hidden by --quiet
-  void detail(const std::string& text) const;   ///< shown by --verbose only
+  virtual void problem(const std::string& text) const;  ///< an error or a bad result, e.g. bad samples; always shown
+  virtual void warning(const std::string& text) const;  ///< hidden by --quiet
+  virtual void note(const std::string& text) const;     ///< hidden by --quiet
+  virtual void detail(const std::string& text) const;   ///< shown by --verbose only
 
  private:
   std::ostream& sink_;

@@ -28,12 +28,15 @@ std::span<const scene::Loader> allLoaders() {
   return loaders;
 }
 
-scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
-  const std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
-  const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
+scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options) {
   scene::LoadedScene loaded = chooseLoader(allLoaders(), file).load(file, options);
   if (options.hasEnvironment()) surround(loaded, options.environment);
   return loaded;
+}
+
+scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
+  const std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
+  return loadScene({bytes, path.string(), scene::folderOrCurrent(path.parent_path())}, options);
 }
 
 }  // namespace candela::formats

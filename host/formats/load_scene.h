@@ -11,6 +11,10 @@ namespace candela::formats {
 /// All loaders of the program. Formats that begin with a signature stand before those of plain text.
 std::span<const scene::Loader> allLoaders();
 
+/// The scene of a file in memory, whose format is recognised by its content, or else by the extension of its name.
+/// Throws SceneError with every error that was found.
+scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options = {});
+
 /// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that
 /// was found, and FileError if the file cannot be read or is larger than 1 GiB. A file without a view loads:
 /// Scene::camera is then empty, and the caller decides (scene::requireCamera).

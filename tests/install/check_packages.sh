@@ -11,6 +11,12 @@ for package in "$work"/*.deb; do
   dpkg -x "$package" "$work/root"
 done
 "$work/root/usr/bin/candela" --version
+if [ -e "$work"/python3-candela_*.deb ]; then
+  (cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$work/root/usr/lib/python3/dist-packages "${PYTHON:-/usr/bin/python3}" -c "
+import candela
+film = candela.render(candela.load('$work/root/usr/share/candela/scenes/cornell.p3f'), spp=1, size=(16, 16), device='cpu')
+assert film.image.mean() > 0.01 and candela.__file__.startswith('$work')")
+fi
 "$work/root/usr/bin/candela" check "$work/root/usr/share/candela/scenes/cornell.p3f" > /dev/null
 for file in man/man1/candela-verify.1.gz bash-completion/completions/candela zsh/vendor-completions/_candela \
   fish/vendor_completions.d/candela.fish applications/candela.desktop mime/packages/candela.xml doc/candela/copyright; do

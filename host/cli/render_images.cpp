@@ -1,0 +1,78 @@
+// Describes images, and writes them.
+#include "host/cli/render_images.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/cli/bias_text.h"
+#include "host/cli/display_choice.h"
+#include "host/cli/option_table.h"
+#include "host/core/hash_text.h"
+#include "host/core/version.h"
+#include "host/image/false_colour.h"
+#include "host/verify/film_test.h"
+
+namespace candela::cli {
+
+Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
+  const render::RenderStatistics& statistics = result.statistics;
+  std::string settings = commandLineOf(job.arguments, OptionGroup::image, false);
+  const std::string reading = commandLineOf(job.arguments, OptionGroup::sceneFile, true);
+  if (!reading.empty()) settings += " " + reading;
+  Metadata metadata{{"candela.version", versionText()},
+                    {"candela.scene", job.scene.name},
+                    {"candela.sceneHash", hashText(job.scene.hash)},
+                    {"candela.filmHash", hashText(result.film.hash())},
+                    {"candela.samplesPerPixel", fmt::to_string(job.settings.image.sampleCount)},
+                    {verify::kSeedMetadata, fmt::to_string(job.settings.image.seed)},
+                    {"candela.device", statistics.device},
+                    {"candela.driver", statistics.driver},
+                    {"candela.settings", settings},
+                    {"candela.interrupted", result.interrupted ? "yes" : "no"}};
+  if (job.settings.image.crop) metadata["candela.crop"] = windowText(*job.settings.image.crop);
+  if (job.arguments.samples) {
+    metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
+  }
+  if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
+  return metadata;
+}
+
+Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
+  Metadata metadata{{"candela.sceneHash", header.sceneHash},
+                    {"candela.filmHash", hashText(film.hash())},
+                    {"candela.samplesPerPixel", fmt::to_string(header.samplesPerPixel)},
+                    {verify::kSeedMetadata, fmt::to_string(header.seed)},
+                    {"candela.interrupted", header.isComplete() ? "no" : "yes"}};
+  const auto limit = header.settings.find("clamp-indirect");
+  if (limit != header.settings.end() && limit->second != "off")
+    metadata[verify::kBiasMetadata] = biasText(limit->second);
+  return metadata;
+}
+
+image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata) {
+  image::Image image = toImage(film);
+  if (hasAlpha) addAlpha(image, film);
+  image.metadata.merge(metadata);
+  return image;
+}
+
+Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
+  const auto integrator = header.settings.find("integrator");
+  if (integrator == header.settings.end()) return arguments;
+  for (const Option& option : optionTable()) {
+    if (option.name() == "--integrator") option.apply(arguments, integrator->second);
+  }
+  return arguments;
+}
+
+void writeImages(image::Image image, const Arguments& arguments, const Log& log) {
+  const image::DisplayTransform display = chooseDisplay(arguments, image);
+  if (isFalseColour(display.toneMap)) {
+    image.metadata["candela.falseColour"] = falseColourText(display);
+    if (std::ranges::any_of(arguments.outputs, image::isEightBit)) log.note(falseColourKey(display));
+  }
+  for (const auto& file : arguments.outputs) writeImage(file, image, display);
+}
+
+}  // namespace candela::cli

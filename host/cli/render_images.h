@@ -1,0 +1,29 @@
+// The image files of a render or of a film file: pixels, metadata and the display transform.
+#pragma once
+#include <map>
+#include <string>
+
+#include "host/cli/render_job.h"
+#include "host/film/film_header.h"
+#include "host/image/image.h"
+#include "host/render/renderer.h"
+
+namespace candela::cli {
+
+using Metadata = std::map<std::string, std::string>;
+
+/// Returns the metadata of an image file, which describe how it was rendered.
+Metadata metadataOf(const RenderJob& job, const render::RenderResult& result);
+/// Returns what the header of a film file says of that.
+Metadata metadataOf(const film::FilmHeader& header, const image::Film& film);
+
+/// Returns the means of a film with these metadata, and with alpha if the film has it.
+image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata);
+
+/// Returns `arguments` with the integrator of a film, which decides how depths and costs are shown.
+Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header);
+
+/// Writes the image to all outputs of `arguments`, with its display transform. Throws as image::writeImage() does.
+void writeImages(image::Image image, const Arguments& arguments, const Log& log);
+
+}  // namespace candela::cli

@@ -1,0 +1,17 @@
+// What the commands that compare two tracers require.
+#pragma once
+#include "host/cli/render_job.h"
+#include "host/render/path_trace.h"
+
+namespace candela::cli {
+
+/// Each throws UsageError, with an alternative, if the arguments ask a command for something without a sense. None
+/// needs the scene.
+void requireVerifiable(const Arguments& arguments);
+void requireComparable(const Arguments& arguments);
+void requireExplainable(const Arguments& arguments);
+
+/// Returns the sample of --pixel, which is given, and --sample. Throws UsageError if it is outside of the render.
+render::PixelSample sampleAskedFor(const RenderJob& job);
+
+}  // namespace candela::cli

@@ -1,0 +1,55 @@
+"""The exceptions, each with the exit code that the program has for it."""
+
+
+class CandelaWarning(UserWarning):
+    """What the program would print to stderr as a warning, such as a mistake in a scene that can be ignored."""
+
+
+class Error(Exception):
+    """Base class of all errors of Candela. Their texts are those of the program."""
+
+    exit_code = 70
+
+
+class UsageError(Error, ValueError):
+    """An option or an argument that is unknown, out of range or of no use."""
+
+    exit_code = 1
+
+
+class FileError(Error, OSError):
+    """A file or an image that cannot be read or written, or that exceeds a limit."""
+
+    exit_code = 2
+
+
+class SceneError(FileError):
+    """All errors of a scene: `diagnostics` lists (file, line, column, message), with 0 for an unknown line or column."""
+
+    diagnostics = ()
+
+
+class NoDeviceError(Error):
+    """There is no usable Vulkan device, or none of that name."""
+
+    exit_code = 4
+
+
+class DeviceLostError(Error):
+    """The device was lost, or its driver failed."""
+
+    exit_code = 5
+
+
+class DeviceHungError(DeviceLostError):
+    """The device did not finish its work in time."""
+
+
+class OutOfMemoryError(Error, MemoryError):
+    """The work needs more memory than the machine or the device has."""
+
+    exit_code = 6
+
+
+class InternalError(Error):
+    """A mistake in Candela itself, or in a driver."""

@@ -1,0 +1,14 @@
+// JSON as Python's objects.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace candela::python {
+
+/// Returns what Python's json.loads() makes of a text.
+inline pybind11::object fromJson(const std::string& text) {
+  return pybind11::module_::import("json").attr("loads")(text);
+}
+
+}  // namespace candela::python

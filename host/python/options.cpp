@@ -1,0 +1,142 @@
+// Writes keyword arguments as words, which the parser of the command line reads.
+#include "host/python/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "host/cli/command_line.h"
+#include "host/core/errors.h"
+
+namespace candela::python {
+
+namespace py = pybind11;
+using cli::Command;
+using cli::OptionGroup;
+
+const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
+const FunctionOptions kSceneOptions{"Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time"}};
+const FunctionOptions kRenderOptions{
+    "render", Command::render, {OptionGroup::image, OptionGroup::execution, OptionGroup::film}, {}, {"--memory"}};
+const FunctionOptions kSessionOptions{
+    "Session", Command::render, {OptionGroup::image, OptionGroup::execution}, {"--crop"}, {"--memory", "--fallback"}};
+const FunctionOptions kVerifyOptions{"verify",
+                                     Command::verify,
+                                     {OptionGroup::image, OptionGroup::execution, OptionGroup::verification},
+                                     {"--alpha"},
+                                     {"--memory", "--junit", "--explain"}};
+const FunctionOptions kExplainOptions{"explain",
+                                      Command::explain,
+                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::explanation},
+                                      {},
+                                      {"--memory"}};
+const FunctionOptions kCompareTracersOptions{
+    "compare", Command::compare, {OptionGroup::image, OptionGroup::execution}, {"--alpha"}, {"--memory"}};
+const FunctionOptions kCompareImagesOptions{
+    "compare", Command::compare, {}, {"--alpha", "--tolerance", "--tonemap", "--exposure"}};
+const FunctionOptions kDisplayOptions{"Film.save", Command::render, {}, {"--tonemap", "--exposure"}};
+const FunctionOptions kMergeOptions{"merge", Command::merge, {}, {"--mixed-devices", "--partial"}};
+
+namespace {
+
+std::string wordOf(const py::handle& value) {
+  if (!py::hasattr(value, "__fspath__")) return py::str(value);
+  return py::str(py::module_::import("os").attr("fsdecode")(value));
+}
+
+bool isList(const py::handle& value) { return py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value); }
+
+bool isRange(const py::handle& value) { return PyObject_TypeCheck(value.ptr(), &PyRange_Type) != 0; }
+
+// A range without samples, or with gaps, has no notation: the parser says what it expects.
+std::string rangeText(const py::handle& range) {
+  const std::string text = fmt::format("{}:{}", wordOf(range.attr("start")), wordOf(range.attr("stop")));
+  const auto step = range.attr("step").cast<long long>();
+  return step == 1 ? text : fmt::format("{}:{}", text, step);
+}
+
+std::string listText(const py::handle& list, const cli::Option& option) {
+  const char* const separator = option.metavar.find(',') != std::string::npos ? "," : "x";
+  std::string text;
+  for (const py::handle& item : list) text += (text.empty() ? "" : separator) + wordOf(item);
+  return text;
+}
+
+std::string valueText(const py::handle& value, const cli::Option& option) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "on" : "off";
+  if (isRange(value)) return rangeText(value);
+  return isList(value) ? listText(value, option) : wordOf(value);
+}
+
+void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (!py::isinstance<py::bool_>(value)) {
+    throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
+  }
+  if (value.cast<bool>()) words.push_back(option.name());
+}
+
+void addOption(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (option.isFlag()) return addFlag(option, value, words);
+  const bool isRepeated = option.expected == "a path" && isList(value);
+  if (!isRepeated) return words.push_back(option.name() + "=" + valueText(value, option));
+  for (const py::handle& item : value) words.push_back(option.name() + "=" + wordOf(item));
+}
+
+std::string nameOf(std::string keyword) {
+  std::ranges::replace(keyword, '_', '-');
+  return "--" + keyword;
+}
+
+// The option of this name that the function has, or else one that it lacks; null if there is none.
+const cli::Option* find(const FunctionOptions& function, const std::string& name) {
+  const cli::Option* found = nullptr;
+  for (const cli::Option& option : cli::optionTable()) {
+    if (option.name() == name && (found == nullptr || function.has(option))) found = &option;
+  }
+  return found;
+}
+
+// Options of the program that the function lacks: most of them belong to another function.
+[[noreturn]] void refuse(const FunctionOptions& function, const cli::Option& option) {
+  const bool isOfLoad = kLoadOptions.has(option) && function.command != Command::check;
+  throw UsageError(fmt::format("{} is not an option of candela.{}(){}", option.name(), function.function,
+                               isOfLoad ? "; candela.load() has it" : ""));
+}
+
+}  // namespace
+
+bool FunctionOptions::has(const cli::Option& option) const {
+  if (!option.isFor(command) || except.contains(option.name())) return false;
+  return groups.contains(option.group) || besides.contains(option.name());
+}
+
+cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& options) {
+  std::vector<std::string> words;
+  for (const auto& [keyword, value] : options) {
+    const std::string name = nameOf(py::str(keyword));
+    const cli::Option* option = find(function, name);
+    if (option == nullptr) {
+      words.push_back(name);  // the parser refuses it with a suggestion
+    } else if (!function.has(*option)) {
+      refuse(function, *option);
+    } else if (!value.is_none()) {
+      addOption(*option, value, words);
+    }
+  }
+  return cli::parseOptions(function.command, words);
+}
+
+std::string helpOf(const FunctionOptions& function) {
+  std::string text;
+  for (const cli::Option& option : cli::optionTable()) {
+    if (!function.has(option)) continue;
+    std::string keyword = option.name().substr(2);
+    std::ranges::replace(keyword, '-', '_');
+    text += fmt::format("  {}: {}", keyword, option.help);
+    text += option.defaultText.empty() ? "\n" : fmt::format(" (default: {})\n", option.defaultText);
+  }
+  return text;
+}
+
+}  // namespace candela::python

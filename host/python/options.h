@@ -1,0 +1,34 @@
+// Keyword arguments as options of the command line.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <set>
+#include <string>
+
+#include "host/cli/option_table.h"
+
+namespace candela::python {
+
+/// The options of a function of the module: those of a command in some groups, and some others by name.
+struct FunctionOptions {
+  const char* function;  ///< for messages
+  cli::Command command;
+  std::set<cli::OptionGroup> groups;
+  std::set<std::string> besides{};  ///< with their dashes
+  std::set<std::string> except{};
+
+  bool has(const cli::Option& option) const;
+};
+
+extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessionOptions, kVerifyOptions,
+    kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kDisplayOptions, kMergeOptions;
+
+/// Returns the arguments of a command that has these options: max_depth=8 is --max-depth 8. A pair or a range becomes
+/// "WxH", "X,Y" or "A:B", True and False "on" and "off" (or a flag), and None leaves an option out. Throws UsageError
+/// with the texts of the command line.
+cli::Arguments argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
+
+/// One line for each option: name, values, help and default.
+std::string helpOf(const FunctionOptions& function);
+
+}  // namespace candela::python

@@ -1,0 +1,151 @@
+// Saves, opens and merges films.
+#include "host/python/python_film.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/cli/display_choice.h"
+#include "host/cli/film_description.h"
+#include "host/cli/output_check.h"
+#include "host/film/film_file.h"
+#include "host/film/merge.h"
+#include "host/python/film_arrays.h"
+#include "host/python/json.h"
+#include "host/python/options.h"
+#include "host/python/python_log.h"
+#include "host/python/watched.h"
+
+namespace candela::python {
+namespace {
+
+namespace py = pybind11;
+using Files = std::vector<std::filesystem::path>;
+using Film = std::shared_ptr<PythonFilm>;
+
+void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
+  const std::string check = film::writeFilm(file, film.header, film.film);
+  film::writeWork(file, check, film.work);
+}
+
+// The display options of the call replace those of the film.
+cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const py::kwargs& options) {
+  const cli::Arguments display = argumentsOf(kDisplayOptions, options);
+  cli::Arguments arguments = film.arguments;
+  arguments.outputs = outputs;
+  arguments.display = display.display;
+  arguments.exposure = display.exposure;
+  if (display.given.contains("--tonemap")) arguments.given.insert("--tonemap");
+  return arguments;
+}
+
+void save(const PythonFilm& film, const py::args& files, const py::kwargs& keywords) {
+  py::kwargs options = keywords;
+  const Files outputs = files.cast<Files>();
+  std::filesystem::path filmFile;
+  if (options.contains("checkpoint")) filmFile = options.attr("pop")("checkpoint").cast<std::filesystem::path>();
+  for (const auto& file : outputs) cli::requireWritableImage(file);
+  if (!filmFile.empty()) cli::requireWritableFile(filmFile);
+  const cli::Arguments arguments = savingArguments(film, outputs, options);
+  PythonLog log;
+  runWatched([&](const Watch&) {
+    if (!outputs.empty()) writeImages(film.picture(), arguments, log);
+    if (!filmFile.empty()) writeFilmFile(film, filmFile);
+  });
+  log.passOn();
+}
+
+py::bytes png(const PythonFilm& film) {
+  std::vector<std::byte> bytes;
+  runWatched([&](const Watch&) {
+    const image::Image& image = film.picture();
+    const image::DisplayTransform display = chooseDisplay(film.arguments, image);
+    bytes = image::toPng(image.alpha.empty() ? toPixels8(image, display) : toStraightPixels8(image, display));
+  });
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work) {
+  auto film = std::make_shared<PythonFilm>();
+  film->metadata = cli::metadataOf(header, sums);
+  film->arguments = cli::withIntegrator({}, header);
+  film->isInterrupted = !header.begun.empty();
+  film->header = std::move(header);
+  film->film = std::move(sums);
+  film->work = std::move(work);
+  return film;
+}
+
+Film open(const std::filesystem::path& file) {
+  Film film;
+  runWatched([&](const Watch&) {
+    film::FilmReader reader(file);
+    film = filmOfFile(reader.header(), film::readFilm(reader), film::readWork(file, reader.check()));
+  });
+  return film;
+}
+
+Film merge(const Files& files, const py::kwargs& options) {
+  const cli::Arguments arguments = argumentsOf(kMergeOptions, options);
+  Film film;
+  runWatched([&](const Watch&) {
+    film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
+    film = filmOfFile(std::move(merged.header), std::move(merged.film), std::move(merged.work));
+  });
+  return film;
+}
+
+cli::FilmDescription descriptionOf(const PythonFilm& film) { return cli::describe(film.header, film.film, film.work); }
+
+py::object reportOf(const PythonFilm& film) { return film.report.empty() ? py::none() : fromJson(film.report); }
+
+std::string filmText(const PythonFilm& film) {
+  const cli::FilmDescription description = descriptionOf(film);
+  return fmt::format("<candela.Film {}x{}, {} samples{}, hash {}>", film.film.width(), film.film.height(),
+                     description.samples, film.isInterrupted ? ", interrupted" : "", description.filmHash);
+}
+
+void defineArrays(py::class_<PythonFilm, Film>& type) {
+  type.def_property_readonly("image", &imageOf, "float32 (height, width, 3): mean of the samples, linear RGB")
+      .def_property_readonly("variance", &varianceOf,
+                             "float32 (height, width): variance of the luminance of one sample, not of the mean")
+      .def_property_readonly("samples", &samplesOf, "uint32 (height, width): number of samples")
+      .def_property_readonly("alpha", &alphaOf, "float32 (height, width), with background='none'; else None");
+}
+
+}  // namespace
+
+const image::Image& PythonFilm::picture() const {
+  std::call_once(once_, [this] { picture_ = cli::pictureOf(film, header.hasAlpha(), metadata); });
+  return picture_;
+}
+
+const image::Image& pictureOf(const PythonFilm& film) {
+  const py::gil_scoped_release released;
+  return film.picture();
+}
+
+void defineFilm(py::module_& module) {
+  py::class_<PythonFilm, Film> type(module, "Film", py::is_final(), "The exact sums of a render. It does not change.");
+  defineArrays(type);
+  type.def_property_readonly("width", [](const PythonFilm& film) { return film.film.width(); })
+      .def_property_readonly("height", [](const PythonFilm& film) { return film.film.height(); })
+      .def_property_readonly("hash", [](const PythonFilm& film) { return descriptionOf(film).filmHash; })
+      .def_property_readonly("interrupted", [](const PythonFilm& film) { return film.isInterrupted; })
+      .def_property_readonly("description",
+                             [](const PythonFilm& film) { return fromJson(toJson(descriptionOf(film)).dump()); })
+      .def_property_readonly("report", &reportOf)
+      .def("save", &save,
+           "save(*files, checkpoint=None, tonemap='srgb', exposure=0)\n\nWrites image files (.png, .jpg, .hdr, .pfm, "
+           ".exr) and a film file, with the bytes that the program writes.")
+      .def("_repr_png_", &png)
+      .def("__repr__", &filmText);
+  module.def("open_film", &open, py::arg("file"), py::pos_only(), "open_film(file, /) -> Film\n\nReads a film file.");
+  module.def("merge", &merge, py::arg("files"), py::pos_only(),
+             ("merge(files, /, **options) -> Film\n\nAdds film files of parts of a render.\n\n" + helpOf(kMergeOptions))
+                 .c_str());
+}
+
+}  // namespace candela::python

@@ -1,0 +1,37 @@
+// Films in Python.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <mutex>
+#include <string>
+
+#include "host/cli/render_images.h"
+#include "host/film/film_header.h"
+#include "host/film/work_report.h"
+
+namespace candela::python {
+
+/// The exact sums of a render with everything that its files state. It does not change.
+struct PythonFilm {
+  image::Film film;
+  film::FilmHeader header;
+  cli::Metadata metadata;    ///< of image files
+  film::WorkReport work;     ///< of the file beside a film file
+  cli::Arguments arguments;  ///< of the render; those of a film file have its integrator alone
+  std::string report;        ///< JSON, as `candela render` writes it; empty for a film file
+  bool isInterrupted = false;
+
+  /// Converts the sums once, also when several threads ask. Without the GIL.
+  const image::Image& picture() const;
+
+ private:
+  mutable std::once_flag once_;
+  mutable image::Image picture_;
+};
+
+/// Converts the sums of a film without the GIL, which the caller holds.
+const image::Image& pictureOf(const PythonFilm& film);
+
+void defineFilm(pybind11::module_& module);
+
+}  // namespace candela::python

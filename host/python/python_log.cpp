@@ -1,0 +1,29 @@
+// Collects messages, and passes them to Python.
+#include "host/python/python_log.h"
+
+#include <pybind11/pybind11.h>
+
+#include <iostream>
+
+namespace candela::python {
+
+namespace py = pybind11;
+
+PythonLog::PythonLog() : Log(std::cerr, Verbosity::verbose) {}
+
+void PythonLog::add(const char* kind, const std::string& text) const {
+  const std::scoped_lock lock(mutex_);
+  messages_.emplace_back(kind, text);
+}
+
+void PythonLog::passOn() {
+  std::vector<std::pair<std::string, std::string>> messages;
+  {
+    const std::scoped_lock lock(mutex_);
+    messages.swap(messages_);
+  }
+  const py::object publish = py::module_::import("candela._messages").attr("publish");
+  for (const auto& [kind, text] : messages) publish(kind, text);
+}
+
+}  // namespace candela::python

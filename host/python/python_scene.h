@@ -1,0 +1,26 @@
+// Scenes in Python.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+
+#include "host/cli/render_job.h"
+#include "host/python/python_log.h"
+
+namespace candela::python {
+
+/// A scene with the options by which it was read, which films state. Renders share it.
+struct PythonScene {
+  std::shared_ptr<const scene::Scene> scene;
+  cli::Arguments loading;  ///< files, loadOptions and the names of these options
+  std::string report;      ///< JSON, as `candela check` writes it
+
+  /// Returns `arguments` with the file and the options of the scene.
+  cli::Arguments complete(cli::Arguments arguments) const;
+  cli::RenderJob jobOf(const cli::Arguments& arguments, const Log& log) const;
+};
+
+void defineScene(pybind11::module_& module);
+
+}  // namespace candela::python

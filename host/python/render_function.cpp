@@ -1,0 +1,66 @@
+// render(): as the command does, except that the film stays in memory.
+#include <nlohmann/json.hpp>
+
+#include "host/cli/output_check.h"
+#include "host/cli/statistics_report.h"
+#include "host/cli/trace_film.h"
+#include "host/core/progress.h"
+#include "host/python/options.h"
+#include "host/python/python_scene.h"
+#include "host/python/rendering.h"
+#include "host/python/watched.h"
+
+namespace candela::python {
+namespace {
+
+namespace py = pybind11;
+using Film = std::shared_ptr<PythonFilm>;
+
+Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
+  const double start = monotonicSeconds();
+  const cli::RenderJob job = scene.jobOf(arguments, log);
+  cli::TracedFilm traced = traceFilm(job, start, {watch.stop, nullptr, watch.report}, log);
+  if (traced.failure) throw Error(traced.failure->code, traced.failure->message);
+  if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
+  if (!traced.result.interrupted) watch.report(1, traced.result.statistics.samples);
+  const film::WorkReport work = traced.work.value_or(film::workOf(traced.result.statistics));
+  return filmOf(job, std::move(traced.result), std::move(traced.header), work, monotonicSeconds() - start, log);
+}
+
+Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
+  const cli::Arguments arguments = argumentsOf(kRenderOptions, options);
+  requireCheckpoint(arguments);
+  PythonLog log;
+  Film film;
+  runWatched([&](const Watch& watch) { film = trace(scene, arguments, watch, log); }, progress);
+  log.passOn();
+  return film;
+}
+
+}  // namespace
+
+Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,
+            const film::WorkReport& work, double seconds, const Log& log) {
+  auto film = std::make_shared<PythonFilm>();
+  cli::RenderReport report{job, result, 0, seconds, {}, work};
+  report.badSamples.add(result.film, job.settings.image);
+  reportFlaws(report, log);
+  film->report = toJson(report).dump();
+  film->metadata = metadataOf(job, result);
+  film->arguments = job.arguments;
+  film->isInterrupted = result.interrupted;
+  film->header = std::move(header);
+  film->work = work;
+  film->film = std::move(result.film);
+  return film;
+}
+
+void defineRender(py::module_& module) {
+  module.def("render", &render, py::arg("scene"), py::pos_only(), py::kw_only(), py::arg("progress") = py::none(),
+             ("render(scene, /, *, progress=None, **options) -> Film\n\nRenders a scene as `candela render` does. "
+              "`progress(fraction, samples)` is called from time to time.\n\n" +
+              helpOf(kRenderOptions))
+                 .c_str());
+}
+
+}  // namespace candela::python

@@ -1,0 +1,20 @@
+// Renders in Python.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include "host/cli/render_job.h"
+#include "host/film/work_report.h"
+#include "host/python/python_film.h"
+
+namespace candela::python {
+
+/// Returns the film of a render, with its report, and logs what is wrong with it.
+std::shared_ptr<PythonFilm> filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,
+                                   const film::WorkReport& work, double seconds, const Log& log);
+
+/// Defines render().
+void defineRender(pybind11::module_& module);
+/// Defines Session.
+void defineSession(pybind11::module_& module);
+
+}  // namespace candela::python

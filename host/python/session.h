@@ -1,0 +1,44 @@
+// A render that accumulates samples call by call.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "host/cli/render_job.h"
+#include "host/python/python_film.h"
+#include "host/python/python_log.h"
+#include "host/python/watched.h"
+
+namespace candela::python {
+
+/// One prepared session of a renderer. One thread at a time may use it.
+class PythonSession {
+ public:
+  /// Prepares the session.
+  PythonSession(const cli::RenderJob& job, std::shared_ptr<PythonLog> log);
+
+  /// Adds the samples of `range` that are missing; by default all. Returns false if `watch` stopped it. Throws
+  /// UsageError for a range that does not continue the film.
+  bool advance(const std::optional<render::SampleRange>& range, const Watch& watch);
+  /// The next `count` samples, at most those that are left.
+  render::SampleRange next(std::uint32_t count) const;
+  std::shared_ptr<PythonFilm> film();
+  void reset(std::uint32_t seed);
+
+  std::uint32_t total() const { return job_.settings.image.sampleCount; }
+  std::uint32_t done() const { return done_; }
+  PythonLog& log() { return *log_; }
+
+ private:
+  cli::RenderJob jobSoFar() const;
+
+  cli::RenderJob job_;
+  std::shared_ptr<PythonLog> log_;  ///< the renderer writes to it
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Session> session_;
+  std::optional<std::uint32_t> first_;  ///< sample of the film
+  std::uint32_t done_ = 0;              ///< every pixel has the samples from the first to this one, exclusive
+  std::uint32_t wanted_ = 0;            ///< end of the last range; above `done_` if that was stopped
+  double seconds_ = 0;                  ///< spent in calls
+};
+
+}  // namespace candela::python

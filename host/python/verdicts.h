@@ -1,0 +1,24 @@
+// verify(), compare() and explain().
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <string>
+
+namespace candela::python {
+
+/// The result of a command that compares: what it prints, what it writes as JSON, and whether the sides agree, which
+/// nothing says of two images without a criterion.
+struct Outcome {
+  std::optional<bool> agrees;
+  std::string verdict;  ///< sentences
+  std::string text;
+  std::string report;  ///< JSON
+};
+struct Verdict : Outcome {};
+struct Comparison : Outcome {};
+struct Explanation : Outcome {};
+
+void defineVerdicts(pybind11::module_& module);
+
+}  // namespace candela::python

@@ -1,0 +1,110 @@
+"""Errors and warnings have the texts and the exit codes of the program."""
+import logging
+import pathlib
+import unittest
+import warnings
+
+import candela
+from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
+
+
+def text_of(done):
+    """What the program printed, without its name at the head of each line."""
+    return "\n".join(line.removeprefix("candela: ") for line in done.stderr.splitlines())
+
+
+class Errors(FolderTest):
+    def check(self, error, done):
+        self.assertEqual(str(error), text_of(done))
+        self.assertEqual(error.exit_code, done.returncode)
+
+    def test_options(self):
+        wrong = [
+            {"spp": -1}, {"spp": "many"}, {"size": (0, 5)}, {"size": 5}, {"integrator": "pathh"}, {"sampler": "halton"},
+            {"max_depht": 3}, {"nee": "yes"}, {"samples": range(3, 3)}, {"samples": range(0, 99)}, {"crop": (20, 0, 9, 9)},
+            {"resume_anyway": True}, {"clamp_indirect": 0}, {"integrator": "whitted", "max_depth": 99}, {"threads": 9999},
+        ]
+        for change in wrong:
+            with self.subTest(change):
+                options = {**SMALL, "device": "cpu", **change}
+                with self.assertRaises(candela.UsageError) as caught:
+                    candela.render(cornell(), **options)
+                self.check(caught.exception, run(CORNELL, *words_of(options), "-o", self.folder / "a.png", code=1))
+
+    def test_devices(self):
+        with self.assertRaises(candela.NoDeviceError) as caught:
+            candela.render(cornell(), **SMALL, device="no such device")
+        self.check(caught.exception, run(CORNELL, *words_of(SMALL), "--device", "no such device", "--stats", code=4))
+
+    def test_files(self):
+        (self.folder / "bad.p3f").write_text("spehre 1 2 3\nv\n")
+        for file in (self.folder / "bad.p3f", self.folder / "missing.p3f", self.folder):
+            with self.subTest(file):
+                with self.assertRaises(candela.FileError) as caught:
+                    candela.load(file)
+                self.check(caught.exception, run(file, "-o", self.folder / "a.png", code=2))
+        with self.assertRaises(candela.SceneError) as caught:
+            candela.load(self.folder / "bad.p3f")
+        self.assertEqual(caught.exception.diagnostics[0][:3], (str(self.folder / "bad.p3f"), 1, 1))
+
+    def test_outputs(self):
+        film = candela.render(cornell(), **SMALL, device="cpu")
+        for file, kind, code in ((self.folder / "a.bmp", candela.UsageError, 1), (self.folder / "none/a.png", candela.FileError, 2)):
+            with self.assertRaises(kind) as caught:
+                film.save(file)
+            self.check(caught.exception, run(CORNELL, *words_of(SMALL), "-o", file, code=code))
+        (self.folder / "a.film").write_text("precious")
+        with self.assertRaises(candela.FileError) as caught:
+            candela.render(cornell(), **SMALL, device="cpu", checkpoint=self.folder / "a.film")
+        self.check(caught.exception, run(CORNELL, *words_of(SMALL), "--checkpoint", self.folder / "a.film", code=2))
+        self.assertEqual((self.folder / "a.film").read_text(), "precious")
+
+    def test_tracers(self):
+        for function, command in ((candela.verify, "verify"), (candela.explain, "explain"), (candela.compare, "compare")):
+            with self.assertRaises(candela.UsageError) as caught:
+                function(cornell(), device="cpu")
+            self.check(caught.exception, run(command, CORNELL, "--device", "cpu", code=1))
+        options = {"size": (8, 8), "pixel": (8, 0), "device": DEVICE}
+        with self.assertRaises(candela.UsageError) as caught:
+            candela.explain(cornell(), **options)
+        self.check(caught.exception, run("explain", CORNELL, *words_of(options), code=1))
+
+    def test_options_of_other_functions(self):
+        for function, options, text in (
+            (candela.render, {"env": "white"}, r"--env is not an option of candela.render\(\); candela.load\(\) has it"),
+            (candela.render, {"output": "a.png"}, r"--output is not an option of candela.render\(\)"),
+            (candela.render, {"pixel": (1, 1)}, r"--pixel is not an option of candela.render\(\)"),
+            (candela.Session, {"checkpoint": "a.film"}, r"--checkpoint is not an option of candela.Session\(\)"),
+            (candela.verify, {"spp": 4}, r"--spp is not an option of candela.verify\(\)"),
+            (candela.render, {"one_sided": 1}, '--one-sided: expected True or False, got "1"'),
+        ):
+            with self.assertRaisesRegex(candela.UsageError, text):
+                function(cornell(), **options)
+        with self.assertRaises(TypeError):
+            candela.render("cornell.p3f")
+
+    def test_kinds(self):
+        self.assertTrue(issubclass(candela.UsageError, ValueError) and issubclass(candela.FileError, OSError))
+        self.assertTrue(issubclass(candela.OutOfMemoryError, MemoryError) and issubclass(candela.SceneError, candela.Error))
+
+    def test_warnings(self):
+        text = CORNELL.read_text() + "\nf 2 0.5 0.5 1 0 1 0 1\n"
+        (self.folder / "warn.p3f").write_text(text)
+        with self.assertWarns(candela.CandelaWarning) as caught:
+            candela.load(self.folder / "warn.p3f")
+        self.assertEqual(pathlib.Path(caught.filename).name, "test_errors.py", "the warning names the line of the caller")
+        done = run(self.folder / "warn.p3f", *words_of(SMALL), "--device", "cpu", "--stats")
+        self.assertIn("warning: " + str(caught.warning), text_of(done))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", candela.CandelaWarning)
+            with self.assertRaises(candela.CandelaWarning):
+                candela.load(self.folder / "warn.p3f")
+
+    def test_notes(self):
+        with self.assertLogs("candela", logging.INFO) as logs:
+            candela.render(cornell(), **SMALL, device="cpu", light_size=1)
+        self.assertIn("INFO:candela:--light-size has no effect here; it applies to --integrator whitted", logs.output)
+
+
+if __name__ == "__main__":
+    unittest.main()
