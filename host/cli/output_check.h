@@ -14,6 +14,9 @@ void requireWritableImage(const std::filesystem::path& file);
 /// Throws UsageError if a file that the command writes is one that it reads. `merge` may replace one of its films, and
 /// a render the film that it goes on from.
 void requireSeparateFiles(const Arguments& arguments);
+/// Throws UsageError if layers (--aov) are requested and there is no EXR file that they could be written to, or if the
+/// render goes on from a film file or writes one, because film files have no layers.
+void requireLayerFile(const Arguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);
 

@@ -54,6 +54,7 @@ void writeImages(const RenderJob& job, const render::RenderResult& result, const
   if (job.arguments.outputs.empty()) return;
   image::Image image = toImage(result.film);
   if (job.settings.image.hasAlpha()) addAlpha(image, result.film);
+  addLayers(image, result.film);
   image.metadata.merge(imageMetadata(job, result));
   const image::DisplayTransform display = chooseDisplay(job.arguments, image);
   if (isFalseColour(display.toneMap)) {
@@ -98,6 +99,7 @@ void requireCheckpoint(const Arguments& arguments) {
 ExitCode runRender(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   for (const auto& file : arguments.outputs) requireWritableImage(file);
+  requireLayerFile(arguments);
   requireWritableReport(arguments.json);
   requireCheckpoint(arguments);
   const RenderJob job = loadJob(arguments, log);
