@@ -28,11 +28,17 @@ uvec3 addFixed(uvec3 sum, uvec3 term) {
 // relied on.
 bool inRange(float value) { return floatBitsToUint(value) < 0x7f800000u || value == 0.0; }
 
+float keptValue(float value) { return inRange(value) ? min(value, kFilmMaximum) : 0.0; }
+
+// Returns what the film adds for a sample.
+vec3 keptRadiance(vec3 radiance) {
+  return vec3(keptValue(radiance.x), keptValue(radiance.y), keptValue(radiance.z));
+}
+
 void addSample(inout FilmRows film, vec3 radiance, uint sampleIndex) {
-  bvec3 usable = bvec3(inRange(radiance.x), inRange(radiance.y), inRange(radiance.z));
-  vec3 clamped = vec3(usable.x ? min(radiance.x, kFilmMaximum) : 0.0, usable.y ? min(radiance.y, kFilmMaximum) : 0.0,
-                      usable.z ? min(radiance.z, kFilmMaximum) : 0.0);
-  bool bad = !all(usable) || clamped != radiance;
+  bool usable = inRange(radiance.x) && inRange(radiance.y) && inRange(radiance.z);
+  vec3 clamped = keptRadiance(radiance);
+  bool bad = !usable || clamped != radiance;
   precise float y = luminance(clamped);
   precise float ySquared = y * y;
   film.red = uvec4(addFixed(film.red.xyz, toFixed(clamped.x)), film.red.w + 1u);

@@ -3,6 +3,7 @@
 // path in a buffer and continues in the next dispatch.
 #ifndef CANDELA_LANES_GLSL
 #define CANDELA_LANES_GLSL
+#define CANDELA_HAS_FILM
 #include "dispatch.glsl"
 #include "path_state.glsl"
 
@@ -31,6 +32,7 @@ void advancePixel(uvec2 inRegion) {
   uint sampleEnd = dispatch.sampleEnd;
   if (sampleIndex >= sampleEnd) return;
 
+  if (kLayerSums != 0u) loadPendingLayers(pixelIndex);
   Path path = unpackPath(state);
   FilmRows sums = film[pixelIndex];
   RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
@@ -48,6 +50,7 @@ void advancePixel(uvec2 inRegion) {
     if (!goesOn) {
       addSample(sums, path.radiance, sampleIndex);
       if (kCountsHits && (depth > 1u || decisions.index != kRecordMiss)) addHit(sums);
+      if (kLayerSums != 0u) gatherLayers(path.radiance);
       path.depth = 0u;
       path.volume = 0u;
       sampleIndex += 1u;
@@ -59,6 +62,7 @@ void advancePixel(uvec2 inRegion) {
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
+  if (kLayerSums != 0u) storeLayers(pixelIndex);
   pathStates[pixelIndex] = packPath(path, sampleIndex,
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps + work.steps));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);

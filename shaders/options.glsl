@@ -1,6 +1,7 @@
 // The specialisation constants by name, and what follows from them.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
+#include "../host/image/layer_sum_list.h"
 #include "shared/features.h"
 #include "shared/scene_rows.h"
 #include "shared/specialization.h"
@@ -10,6 +11,7 @@ CANDELA_FEATURES(DECLARE_FEATURE)
 #undef DECLARE_FEATURE
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
+layout(constant_id = kSpecLayerSums) const uint kLayerSums = 0u;
 layout(constant_id = kSpecTextureSlots) const uint kTextureSlots = 0xffffffffu;
 layout(constant_id = kSpecBackdrop) const uint kBackdrop = kBackdropEnvironment;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
@@ -45,6 +47,21 @@ const uint kKindCount = CANDELA_PRIMITIVE_KINDS(COUNT_KIND);
 #define CHOOSE_KIND(kind, feature, name, value, flag) flag ? name :
 const uint kOnlyKind = kKindCount != 1u ? kManyKinds : CANDELA_PRIMITIVE_KINDS(CHOOSE_KIND) kManyKinds;
 #undef CHOOSE_KIND
+
+// Which sums of layers there are, the first record of each in a pixel's records, and the number of these records.
+#define DECLARE_SUM(sum, has, row, bit, count) const bool has = (kLayerSums & (1u << bit)) != 0u;
+CANDELA_LAYER_SUMS(DECLARE_SUM)
+#undef DECLARE_SUM
+const uint kNormalSumRow = 1u;
+const uint kAlbedoSumRow = kNormalSumRow + (kSumsNormal ? 3u : 0u);
+const uint kDepthSumRow = kAlbedoSumRow + (kSumsAlbedo ? 3u : 0u);
+const uint kPositionSumRow = kDepthSumRow + (kSumsDepth ? 1u : 0u);
+const uint kTexCoordSumRow = kPositionSumRow + (kSumsPosition ? 3u : 0u);
+const uint kUnscatteredSumRow = kTexCoordSumRow + (kSumsTexCoord ? 2u : 0u);
+const uint kScatteredOnceSumRow = kUnscatteredSumRow + (kSumsUnscattered ? 3u : 0u);
+const uint kLayerRows = kScatteredOnceSumRow + (kSumsScatteredOnce ? 3u : 0u);
+const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
+
 const bool kCountsHits = kBackdrop == kBackdropNone;
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;

@@ -6,6 +6,7 @@
 #include "bsdf.glsl"
 #include "camera.glsl"
 #include "environment.glsl"
+#include "layers.glsl"
 #include "lights.glsl"
 #include "shading.glsl"
 #include "trace.glsl"
@@ -187,6 +188,8 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
     path.radiance += limitedContribution(found, path.depth - 1u);
   }
+  if (kLayerSums != 0u && path.depth == 1u) noteFirstHit(path.ray, surface, material, hit.t, path.radiance);
+  if (kSumsScatteredOnce && path.depth == 2u) noteScatteredOnce(path.radiance);
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);

@@ -101,7 +101,7 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   uint row = constants.firstAttributeRow + extra;
   bool hasNormals = kHasSmooth && (surface.kind & kFlagSmooth) != 0u;
   if (hasNormals) smoothTriangle(surface, row, weights);
-  bool hasTexCoords = kHasTextures && (surface.kind & kFlagTexCoords) != 0u;
+  bool hasTexCoords = kHasTexCoords && (surface.kind & kFlagTexCoords) != 0u;
   bool hasColours = kHasColours && (surface.kind & kFlagColours) != 0u;
   bool hasTangents = kHasTangents && (surface.kind & kFlagTangents) != 0u;
   if ((hasTexCoords || hasColours || hasTangents) && !hasNormals) surface.light = sceneRow(row).x;

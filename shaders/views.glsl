@@ -1,19 +1,10 @@
 // Pictures of what camera rays hit instead of radiance: docs/light-transport.md section 10.
 #ifndef CANDELA_VIEWS_GLSL
 #define CANDELA_VIEWS_GLSL
+#include "albedo.glsl"
 #include "path.glsl"
 
 vec3 indexColour(uint index) { return vec3((pcg4d(uvec4(index, 0u, 0u, 0u)).xyz >> 24) + 1u) * (1.0 / 256.0); }
-
-vec3 albedo(Material m) {
-  if (kHasSurfaces && m.isSurface) return m.surface.baseColour;
-  if (kHasMirror && m.mirror) return m.specular;
-  // If the diffuse and the dielectric lobe have the same colour, the weights are added before they are multiplied.
-  vec3 apart = kHasDielectric ? m.specular - m.diffuse : vec3(0.0);
-  precise vec3 sum =
-      (m.diffuseWeight + m.dielectricWeight) * m.diffuse + m.glossyWeight * m.glossy + m.dielectricWeight * apart;
-  return sum;
-}
 
 // Returns 1 if this sample's ray into the hemisphere hits nothing within constants.aoDistance, else 0.
 float openness(Surface surface, Normals normals, SampleKey key, inout Work work, inout RayCounts counts,

@@ -13,6 +13,11 @@ uint finishSample(uint pixelIndex) {
   addSample(sums, uintBitsToFloat(radianceSample.xyz), radianceSample.w);
   if (kCountsHits && shadedDepthOf(waves[pixelIndex]) > 0u) addHit(sums);
   film[pixelIndex] = sums;
+  if (kLayerSums != 0u) {
+    loadPendingLayers(pixelIndex);
+    gatherLayers(uintBitsToFloat(radianceSample.xyz));
+    storeLayers(pixelIndex);
+  }
   atomicAdd(counters.finishedSamples, 1u);
   return radianceSample.w + 1u;
 }

@@ -29,10 +29,12 @@ void main() {
   RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
+  if (kLayerSums != 0u && depth <= 2u) loadPendingLayers(pixelIndex);
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
+  if (kLayerSums != 0u && depth <= 2u) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);

@@ -5,6 +5,7 @@
 // the dispatch's stage.
 #ifndef CANDELA_WAVEFRONT_GLSL
 #define CANDELA_WAVEFRONT_GLSL
+#define CANDELA_HAS_FILM
 #include "dispatch.glsl"
 #include "path_state.glsl"
 

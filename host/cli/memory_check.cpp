@@ -25,8 +25,10 @@ MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
   MemoryNeed need;
   need.scene = scene::memoryOf(scene).total;
   need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
-  need.film = pixels * sizeof(image::FilmPixel);
-  if (!arguments.outputs.empty()) need.pictures = pixels * kPictureBytesPerPixel;
+  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(arguments.settings.image.layers));
+  need.film = pixels * (sizeof(image::FilmPixel) + layerRows * sizeof(image::LayerRow));
+  const std::uint64_t layerBytes = 2 * layerRows * sizeof(float);
+  if (!arguments.outputs.empty()) need.pictures = pixels * (kPictureBytesPerPixel + layerBytes);
   return need;
 }
 

@@ -1,6 +1,10 @@
 // Reads and prints numbers and sizes.
 #include "host/cli/notation.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 namespace candela::cli {
 namespace {
 
@@ -123,6 +127,30 @@ Notation<render::Window> window(std::uint32_t highest) {
   };
   return {"X,Y,W,H", fmt::format("X,Y,W,H with whole numbers up to {}, W and H at least 1", highest), parse,
           render::windowText};
+}
+
+Notation<image::LayerSet> layerList() {
+  const std::span<const std::string_view> names = image::layerNames();
+  const auto parse = [names](const std::string& word) -> std::optional<image::LayerSet> {
+    image::LayerSet layers;
+    if (word == "none") return layers;
+    for (std::size_t first = 0; first <= word.size();) {
+      const std::size_t end = std::min(word.find(',', first), word.size());
+      const auto place = std::ranges::find(names, std::string_view(word).substr(first, end - first));
+      if (place == names.end()) return std::nullopt;
+      layers.add(static_cast<image::Layer>(place - names.begin()));
+      first = end + 1;
+    }
+    return layers;
+  };
+  const auto print = [names](const image::LayerSet& layers) {
+    std::string text;
+    for (std::uint32_t i = 0; i < names.size(); ++i) {
+      if (layers.has(static_cast<image::Layer>(i))) text += fmt::format("{}{}", text.empty() ? "" : ",", names[i]);
+    }
+    return text.empty() ? "none" : text;
+  };
+  return {"LAYERS", fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")), parse, print};
 }
 
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {

@@ -42,6 +42,8 @@ Notation<std::uint64_t> byteCount();
 Notation<render::SampleRange> sampleRange(std::uint32_t highest);
 /// "X,Y,W,H", X and Y below `highest`, W and H from 1 to `highest`.
 Notation<render::Window> window(std::uint32_t highest);
+/// Names of layers, separated by commas, in any order; `none` for no layers.
+Notation<image::LayerSet> layerList();
 /// Any text; an empty value, which can only be the default, prints as `empty`.
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
 /// One of a list of names.

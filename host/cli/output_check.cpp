@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "host/core/errors.h"
 #include "host/image/image.h"
 
@@ -58,6 +60,15 @@ void requireCheckpoint(const Arguments& arguments) {
       fmt::format("{}: the file exists, and its samples would be lost; go on from it with --resume {}, or "
                   "remove it",
                   file.string(), file.string()));
+}
+
+void requireLayerFile(const Arguments& arguments) {
+  if (arguments.settings.image.layers.isEmpty()) return;
+  if (std::ranges::none_of(arguments.outputs, image::isExr)) {
+    throw UsageError("--aov: layers are written to EXR files only; add -o FILE.exr");
+  }
+  if (arguments.checkpoint.empty() && arguments.resume.empty()) return;
+  throw UsageError("--aov: film files have no layers; leave out --aov, or --checkpoint and --resume");
 }
 
 void requireWritableReport(const std::string& target) {

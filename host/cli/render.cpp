@@ -38,6 +38,7 @@ TraceControl traceControl(const Arguments& arguments) {
 ExitCode runRender(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   for (const auto& file : arguments.outputs) requireWritableImage(file);
+  requireLayerFile(arguments);
   requireWritableReport(arguments.json);
   requireCheckpoint(arguments);
   if (!arguments.checkpoint.empty()) watchWriteRequests();  // from here on, SIGUSR1 does not end the program

@@ -53,6 +53,7 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
 image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata) {
   image::Image image = toImage(film);
   if (hasAlpha) addAlpha(image, film);
+  addLayers(image, film);
   image.metadata.merge(metadata);
   return image;
 }

@@ -21,6 +21,8 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
+    valued({"--aov", kRender, kGroup, "layers that EXR files get beside the image, separated by commas: normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples"},
+           layerList(), [](auto& a) -> auto& { return a.settings.image.layers; }),
     valued({"--tonemap", kRender | kCompare | kFilm, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
     valued({"--exposure", kRender | kCompare | kFilm, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},

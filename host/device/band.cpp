@@ -25,13 +25,19 @@ constexpr std::size_t kSampleIndexOffset = offsetof(gpu::PathState, radianceSamp
 static_assert(offsetof(gpu::TreeState, radianceSample) == offsetof(gpu::PathState, radianceSample));
 static_assert(offsetof(gpu::WaveState, path) == 0);
 
+// Bytes of a pixel in the film buffer.
+std::uint64_t filmBytesPerPixel(const render::RenderSettings& settings) {
+  return sizeof(gpu::FilmRows) +
+         sizeof(image::LayerRow) * image::layerRowCount(image::layerSumsOf(settings.image.layers));
+}
+
 /// Bytes before the path records of `pixels` pixels.
 std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
   return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
 }
 
 std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
-  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, sizeof(gpu::FilmRows));
+  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, filmBytesPerPixel(settings));
   const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
   return settings.execution.recordPaths ? std::max(path, queues + kRecordBytes) : path;
 }
@@ -76,7 +82,7 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 
 std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& settings) {
   const std::uint64_t width = settings.image.window().width;
-  return (kernel.stateBytes + sizeof(gpu::FilmRows)) * width + resultBytes(kernel, settings, width);
+  return (kernel.stateBytes + filmBytesPerPixel(settings)) * width + resultBytes(kernel, settings, width);
 }
 
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
@@ -101,12 +107,13 @@ Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::Com
       settings_(settings),
       width_(settings.image.window().width),
       states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
-      film_(device, sizeof(gpu::FilmRows) * width_ * maxHeight, vulkan::Usage::storage),
+      film_(device, filmBytesPerPixel(settings) * width_ * maxHeight, vulkan::Usage::storage),
       results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
       bindings_(pipelines_.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
 
-void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint32_t firstSample) {
+void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
+                std::uint32_t firstSample) {
   rows_ = rows;
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
@@ -122,6 +129,7 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::uint
   samplesSeen_ = 0;
   if (film.empty() && firstSample == 0) return;
   if (!film.empty()) film_.upload(std::as_bytes(film));
+  if (!film.empty() && !layers.empty()) film_.upload(std::as_bytes(layers), std::as_bytes(film).size());
   setFirstSamples(film, firstSample);
 }
 
@@ -232,7 +240,16 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
   return true;
 }
 
-void Band::readFilm(std::span<image::FilmPixel> film) const { film_.download(std::as_writable_bytes(film)); }
+void Band::readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow> layers) const {
+  film_.download(std::as_writable_bytes(film));
+  if (layers.empty()) return;
+  film_.download(std::as_writable_bytes(layers), std::as_bytes(film).size());
+  const std::size_t rowCount = layers.size() / film.size();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    layers[i].pending = 0;
+    if (i % rowCount == 0) layers[i].words[2] = 0;  // what is pending
+  }
+}
 
 void Band::addCounts(render::RenderStatistics& statistics) const {
   const std::uint64_t size = kernel_.stateBytes;

@@ -40,8 +40,10 @@ class Band {
        const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight);
 
   /// Makes these rows the band. `film` contains their pixels, row by row, with consecutive samples from `firstSample`
-  /// on; if it is empty, no pixel has a sample. Paths start with the first sample that their pixel lacks.
-  void load(BandRows rows, std::span<const image::FilmPixel> film, std::uint32_t firstSample);
+  /// on, and `layers` the records of their layers; if `film` is empty, no pixel has a sample. Paths start with the
+  /// first sample that their pixel lacks.
+  void load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
+            std::uint32_t firstSample);
   /// The rows of the last call of load().
   BandRows rows() const { return rows_; }
 
@@ -58,7 +60,7 @@ class Band {
               const std::function<void(std::uint64_t)>& samplesFinished);
 
   /// Copies the band's film. `film` has as many pixels as the band.
-  void readFilm(std::span<image::FilmPixel> film) const;
+  void readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow> layers) const;
   /// Returns RenderStatistics::truncated of all work since load() without using the device.
   std::uint64_t truncated() const { return truncatedBefore_ + counters().truncated; }
   /// Adds the counts of all work since load().

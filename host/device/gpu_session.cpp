@@ -51,6 +51,9 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
                                 {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
   budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
+  if (layerSumsOf(settings_.image.layers) != 0) {
+    budget_.maxSegments = std::min(budget_.maxSegments, gpu::kMaxGatheredSamples);
+  }
   if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMaxRounds);
   cameraRecords_ = flatten::cameraRecordsOf(scene_, flat_, settings_.image);
   prepared_.seconds["build"] = watch.lap();
@@ -65,7 +68,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   bandHeight_ = bandHeight(info, kernel_, settings_,
                            std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
-  film_ = image::Film(settings_.image.window().width, settings_.image.window().height);
+  film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
   startCounting();
 }
 
@@ -109,6 +112,11 @@ std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
   return {film_.pixels().data() + width * rows.first, width * rows.height};
 }
 
+std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
+  const std::uint64_t width = film_.layerRows().size() / film_.height();
+  return std::span(film_.layerRows()).subspan(width * rows.first, width * rows.height);
+}
+
 void GpuSession::startCounting() {
   statistics_ = prepared_;
   samplesLoaded_ = 0;
@@ -118,7 +126,7 @@ void GpuSession::startCounting() {
 
 // The next band that becomes resident starts from film_.
 void GpuSession::empty() {
-  std::ranges::fill(film_.pixels(), image::FilmPixel{});
+  film_.clear();
   coverage_ = {};
   resident_.reset();
   startCounting();
@@ -144,6 +152,7 @@ void GpuSession::setCamera(const scene::Camera& camera) {
 void GpuSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
+  render::requireLayers(film, settings_.image.layers);
   empty();
   film_ = film;
   coverage_ = coverage;
@@ -156,7 +165,7 @@ void GpuSession::load(const image::Film& film, std::uint32_t first) {
 void GpuSession::fetchFilm() {
   if (!resident_) return;
   Stopwatch watch;
-  band_->readFilm(filmOf(bandAt(*resident_)));
+  band_->readFilm(filmOf(bandAt(*resident_)), layersOf(bandAt(*resident_)));
   statistics_.seconds["readBack"] += watch.lap();
 }
 
@@ -188,7 +197,8 @@ void GpuSession::makeResident(std::uint32_t index) {
     if (settings_.execution.recordPaths) band_->readRecords(paths_);
   }
   const BandRows rows = bandAt(index);
-  band_->load(rows, coverage_.isEmpty() ? std::span<const image::FilmPixel>{} : filmOf(rows), coverage_.first);
+  band_->load(rows, coverage_.isEmpty() ? std::span<const image::FilmPixel>{} : filmOf(rows), layersOf(rows),
+              coverage_.first);
   resident_ = index;
 }
 

@@ -39,6 +39,7 @@ class GpuSession final : public render::Session {
   BandRows bandAt(std::uint32_t index) const;
   std::uint32_t bandCount() const;
   std::span<image::FilmPixel> filmOf(BandRows rows);
+  std::span<image::LayerRow> layersOf(BandRows rows);
   void countSamples(render::RenderStatistics& statistics) const;
   std::unique_ptr<Band> tryBand();
   void makeBand();

@@ -177,7 +177,10 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   flat.rows.reserve(flat.rows.size() + order.size() * gpu::kPrimitiveRows + attributeRows);
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   for (const std::uint32_t primitive : order) {
-    const PrimitiveContext context{.primitive = primitive, .light = lightOf[primitive], .touched = touched[primitive]};
+    const PrimitiveContext context{.primitive = primitive,
+                                   .light = lightOf[primitive],
+                                   .touched = touched[primitive],
+                                   .keepsTexCoords = image.layers.has(image::Layer::uv)};
     appendPrimitive(scene, context, flat.rows, attributes);
   }
   flat.constants.firstAttributeRow = rowCount(flat.rows);

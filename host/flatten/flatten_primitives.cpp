@@ -63,10 +63,12 @@ void appendVectors(const scene::Mesh& mesh, const std::vector<glm::vec4>& attrib
 }
 
 // Returns the flags that name a triangle's attributes.
-std::uint32_t attributeFlags(const scene::Scene& scene, const scene::Primitive& triangle) {
+std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& context,
+                             const scene::Primitive& triangle) {
   const scene::Material& material = scene.materials[triangle.material];
   const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
-  return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (hasTexture ? gpu::kFlagTexCoords : 0) |
+  const bool isMapped = hasTexture || (context.keepsTexCoords && !meshOf(scene, triangle).texCoords[0].empty());
+  return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (isMapped ? gpu::kFlagTexCoords : 0) |
          (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours) |
          (hasTangents(scene, triangle) ? gpu::kFlagTangents : 0) |
          (coloursOfEmission(scene, triangle) ? gpu::kFlagEmissionColours : 0);
@@ -89,7 +91,7 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
 void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, const PrimitiveContext& context,
                  Rows& rows, Rows& attributes) {
   const scene::Primitive& primitive = scene.primitives[context.primitive];
-  const std::uint32_t flags = attributeFlags(scene, primitive);
+  const std::uint32_t flags = attributeFlags(scene, context, primitive);
   const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
   const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
   if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);

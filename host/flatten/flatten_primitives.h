@@ -13,6 +13,7 @@ struct PrimitiveContext {
   std::uint32_t primitive = 0;  ///< index in Scene::primitives
   std::uint32_t light = 0;      ///< index in the light table + 1; 0: not in it
   bool touched = false;         ///< the surface may contain a light: touched_primitives.h
+  bool keepsTexCoords = false;  ///< even if no texture needs the texture coordinates
 };
 
 /// Sets the parts of a sphere's first two records that depend on the eye: the anchor, and the unit vector from the

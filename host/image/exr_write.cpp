@@ -45,6 +45,7 @@ Imf::Header makeHeader(const Image& image) {
   if (!image.luminanceVariance.empty()) header.channels().insert(kVarianceChannel, Imf::Channel(Imf::FLOAT));
   if (!image.sampleCounts.empty()) header.channels().insert(kSamplesChannel, Imf::Channel(Imf::UINT));
   if (!image.badSampleCounts.empty()) header.channels().insert(kBadSamplesChannel, Imf::Channel(Imf::UINT));
+  for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   for (const auto& [name, value] : image.metadata) {
     if (isExrFormatAttribute(name) || header.find(name.c_str()) != header.end()) {
       throw FileError(fmt::format("EXR files reserve the metadata name \"{}\"", name));
@@ -64,6 +65,7 @@ Bytes encode(const Image& image) {
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();
+  for (const Channel& channel : image.channels) pixels.addChannel(channel);
   MemoryOutput output;
   {
     Imf::OutputFile file(output, header, kNoExrThreads);  // its destructor writes the table of offsets

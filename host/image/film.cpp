@@ -12,31 +12,6 @@
 namespace candela::image {
 namespace {
 
-constexpr double kTwoTo64 = 18446744073709551616.0;
-
-void add(FixedSum& sum, const FixedSum& term) {
-  std::uint64_t carry = 0;
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    carry += std::uint64_t{sum[i]} + term[i];
-    sum[i] = static_cast<std::uint32_t>(carry);
-    carry >>= 32;
-  }
-}
-
-/// Returns floor(value * 2^40) for a value in [0, 2^40]. Every step is exact: a product with a power of two, and a
-/// difference of doubles that share their low bits.
-FixedSum toFixed(double value) {
-  const double scaled = std::floor(value * kFilmScale);
-  const double high = std::floor(scaled / kTwoTo64);
-  const auto low = static_cast<std::uint64_t>(scaled - high * kTwoTo64);
-  return {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(high)};
-}
-
-double toDouble(const FixedSum& sum) {
-  const std::uint64_t low = (std::uint64_t{sum[1]} << 32) | sum[0];
-  return (sum[2] * kTwoTo64 + static_cast<double>(low)) / kFilmScale;
-}
-
 /// Returns the value that is added for a channel. Sets `bad` if it differs from the given value.
 double inRange(double value, bool& bad) {
   if (!std::isfinite(value) || value < 0) {
@@ -73,18 +48,38 @@ class Fnv1a {
 }  // namespace
 
 void addSums(FilmPixel& sums, const FilmPixel& terms) {
-  add(sums.red, terms.red);
-  add(sums.green, terms.green);
-  add(sums.blue, terms.blue);
-  add(sums.luminanceSquared, terms.luminanceSquared);
+  addFixed(sums.red, terms.red);
+  addFixed(sums.green, terms.green);
+  addFixed(sums.blue, terms.blue);
+  addFixed(sums.luminanceSquared, terms.luminanceSquared);
   sums.sampleCount += terms.sampleCount;
   sums.badCount += terms.badCount;
   sums.hitCount += terms.hitCount;
   sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
 }
 
-Film::Film(std::uint32_t width, std::uint32_t height)
-    : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
+Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers)
+    : width_(width),
+      height_(height),
+      pixels_(std::size_t{width} * height),
+      layers_(layers),
+      layerRows_(pixels_.size() * layerRowCount(layerSumsOf(layers))) {}
+
+void Film::clear() { *this = Film(width_, height_, layers_); }
+
+std::span<LayerRow> Film::layerRowsAt(std::uint32_t x, std::uint32_t y) {
+  const std::size_t count = layerRowCount(layerSumsOf(layers_));
+  return std::span(layerRows_).subspan((std::size_t{y} * width_ + x) * count, count);
+}
+
+std::span<const LayerRow> Film::layerRowsAt(std::uint32_t x, std::uint32_t y) const {
+  const std::size_t count = layerRowCount(layerSumsOf(layers_));
+  return std::span(layerRows_).subspan((std::size_t{y} * width_ + x) * count, count);
+}
+
+void Film::addLayers(std::uint32_t x, std::uint32_t y, const LayerSample& sample, const glm::dvec3& radiance) {
+  addLayerSample(layerRowsAt(x, y), layerSumsOf(layers_), sample, radiance);
+}
 
 void Film::addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex) {
   bool bad = false;
@@ -129,6 +124,7 @@ void Film::merge(const Film& other) {
     throw UsageError(fmt::format("cannot merge a film of {} x {} pixels into one of {} x {}", other.width_,
                                  other.height_, width_, height_));
   }
+  if (layers_ != other.layers_) throw UsageError("cannot merge films with different layers");
   constexpr std::uint32_t kMaximumCount = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     if (other.pixels_[i].sampleCount > kMaximumCount - pixels_[i].sampleCount) {
@@ -136,6 +132,9 @@ void Film::merge(const Film& other) {
     }
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) addSums(pixels_[i], other.pixels_[i]);
+  for (std::uint32_t y = 0; y < height_; ++y) {
+    for (std::uint32_t x = 0; x < width_; ++x) addLayerRows(layerRowsAt(x, y), other.layerRowsAt(x, y));
+  }
 }
 
 std::uint64_t Film::hash() const {

@@ -1,19 +1,20 @@
 // The film: exact integer sums of samples per pixel, so that the result is the same bytes for any order and division of
 // the work.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
+
+#include "host/image/fixed_sum.h"
+#include "host/image/layers.h"
 
 namespace candela::image {
 
-/// A 96-bit unsigned integer in units of 2^-40, least significant word first. Sums wrap. The sum of a channel cannot
-/// overflow: samples are at most 2^20, so that 2^36 of them fit, more than sampleCount can count. The second moment
-/// holds 2^56 / Y^2 samples of luminance Y: 2^36 samples at Y = 1024, and 65,535 samples of the maximum luminance.
-using FixedSum = std::array<std::uint32_t, 3>;
-
-/// The sums of one pixel, 64 bytes. The device writes the same layout.
+/// The sums of one pixel, 64 bytes. The device writes the same layout. The sum of a channel, which is not negative,
+/// cannot overflow: samples are at most 2^20, so that 2^36 of them fit, more than sampleCount can count. The second
+/// moment holds 2^56 / Y^2 samples of luminance Y: 2^36 samples at Y = 1024, and 65,535 samples of the maximum
+/// luminance.
 struct FilmPixel {
   FixedSum red{};
   std::uint32_t sampleCount = 0;
@@ -32,13 +33,11 @@ static_assert(sizeof(FilmPixel) == 64);
 /// Adds the sums, the counts and the first bad sample of other samples of the same pixel.
 void addSums(FilmPixel& sums, const FilmPixel& terms);
 
-inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
-inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the maximum of a channel of one sample
-
 class Film {
  public:
   Film() = default;
-  Film(std::uint32_t width, std::uint32_t height);
+  /// `layers` are those that the film has beside its samples.
+  Film(std::uint32_t width, std::uint32_t height, LayerSet layers = {});
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
@@ -47,9 +46,22 @@ class Film {
   std::vector<FilmPixel>& pixels() { return pixels_; }
   const std::vector<FilmPixel>& pixels() const { return pixels_; }
 
+  LayerSet layers() const { return layers_; }
+  /// The records of all pixels, as many for each as layerRowCount() says.
+  std::vector<LayerRow>& layerRows() { return layerRows_; }
+  const std::vector<LayerRow>& layerRows() const { return layerRows_; }
+  /// The records of one pixel; none if the film has no sums of layers.
+  std::span<LayerRow> layerRowsAt(std::uint32_t x, std::uint32_t y);
+  std::span<const LayerRow> layerRowsAt(std::uint32_t x, std::uint32_t y) const;
+  /// Removes all samples.
+  void clear();
+
   /// Adds one sample of linear RGB radiance. Each channel is truncated to a multiple of 2^-40 after the range rule of
   /// FilmPixel::badCount. Negative values are bad and add 0.
   void addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex);
+
+  /// Adds the layers of a sample with this radiance. The film must have sums of layers.
+  void addLayers(std::uint32_t x, std::uint32_t y, const LayerSample& sample, const glm::dvec3& radiance);
 
   /// Counts a sample whose camera ray hit something.
   void addHit(std::uint32_t x, std::uint32_t y) { ++at(x, y).hitCount; }
@@ -61,17 +73,19 @@ class Film {
   /// Returns the unbiased variance of the luminance of one sample (not of the mean); 0 for fewer than two samples.
   /// Squares below 2^-40 are truncated, so that it is 0 if every luminance is below 2^-20.
   double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
-  /// Adds the sums of a film of the same size. Throws UsageError and leaves the film unchanged if the sizes differ or
-  /// if a sampleCount would exceed 2^32 - 1.
+  /// Adds the sums of a film of the same size and layers. Throws UsageError and leaves the film unchanged if the sizes
+  /// or the layers differ or if a sampleCount would exceed 2^32 - 1.
   void merge(const Film& other);
   /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes. Hit counts are part of
-  /// it unless all are 0.
+  /// it unless all are 0. Layers are not part of it.
   std::uint64_t hash() const;
 
  private:
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   std::vector<FilmPixel> pixels_;
+  LayerSet layers_;
+  std::vector<LayerRow> layerRows_;
 };
 
 /// Returns the Rec. 709 luminance.

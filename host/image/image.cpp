@@ -209,6 +209,8 @@ bool isEightBit(const fs::path& file) {
   return format == Format::png || format == Format::jpeg;
 }
 
+bool isExr(const fs::path& file) { return requireFormat(file) == Format::exr; }
+
 void writeImage(const fs::path& file, const Image& image, const DisplayTransform& transform) {
   const Format format = requireFormat(file);
   Bytes bytes;

@@ -13,6 +13,12 @@
 
 namespace candela::image {
 
+/// Values of a named channel, one for each pixel, row by row from the top.
+struct Channel {
+  std::string name;
+  std::vector<float> values;
+};
+
 /// Linear RGB, row by row from the top. The other vectors (variance of the luminance of one sample, number of samples,
 /// number of bad samples, alpha) have one entry per pixel, or none if the image does not have them.
 struct Image {
@@ -23,7 +29,8 @@ struct Image {
   std::vector<std::uint32_t> sampleCounts;
   std::vector<std::uint32_t> badSampleCounts;  ///< FilmPixel::badCount
   std::map<std::string, std::string> metadata;
-  std::vector<float> alpha{};  ///< in [0, 1]; `rgb` is premultiplied, that is, over black
+  std::vector<float> alpha{};       ///< in [0, 1]; `rgb` is premultiplied, that is, over black
+  std::vector<Channel> channels{};  ///< of layers; EXR files alone have them
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
@@ -34,6 +41,8 @@ struct Image {
 Image toImage(const Film& film);
 /// Adds the film's alpha to the image of the film.
 void addAlpha(Image& image, const Film& film);
+/// Adds the channels of the film's layers to the image of the film: docs/layers.md.
+void addLayers(Image& image, const Film& film);
 /// Returns the sum of `badSampleCounts`.
 std::uint64_t badSampleCount(const Image& image);
 
@@ -77,11 +86,13 @@ Image toImage(const Pixels8& pixels);
 /// Checks the file name. Formats, by extension in any case: .png (8 bits, display transform, straight alpha), .jpg and
 /// .jpeg (quality 95), .hdr (Radiance RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32
 /// linear Rec. 709, ZIP; channels R G B and, if the image has them, A, by which R G B are multiplied, `variance.Y`,
-/// `samples` and `badSamples`; the metadata as string attributes). The other formats show an image with alpha over
-/// black. Throws UsageError for any other extension.
+/// `samples` and `badSamples`, and the channels of layers; the metadata as string attributes). The other formats show
+/// an image with alpha over black. Throws UsageError for any other extension.
 void checkImageFormat(const std::filesystem::path& file);
 /// Returns whether such a file has 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
 bool isEightBit(const std::filesystem::path& file);
+/// Returns whether such a file is an EXR file, which has the channels of layers. Throws as checkImageFormat does.
+bool isExr(const std::filesystem::path& file);
 /// Writes an image file atomically: an error leaves no incomplete file. Equal images give equal bytes. Throws
 /// UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that EXR
 /// reserves, or if the file cannot be written.

@@ -109,9 +109,9 @@ render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint3
   return trace;
 }
 
-dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                            Rounding& rounding) const {
-  PathNotes notes(record);
+  PathNotes notes(outputs.record, outputs.layers);
   return walk(cameraRay, numbers, counters, notes, rounding);
 }
 
@@ -141,7 +141,9 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     dimEmission(surface, ray.direction, material);
     mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
+    if (depth == 1) notes.firstHit(hit, surface, material);
     radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
+    notes.scattered(depth - 1, radiance);
     if (depth == settings_.image.maxDepth) return radiance;
 
     const Vertex vertex(surface, material, ray.direction, rounding);

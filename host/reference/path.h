@@ -38,7 +38,7 @@ class PathTracer final : public PixelTracer {
     std::optional<double> pdf;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                  Rounding& rounding) const override;
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
              Rounding& rounding) const;

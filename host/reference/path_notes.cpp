@@ -38,6 +38,21 @@ void PathNotes::hit(const Hit& hit, const Surface& surface) {
                                        .fromOutside = surface.fromOutside};
 }
 
+void PathNotes::firstHit(const Hit& hit, const Surface& surface, const SurfaceMaterial& material) {
+  if (!layers_) return;
+  layers_->hit = image::LayerSample::FirstHit{.normal = surface.shadingNormal,
+                                              .albedo = material.albedo(),
+                                              .depth = hit.distance,
+                                              .position = surface.position,
+                                              .texCoord = surface.attributes.texCoords[0]};
+}
+
+void PathNotes::scattered(std::uint32_t scatterings, const dvec3& radiance) {
+  if (!layers_) return;
+  if (scatterings == 0) layers_->unscattered = radiance;
+  if (scatterings == 1) layers_->scatteredOnce = radiance;
+}
+
 void PathNotes::emission(const dvec3& radiance, double weight) {
   if (vertexTrace_) vertexTrace_->emission = render::EmissionTrace{radiance, weight};
 }

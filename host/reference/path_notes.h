@@ -2,10 +2,12 @@
 #pragma once
 #include <optional>
 
+#include "host/image/layers.h"
 #include "host/reference/lights.h"
 #include "host/reference/ray.h"
 #include "host/reference/sampler.h"
 #include "host/reference/surface.h"
+#include "host/reference/surface_material.h"
 #include "host/render/path_record.h"
 #include "host/render/path_trace.h"
 
@@ -14,8 +16,8 @@ namespace candela::reference {
 /// A tracer calls these functions in the order of the path's computation. They do not affect it.
 class PathNotes {
  public:
-  /// Stores the decisions in `record`, unless it is null.
-  explicit PathNotes(render::PathRecord* record) : record_(record) {}
+  /// Stores the decisions in `record`, and the layers in `layers`, unless they are null.
+  PathNotes(render::PathRecord* record, image::LayerSample* layers) : record_(record), layers_(layers) {}
   /// Stores everything in `trace`.
   explicit PathNotes(render::PathTrace& trace) : trace_(&trace) {}
 
@@ -23,6 +25,10 @@ class PathNotes {
   void startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
                    const dvec3& radiance, SampleNumbers& numbers);
   void hit(const Hit& hit, const Surface& surface);
+  /// The camera ray has hit this surface, whose normal map is applied.
+  void firstHit(const Hit& hit, const Surface& surface, const SurfaceMaterial& material);
+  /// `radiance` has all light of the path that was scattered `scatterings` times or less.
+  void scattered(std::uint32_t scatterings, const dvec3& radiance);
   /// `radiance` is already multiplied by its weight.
   void emission(const dvec3& radiance, double weight);
   void lightChoice(const LightChoice& choice);
@@ -38,6 +44,7 @@ class PathNotes {
 
  private:
   render::PathRecord* record_ = nullptr;
+  image::LayerSample* layers_ = nullptr;
   render::PathTrace* trace_ = nullptr;
   render::VertexRecord* vertexRecord_ = nullptr;  ///< null: this vertex is not recorded
   render::VertexTrace* vertexTrace_ = nullptr;    ///< null: this vertex is not recorded

@@ -55,18 +55,18 @@ void PixelTracer::setCamera(const scene::Camera& camera) {
 }
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-                          render::PathRecord* record) const {
+                          SampleOutputs outputs) const {
   Rounding off;
-  return sample({x, y, sampleIndex}, counters, record, off, nullptr);
+  return sample({x, y, sampleIndex}, counters, outputs, off, nullptr);
 }
 
-dvec3 PixelTracer::sample(const render::PixelSample& place, Counters& counters, render::PathRecord* record,
+dvec3 PixelTracer::sample(const render::PixelSample& place, Counters& counters, SampleOutputs outputs,
                           Rounding& rounding, NumberCache* cache) const {
   SampleNumbers numbers = numbersOf(place, cache);
   const Ray ray = roundedCameraRay(place, numbers, rounding);
   ++counters.samples;
   ++counters.cameraRays;
-  return rounding.relative(radiance(ray, numbers, counters, record, rounding), kRoundingBounds.radiance);
+  return rounding.relative(radiance(ray, numbers, counters, outputs, rounding), kRoundingBounds.radiance);
 }
 
 Rounding PixelTracer::roundingOf(const render::PixelSample& place, std::uint32_t replica) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/image/layers.h"
 #include "host/reference/camera.h"
 #include "host/reference/ray.h"
 #include "host/reference/rounding.h"
@@ -18,6 +19,15 @@
 
 namespace candela::reference {
 
+/// What the tracer of a sample stores besides its value; null: it does not.
+struct SampleOutputs {
+  render::PathRecord* record = nullptr;  ///< decisions of the path or tree
+  image::LayerSample* layers = nullptr;  ///< path tracer only
+
+  SampleOutputs(render::PathRecord* decisions = nullptr, image::LayerSample* layerSample = nullptr)
+      : record(decisions), layers(layerSample) {}
+};
+
 /// A scene prepared for rendering by one integrator. Threads share it.
 class PixelTracer {
  public:
@@ -30,12 +40,12 @@ class PixelTracer {
   /// Moves the camera. Must not be called while samples are traced.
   virtual void setCamera(const scene::Camera& camera);
 
-  /// Returns the radiance of one sample of a pixel. `record`, unless null, receives the decisions of its path or tree.
+  /// Returns the radiance of one sample of a pixel.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
-               render::PathRecord* record) const;
+               SampleOutputs outputs) const;
   /// The same sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`, unless null, is
   /// that of the sample.
-  dvec3 sample(const render::PixelSample& place, Counters& counters, render::PathRecord* record, Rounding& rounding,
+  dvec3 sample(const render::PixelSample& place, Counters& counters, SampleOutputs outputs, Rounding& rounding,
                NumberCache* cache) const;
   /// The perturbations of replica `replica` of a sample; 0: none, but decisions are recorded.
   Rounding roundingOf(const render::PixelSample& place, std::uint32_t replica) const;
@@ -62,7 +72,7 @@ class PixelTracer {
 
  private:
   /// Returns the integrator's value of a sample whose camera ray is `ray`.
-  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                          Rounding& rounding) const = 0;
 
   const scene::Scene& scene_;

@@ -73,7 +73,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
-    film_ = image::Film(settings_.image.window().width, settings_.image.window().height);
+    film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
     empty();
   });
   prepared_.seconds["build"] = watch.lap();
@@ -83,7 +83,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
 }
 
 void ReferenceSession::empty() {
-  std::ranges::fill(film_.pixels(), image::FilmPixel{});
+  film_.clear();
   coverage_ = {};
   paths_.clear();
   if (settings_.execution.recordPaths) paths_.resize(film_.pixels().size());
@@ -108,6 +108,7 @@ void ReferenceSession::setCamera(const scene::Camera& camera) {
 void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
+  render::requireLayers(film, settings_.image.layers);
   empty();
   film_ = film;
   coverage_ = coverage;

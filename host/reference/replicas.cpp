@@ -43,12 +43,12 @@ void add(const render::Replica& replica, const dvec3& exact, render::Deviation& 
 }  // namespace
 
 dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t count,
-                    Counters& counters, render::PathRecord* record, render::Deviation& deviation,
+                    Counters& counters, SampleOutputs outputs, render::Deviation& deviation,
                     render::Replica* replicas) {
   Counters uncounted;
   NumberCache cache;
   Rounding exact = tracer.roundingOf(place, 0);
-  const dvec3 radiance = tracer.sample(place, counters, record, exact, &cache);
+  const dvec3 radiance = tracer.sample(place, counters, outputs, exact, &cache);
   for (std::uint32_t i = 0; i < count; ++i) {
     Rounding rounding = tracer.roundingOf(place, i + 1);
     const dvec3 value = tracer.sample(place, uncounted, nullptr, rounding, &cache);

@@ -12,8 +12,7 @@ inline constexpr double kAmplified = 4096;
 /// Traces the sample at `place` exactly, which is returned, and `count` replicas of it. Adds the first replica's
 /// deviation to `deviation`. `replicas`, unless null, takes all of them.
 dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t count,
-                    Counters& counters, render::PathRecord* record, render::Deviation& deviation,
-                    render::Replica* replicas);
+                    Counters& counters, SampleOutputs outputs, render::Deviation& deviation, render::Replica* replicas);
 
 /// Traces replica `index`, from 0, of a sample.
 render::Replica traceReplica(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t index);

@@ -32,7 +32,8 @@ TileJob::TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t s
       output_(output),
       tilesAcross_(divideUp(output.film.width(), tile.width)),
       tileCount_(std::uint64_t{tilesAcross_} * divideUp(output.film.height(), tile.height)),
-      totalSamples_(samplesLacking(output, sampleEnd)) {}
+      totalSamples_(samplesLacking(output, sampleEnd)),
+      hasLayers_(!output.film.layerRows().empty()) {}
 
 Counters TileJob::run(std::uint32_t threads) {
   std::vector<Counters> counters(threads);
@@ -85,17 +86,20 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
     const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
     const std::uint64_t verticesBefore = counters.vertices;
-    output_.film.addSample(x, y, traceSample(place, pixel, counters, record), i);
+    image::LayerSample layers;
+    const dvec3 radiance = traceSample(place, pixel, counters, {record, hasLayers_ ? &layers : nullptr});
+    output_.film.addSample(x, y, radiance, i);
+    if (hasLayers_) output_.film.addLayers(x, y, layers, radiance);
     if (output_.countsHits && counters.vertices > verticesBefore) output_.film.addHit(x, y);
   }
 }
 
 dvec3 TileJob::traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters,
-                           render::PathRecord* record) {
+                           SampleOutputs outputs) {
   const std::uint32_t count = output_.replicaCount;
-  if (count == 0) return tracer_.sample(place.x, place.y, place.index, counters, record);
+  if (count == 0) return tracer_.sample(place.x, place.y, place.index, counters, outputs);
   render::Replica* const replicas = place.index > 0 ? nullptr : &output_.replicas.replicas[count * pixel];
-  return traceReplicas(tracer_, place, count, counters, record, output_.replicas.deviations[pixel], replicas);
+  return traceReplicas(tracer_, place, count, counters, outputs, output_.replicas.deviations[pixel], replicas);
 }
 
 // Tiles that were finished before do not count as progress.

@@ -38,8 +38,7 @@ class TileJob {
   bool renderNextTile(Counters& shared);
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
-  dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters,
-                    render::PathRecord* record);
+  dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters, SampleOutputs outputs);
   void reportProgress();
 
   const PixelTracer& tracer_;
@@ -50,6 +49,7 @@ class TileJob {
   std::uint32_t tilesAcross_;
   std::uint64_t tileCount_;
   double totalSamples_;
+  bool hasLayers_;
   std::atomic<std::uint64_t> nextTile_{0};
   std::atomic<std::uint64_t> samplesDone_{0};
   std::uint64_t samplesReported_ = 0;

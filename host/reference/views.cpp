@@ -37,7 +37,7 @@ void ViewTracer::setCamera(const scene::Camera& camera) {
   aoDistance_ = aoDistanceOf(camera, askedAoDistance_);
 }
 
-dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                            Rounding& rounding) const {
   const std::uint64_t stepsBefore = counters.traversalSteps;
   rounding.startVertex(1, ray);
@@ -60,7 +60,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
     }
     value = valueAt(hit, surface, numbers, counters, vertex, rounding);
   }
-  if (record) *record = {.vertexCount = 1, .vertices = {vertex}};
+  if (outputs.record) *outputs.record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
 }
 

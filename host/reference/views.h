@@ -18,7 +18,7 @@ class ViewTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                  Rounding& rounding) const override;
   dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
                 render::VertexRecord& record, Rounding& rounding) const;

@@ -61,9 +61,9 @@ void WhittedTracer::placeLights(const scene::Camera& camera) {
   }
 }
 
-dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                               Rounding& rounding) const {
-  SampleState state{numbers, counters, record, rounding};
+  SampleState state{numbers, counters, outputs.record, rounding};
   return radianceAt({ray}, state);
 }
 

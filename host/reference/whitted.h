@@ -40,7 +40,7 @@ class WhittedTracer final : public PixelTracer {
     Frame frame;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, render::PathRecord* record,
+  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                  Rounding& rounding) const override;
   /// The squares of point lights face the camera's target.
   void placeLights(const scene::Camera& camera);

@@ -35,6 +35,11 @@ void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, s
                   range.first, coverage.first, minSamples));
 }
 
+void requireLayers(const image::Film& film, image::LayerSet layers) {
+  if (film.layers() == layers) return;
+  throw UsageError("a film cannot be continued by a render with other layers (--aov)");
+}
+
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels) {
   if (pixels.empty()) return 0;
   return std::ranges::min(pixels, {}, &image::FilmPixel::sampleCount).sampleCount;

@@ -28,6 +28,9 @@ FilmCoverage coverageOf(const image::Film& film, std::uint32_t first, const Exte
 void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, std::uint32_t minSamples,
                        std::uint32_t sampleCount);
 
+/// Throws UsageError unless a film has the layers of a render that continues it.
+void requireLayers(const image::Film& film, image::LayerSet layers);
+
 /// Minimum sampleCount of the pixels; 0 if there are none.
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels);
 

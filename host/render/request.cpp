@@ -38,6 +38,9 @@ void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings
   if (settings.image.backdrop != Backdrop::environment && settings.image.integrator != Integrator::path) {
     throw UsageError("--background colour and none: only the path tracer has them; use --integrator path");
   }
+  if (!settings.image.layers.isEmpty() && settings.image.integrator != Integrator::path) {
+    throw UsageError("--aov: only the path tracer has layers; use --integrator path");
+  }
   if (settings.image.integrator != Integrator::whitted) return;
   if (scene.environment) {
     throw UsageError("--integrator whitted: Whitted ray tracing has no environment (--env); use --integrator path");

@@ -64,8 +64,8 @@ class Session {
   /// same; the film then equals that of a session prepared with this camera.
   virtual void setCamera(const scene::Camera& camera) = 0;
   /// Continues from a film of the same scene, settings and seed whose pixels each contain the samples first, first + 1,
-  /// ..., sampleCount of them. Throws UsageError if its size differs, or if a pixel would have samples beyond
-  /// ImageSettings::sampleCount.
+  /// ..., sampleCount of them. Throws UsageError if its size or its layers differ, or if a pixel would have samples
+  /// beyond ImageSettings::sampleCount.
   virtual void load(const image::Film& film, std::uint32_t first = 0) = 0;
 
   /// Returns counts and times since the session was prepared or reset. Those of the preparation are included.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/image/layers.h"
 #include "host/render/extent.h"
 
 namespace candela::render {
@@ -78,6 +79,7 @@ struct ImageSettings {
   float lightSize = 0;                 ///< side of the squares that replace point lights, >= 0; Whitted only
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
   Backdrop backdrop = Backdrop::environment;  ///< path tracer only
+  image::LayerSet layers;                     ///< beside the film; path tracer only
   bool oneSided = false;                      ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.

@@ -79,7 +79,7 @@ struct DispatchConstants {
   uint sampleEnd;      // end of the range of sample indices
   uint maxIterations;  // loop iterations per invocation
   uint roundParity;    // wavefront only: index of the round modulo 2
-  uint bandPixels;     // wavefront only: pixels of the band
+  uint bandPixels;     // pixels of the band
   uint firstColumn;    // column of the image at which the film begins
 };
 
@@ -172,6 +172,12 @@ struct FilmRows {
   uvec4 blue;              // sum, 1 + first bad sample
   uvec4 luminanceSquared;  // sum, count of samples whose camera ray hit something (0 unless kCountsHits)
 };
+
+CANDELA_CONST uint kFilmRows = 4u;  // 16-byte records of a pixel
+
+// Behind the film of all pixels of the band, the film buffer has kLayerRows records of layers per pixel, if it has any:
+// image::LayerRow, shaders/layers.glsl. An invocation adds the layers of at most this number of samples.
+CANDELA_CONST uint kMaxGatheredSamples = 1024u;
 
 // Header of the results buffer.
 struct Counters {

@@ -22,6 +22,7 @@ CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
 CANDELA_CONST uint kSpecView = 50u;  // kView...
 CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
+CANDELA_CONST uint kSpecLayerSums = 93u;       // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
 CANDELA_CONST uint kSpecTextureSlots = 92u;    // a bit for each texture slot that some material of the scene uses
 CANDELA_CONST uint kSpecBackdrop = 91u;        // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.

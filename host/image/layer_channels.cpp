@@ -1,0 +1,104 @@
+// Computes the channels of layers from the sums of a film: docs/layers.md.
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "host/image/image.h"
+
+namespace candela::image {
+namespace {
+
+constexpr double kDepthOfNothing = 1e10;  // where Blender has its far end
+
+/// The sums of one pixel by their names.
+class PixelSums {
+ public:
+  PixelSums(const Film& film, std::uint32_t x, std::uint32_t y)
+      : pixel_(film.at(x, y)), rows_(film.layerRowsAt(x, y)), sums_(layerSumsOf(film.layers())) {}
+
+  std::uint32_t hitCount() const { return rows_[0].words[0]; }
+  std::uint32_t sampleCount() const { return pixel_.sampleCount; }
+  const FixedSum& sum(LayerSum sum, std::size_t channel) const {
+    return rows_[firstLayerRow(sums_, sum) + channel].words;
+  }
+  const FixedSum& radiance(std::size_t channel) const {
+    return channel == 0 ? pixel_.red : channel == 1 ? pixel_.green : pixel_.blue;
+  }
+
+ private:
+  const FilmPixel& pixel_;
+  std::span<const LayerRow> rows_;
+  std::uint32_t sums_;
+};
+
+double quotient(const FixedSum& sum, std::uint32_t count) { return count == 0 ? 0 : toSignedDouble(sum) / count; }
+
+FixedSum difference(FixedSum a, const FixedSum& b) {
+  addFixed(a, negated(b));
+  return a;
+}
+
+double lightOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
+  FixedSum part = layer == Layer::indirect ? pixel.radiance(channel)
+                  : layer == Layer::direct ? pixel.sum(LayerSum::scatteredOnce, channel)
+                                           : pixel.sum(LayerSum::unscattered, channel);
+  if (layer == Layer::indirect) part = difference(part, pixel.sum(LayerSum::scatteredOnce, channel));
+  if (layer == Layer::direct) part = difference(part, pixel.sum(LayerSum::unscattered, channel));
+  return quotient(part, pixel.sampleCount());
+}
+
+double valueOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
+  switch (layer) {
+    case Layer::normal:
+      return quotient(pixel.sum(LayerSum::normal, channel), pixel.sampleCount());
+    case Layer::albedo:
+      return quotient(pixel.sum(LayerSum::albedo, channel), pixel.sampleCount());
+    case Layer::depth:
+      return pixel.hitCount() == 0 ? kDepthOfNothing : quotient(pixel.sum(LayerSum::depth, 0), pixel.hitCount());
+    case Layer::position:
+      return quotient(pixel.sum(LayerSum::position, channel), pixel.hitCount());
+    case Layer::uv:
+      return quotient(pixel.sum(LayerSum::texCoord, channel), pixel.hitCount());
+    default:
+      return lightOf(pixel, layer, channel);
+  }
+}
+
+struct LayerChannels {
+  Layer layer;
+  std::vector<std::string> names;
+};
+
+const std::vector<LayerChannels>& allChannels() {
+  static const std::vector<LayerChannels> channels{{Layer::normal, {"N.X", "N.Y", "N.Z"}},
+                                                   {Layer::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
+                                                   {Layer::depth, {"Z"}},
+                                                   {Layer::position, {"P.X", "P.Y", "P.Z"}},
+                                                   {Layer::uv, {"uv.U", "uv.V"}},
+                                                   {Layer::direct, {"direct.R", "direct.G", "direct.B"}},
+                                                   {Layer::indirect, {"indirect.R", "indirect.G", "indirect.B"}},
+                                                   {Layer::emission, {"emission.R", "emission.G", "emission.B"}}};
+  return channels;
+}
+
+Channel channelOf(const Film& film, Layer layer, const std::string& name, std::size_t index) {
+  Channel channel{name, {}};
+  channel.values.reserve(film.pixels().size());
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) {
+      channel.values.push_back(static_cast<float>(valueOf(PixelSums(film, x, y), layer, index)));
+    }
+  }
+  return channel;
+}
+
+}  // namespace
+
+void addLayers(Image& image, const Film& film) {
+  for (const auto& [layer, names] : allChannels()) {
+    if (!film.layers().has(layer)) continue;
+    for (std::size_t i = 0; i < names.size(); ++i) image.channels.push_back(channelOf(film, layer, names[i], i));
+  }
+}
+
+}  // namespace candela::image

@@ -1,0 +1,170 @@
+// Layers: sums of what camera rays hit, and of parts of the light, in records behind the film of the band
+// (docs/layers.md). What a sample will add is pending until it ends, so that layers have the samples of the film wherever
+// a path stops. Without kLayerSums a layer is no code at all.
+#ifndef CANDELA_LAYERS_GLSL
+#define CANDELA_LAYERS_GLSL
+
+#ifdef CANDELA_HAS_FILM
+#include "albedo.glsl"
+#include "dispatch.glsl"
+#include "normals.glsl"
+
+layout(set = 0, binding = kBindingFilm, std430) buffer Layers { uvec4 layerRows[]; };
+
+// What the current sample will add.
+const uint kPendingHit = 1u;
+const uint kPendingScatteredOnce = 2u;
+struct LayerSample {
+  uint stored;  // kPending...: the members that have a value
+  vec3 normal;
+  vec3 albedo;
+  vec3 depthTexCoord;
+  vec3 position;
+  vec3 unscattered;
+  vec3 scatteredOnce;
+};
+LayerSample pending;
+
+// Sums of three channels over at most 2^10 samples: high + middle 2^-20 + low 2^-40. Each part of a sample is at most
+// 2^20 in magnitude, so that integers of 32 bits hold the sums without carries.
+struct PartialSums {
+  ivec3 high;
+  ivec3 middle;
+  ivec3 low;
+};
+const PartialSums kNoSums = PartialSums(ivec3(0), ivec3(0), ivec3(0));
+struct LayerSums {
+  uint hits;
+  uint outOfRange;
+  PartialSums normal;
+  PartialSums albedo;
+  PartialSums depthTexCoord;
+  PartialSums position;
+  PartialSums unscattered;
+  PartialSums scatteredOnce;
+};
+LayerSums gathered = LayerSums(0u, 0u, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums);
+
+uint layerHeader(uint pixelIndex) { return dispatch.bandPixels * kFilmRows + pixelIndex * kLayerRows; }
+
+float pendingAt(uint row) { return uintBitsToFloat(layerRows[row].w); }
+vec3 pendingVector(uint row) { return vec3(pendingAt(row), pendingAt(row + 1u), pendingAt(row + 2u)); }
+
+// Reads what a path stored in its last dispatch: in w of the records of the channels, and in z of the header.
+void loadPendingLayers(uint pixelIndex) {
+  uint header = layerHeader(pixelIndex);
+  pending.stored = layerRows[header].z;
+  if (kSumsNormal) pending.normal = pendingVector(header + kNormalSumRow);
+  if (kSumsAlbedo) pending.albedo = pendingVector(header + kAlbedoSumRow);
+  if (kSumsDepth) pending.depthTexCoord.x = pendingAt(header + kDepthSumRow);
+  if (kSumsPosition) pending.position = pendingVector(header + kPositionSumRow);
+  if (kSumsTexCoord) {
+    pending.depthTexCoord.yz = vec2(pendingAt(header + kTexCoordSumRow), pendingAt(header + kTexCoordSumRow + 1u));
+  }
+  if (kSumsUnscattered) pending.unscattered = pendingVector(header + kUnscatteredSumRow);
+  if (kSumsScatteredOnce) pending.scatteredOnce = pendingVector(header + kScatteredOnceSumRow);
+}
+
+// Notes what the hit of a camera ray adds. `radiance` is the path's up to here.
+void noteFirstHit(Ray ray, Surface surface, Material material, float t, vec3 radiance) {
+  pending.stored = kPendingHit;
+  if (kSumsNormal) pending.normal = normalsTowards(surface, -ray.direction).shading;
+  if (kSumsAlbedo) pending.albedo = albedo(material);
+  if (kSumsDepth || kSumsTexCoord) pending.depthTexCoord = vec3(t, surface.texCoords.xy);
+  if (kSumsPosition) pending.position = surface.position;
+  if (kSumsUnscattered) pending.unscattered = radiance;
+}
+
+// Notes the path's radiance before it is scattered for the second time.
+void noteScatteredOnce(vec3 radiance) {
+  pending.stored |= kPendingScatteredOnce;
+  pending.scatteredOnce = radiance;
+}
+
+// Adds values truncated towards 0 to multiples of 2^-40. Each is at most kFilmMaximum in magnitude; every step is exact.
+void addParts(inout PartialSums sums, vec3 value) {
+  precise vec3 high = trunc(value);
+  precise vec3 rest = (value - high) * 1048576.0;
+  precise vec3 middle = trunc(rest);
+  precise vec3 low = (rest - middle) * 1048576.0;
+  sums.high += ivec3(high);
+  sums.middle += ivec3(middle);
+  sums.low += ivec3(low);
+}
+
+// Returns 0 for what is not finite, and kFilmMaximum with the sign of what is larger. Sets `bad` for both.
+vec3 layerValue(vec3 value, inout bool bad) {
+  uvec3 size = floatBitsToUint(value) & 0x7fffffffu;
+  bool fits = all(lessThanEqual(size, uvec3(floatBitsToUint(kFilmMaximum))));
+  bad = bad || !fits;
+  if (fits) return value;
+  return mix(vec3(0.0), clamp(value, -kFilmMaximum, kFilmMaximum), lessThan(size, uvec3(0x7f800000u)));
+}
+
+float partOf(float kept, float part) { return inRange(part) ? min(part, kept) : 0.0; }
+
+// Returns a part of the light, limited to what the film adds for the whole.
+vec3 partOf(vec3 kept, vec3 part) {
+  return vec3(partOf(kept.x, part.x), partOf(kept.y, part.y), partOf(kept.z, part.z));
+}
+
+// Gathers the layers of a sample that the film has received.
+void gatherLayers(vec3 radiance) {
+  bool hit = (pending.stored & kPendingHit) != 0u;
+  bool scattered = (pending.stored & kPendingScatteredOnce) != 0u;
+  bool bad = false;
+  if (kSumsNormal) addParts(gathered.normal, hit ? layerValue(pending.normal, bad) : vec3(0.0));
+  if (kSumsAlbedo) addParts(gathered.albedo, hit ? layerValue(pending.albedo, bad) : vec3(0.0));
+  if (kSumsDepth || kSumsTexCoord) {
+    vec3 value = pending.depthTexCoord * vec3(kSumsDepth ? 1.0 : 0.0, vec2(kSumsTexCoord ? 1.0 : 0.0));
+    addParts(gathered.depthTexCoord, hit ? layerValue(value, bad) : vec3(0.0));
+  }
+  if (kSumsPosition) addParts(gathered.position, hit ? layerValue(pending.position, bad) : vec3(0.0));
+  vec3 kept = keptRadiance(radiance);
+  if (kSumsUnscattered) addParts(gathered.unscattered, partOf(kept, hit ? pending.unscattered : radiance));
+  if (kSumsScatteredOnce) addParts(gathered.scatteredOnce, partOf(kept, scattered ? pending.scatteredOnce : radiance));
+  gathered.hits += hit ? 1u : 0u;
+  gathered.outOfRange += hit && bad ? 1u : 0u;
+  pending.stored = 0u;
+}
+
+// Adds gathered sums to the record of a channel, and stores the pending value.
+void storeChannel(uint row, int high, int middle, int low, float value) {
+  uvec3 sum = layerRows[row].xyz;
+  sum = addFixed(sum, uvec3(uvec2(low, low >> 31), low >> 31));
+  sum = addFixed(sum, uvec3(uvec2(middle << 20, middle >> 12), middle >> 31));
+  sum = addFixed(sum, uvec3(0u, uvec2(high << 8, high >> 24)));
+  layerRows[row] = uvec4(sum, pending.stored != 0u ? floatBitsToUint(value) : 0u);
+}
+
+void storeChannels(uint row, PartialSums sums, vec3 value) {
+  for (uint i = 0u; i < 3u; ++i) storeChannel(row + i, sums.high[i], sums.middle[i], sums.low[i], value[i]);
+}
+
+// Adds what was gathered to the sums of the pixel, and stores what is pending.
+void storeLayers(uint pixelIndex) {
+  uint header = layerHeader(pixelIndex);
+  uvec4 counts = layerRows[header];
+  layerRows[header] = uvec4(counts.x + gathered.hits, counts.y + gathered.outOfRange, pending.stored, 0u);
+  if (kSumsNormal) storeChannels(header + kNormalSumRow, gathered.normal, pending.normal);
+  if (kSumsAlbedo) storeChannels(header + kAlbedoSumRow, gathered.albedo, pending.albedo);
+  PartialSums others = gathered.depthTexCoord;
+  if (kSumsDepth) {
+    storeChannel(header + kDepthSumRow, others.high.x, others.middle.x, others.low.x, pending.depthTexCoord.x);
+  }
+  if (kSumsPosition) storeChannels(header + kPositionSumRow, gathered.position, pending.position);
+  if (kSumsTexCoord) {
+    uint row = header + kTexCoordSumRow;
+    storeChannel(row, others.high.y, others.middle.y, others.low.y, pending.depthTexCoord.y);
+    storeChannel(row + 1u, others.high.z, others.middle.z, others.low.z, pending.depthTexCoord.z);
+  }
+  if (kSumsUnscattered) storeChannels(header + kUnscatteredSumRow, gathered.unscattered, pending.unscattered);
+  if (kSumsScatteredOnce) storeChannels(header + kScatteredOnceSumRow, gathered.scatteredOnce, pending.scatteredOnce);
+}
+
+#else
+#define noteFirstHit(ray, surface, material, t, radiance)
+#define noteScatteredOnce(radiance)
+#endif
+
+#endif

@@ -1,0 +1,54 @@
+// Layers as a user requests them, and what is refused.
+#include <catch2/catch.hpp>
+
+#include "tests/cli/run_program.h"
+
+namespace candela {
+namespace {
+
+ProgramResult renderLayers(const TemporaryFolder& folder, std::vector<std::string> options) {
+  options.insert(options.begin(), {folder.write("a.p3f", smallScene()), "--device", "cpu", "--spp", "1"});
+  return runCandela(options);
+}
+
+void requireRefusal(const std::vector<std::string>& options, int exitCode, const std::string& message) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"-o", folder.path("a.exr")};
+  words.insert(words.end(), options.begin(), options.end());
+  const ProgramResult result = renderLayers(folder, words);
+  CAPTURE(result.err);
+  CHECK(result.exitCode == exitCode);
+  CHECK(contains(result.err, message));
+  CHECK(folder.fileCount() == 1);
+}
+
+}  // namespace
+
+TEST_CASE("unknown layers are refused with the names of all") {
+  for (const char* list : {"normals", "normal,", "", "normal depth", "normal,,depth"}) {
+    CAPTURE(list);
+    requireRefusal({"--aov", list}, 1,
+                   "among normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples");
+  }
+}
+
+TEST_CASE("layers are refused without an EXR file, by other integrators, and with film files") {
+  const TemporaryFolder folder;
+  const ProgramResult noExr = renderLayers(folder, {"--aov", "normal", "-o", folder.path("a.png")});
+  CHECK(noExr.exitCode == 1);
+  CHECK(contains(noExr.err, "--aov: layers are written to EXR files only; add -o FILE.exr"));
+  CHECK(renderLayers(folder, {"--aov", "normal"}).exitCode == 1);
+  requireRefusal({"--aov", "depth", "--integrator", "whitted"}, 1, "--aov: only the path tracer has layers");
+  requireRefusal({"--aov", "depth", "--integrator", "normal"}, 1, "--aov: only the path tracer has layers");
+  requireRefusal({"--aov", "depth", "--checkpoint", folder.path("film.exr")}, 1, "--aov: film files have no layers");
+}
+
+TEST_CASE("a PNG file beside the EXR file shows the image as without layers") {
+  const TemporaryFolder folder;
+  const std::string exr = folder.path("a.exr"), png = folder.path("a.png"), plain = folder.path("b.png");
+  REQUIRE(renderLayers(folder, {"--aov", "uv,normal", "-o", exr, "-o", png}).exitCode == 0);
+  REQUIRE(renderLayers(folder, {"-o", plain}).exitCode == 0);
+  CHECK(readFile(png) == readFile(plain));
+}
+
+}  // namespace candela

@@ -1,0 +1,109 @@
+// The sums of layers, compared with values computed by hand.
+#include "host/image/layers.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "host/core/errors.h"
+#include "host/image/image.h"
+
+using namespace candela;
+using namespace candela::image;
+
+namespace {
+
+constexpr double kNotANumberHere = std::numeric_limits<double>::quiet_NaN();
+
+LayerSet setOf(std::initializer_list<Layer> layers) {
+  LayerSet set;
+  for (const Layer layer : layers) set.add(layer);
+  return set;
+}
+
+// The records of a pixel that received these samples.
+std::vector<LayerRow> rowsOf(LayerSet layers, const std::vector<std::pair<LayerSample, glm::dvec3>>& samples) {
+  const std::uint32_t sums = layerSumsOf(layers);
+  std::vector<LayerRow> rows(layerRowCount(sums));
+  for (const auto& [sample, radiance] : samples) addLayerSample(rows, sums, sample, radiance);
+  return rows;
+}
+
+LayerSample hitAt(double depth) { return {LayerSample::FirstHit{.depth = depth}, std::nullopt, std::nullopt}; }
+
+}  // namespace
+
+TEST_CASE("a pixel has a header and a record for each channel of the sums that its layers need") {
+  CHECK(layerRowCount(layerSumsOf({})) == 0);
+  CHECK(layerRowCount(layerSumsOf(setOf({Layer::variance, Layer::samples}))) == 0);
+  CHECK(layerRowCount(layerSumsOf(setOf({Layer::depth}))) == 2);
+  CHECK(layerRowCount(layerSumsOf(setOf({Layer::normal, Layer::uv}))) == 6);
+  CHECK(layerRowCount(layerSumsOf(setOf({Layer::indirect}))) == 4);
+  CHECK(layerRowCount(layerSumsOf(setOf({Layer::direct, Layer::indirect, Layer::emission}))) == 7);
+  const std::uint32_t sums = layerSumsOf(setOf({Layer::normal, Layer::depth, Layer::uv}));
+  CHECK(firstLayerRow(sums, LayerSum::normal) == 1);
+  CHECK(firstLayerRow(sums, LayerSum::depth) == 4);
+  CHECK(firstLayerRow(sums, LayerSum::texCoord) == 5);
+}
+
+TEST_CASE("a layer's value is added in units of 2^-40, truncated towards 0, in two's complement") {
+  const LayerSet position = setOf({Layer::position});
+  const LayerSample sample{LayerSample::FirstHit{.position = {-1, std::ldexp(1.75, -40), -std::ldexp(1.75, -40)}},
+                           std::nullopt, std::nullopt};
+  const std::vector<LayerRow> rows = rowsOf(position, {{sample, glm::dvec3(0)}});
+  CHECK(rows[1].words == FixedSum{0, 0xffffff00u, 0xffffffffu});
+  CHECK(rows[2].words == FixedSum{1, 0, 0});
+  CHECK(rows[3].words == FixedSum{0xffffffffu, 0xffffffffu, 0xffffffffu});
+  CHECK(toSignedDouble(rows[1].words) == -1);
+  CHECK(rows[0].words == FixedSum{1, 0, 0});
+}
+
+TEST_CASE("values that are not finite add 0 to layers, and those beyond 2^20 are limited; both are counted") {
+  const std::vector<LayerRow> rows = rowsOf(
+      setOf({Layer::depth}),
+      {{hitAt(kNotANumberHere), glm::dvec3(0)}, {hitAt(1e9), glm::dvec3(0)}, {hitAt(kFilmMaximum), glm::dvec3(0)}});
+  CHECK(toSignedDouble(rows[1].words) == 2 * kFilmMaximum);
+  CHECK(rows[0].words == FixedSum{3, 2, 0});
+}
+
+TEST_CASE("a part of the light is the whole where the path ended before, and never more than the film adds") {
+  const LayerSet light = setOf({Layer::direct, Layer::emission});
+  const glm::dvec3 whole(3, kNotANumberHere, 2 * kFilmMaximum);
+  const std::vector<LayerRow> rows = rowsOf(light, {{{std::nullopt, glm::dvec3(1, 1, 2e6), std::nullopt}, whole}});
+  CHECK(toDouble(rows[1].words) == 1);
+  CHECK(toDouble(rows[2].words) == 0);  // the film adds 0 as well
+  CHECK(toDouble(rows[3].words) == kFilmMaximum);
+  CHECK(toDouble(rows[4].words) == 3);
+  CHECK(toDouble(rows[5].words) == 0);
+  CHECK(toDouble(rows[6].words) == kFilmMaximum);
+}
+
+TEST_CASE("channels of layers divide by all samples or by the hits, and a pixel without hits is far away") {
+  Film film(2, 1, setOf({Layer::normal, Layer::depth, Layer::position}));
+  const LayerSample hit{LayerSample::FirstHit{.normal = {0, -1, 0}, .depth = 8, .position = {-3, 0, 5}}, {}, {}};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    film.addSample(0, 0, glm::dvec3(0), i);
+    film.addLayers(0, 0, i == 0 ? hit : LayerSample{}, glm::dvec3(0));
+  }
+  Image image = toImage(film);
+  addLayers(image, film);
+  const std::vector<std::string> names{"N.X", "N.Y", "N.Z", "Z", "P.X", "P.Y", "P.Z"};
+  REQUIRE(image.channels.size() == names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(image.channels[i].name == names[i]);
+  CHECK(image.channels[1].values == std::vector<float>{-0.25f, 0});
+  CHECK(image.channels[3].values == std::vector<float>{8, 1e10f});
+  CHECK(image.channels[4].values == std::vector<float>{-3, 0});
+}
+
+TEST_CASE("films with layers add up, and refuse films with other layers") {
+  const LayerSet depth = setOf({Layer::depth});
+  Film a(1, 1, depth), b(1, 1, depth), other(1, 1);
+  a.addLayers(0, 0, hitAt(1.5), glm::dvec3(0));
+  b.addLayers(0, 0, hitAt(2.25), glm::dvec3(0));
+  a.merge(b);
+  CHECK(toSignedDouble(a.layerRowsAt(0, 0)[1].words) == 3.75);
+  CHECK(a.layerRowsAt(0, 0)[0].words[0] == 2);
+  CHECK_THROWS_AS(a.merge(other), UsageError);
+  a.clear();
+  CHECK(a.layerRows() == Film(1, 1, depth).layerRows());
+}
