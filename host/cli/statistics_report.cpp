@@ -158,6 +158,10 @@ void reportFlaws(const RenderReport& report, const Log& log) {
   if (const std::uint64_t faults = report.result.statistics.volumeFaults; faults > 0) {
     log.warning(fmt::format("{} rays found volumes that are open or overlap; absorption is wrong there", faults));
   }
+  if (const std::uint64_t count = badLayerCount(report.result.film); count > 0) {
+    log.warning(
+        fmt::format("{} samples have values of layers that are not finite or above 2^20, which are limited", count));
+  }
 }
 
 }  // namespace candela::cli

@@ -155,4 +155,11 @@ std::uint64_t Film::hash() const {
   return hash.value();
 }
 
+std::uint64_t badLayerCount(const Film& film) {
+  const std::size_t step = layerRowCount(layerSumsOf(film.layers()));
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < film.layerRows().size(); i += step) count += film.layerRows()[i].words[1];
+  return count;
+}
+
 }  // namespace candela::image

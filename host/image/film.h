@@ -88,6 +88,9 @@ class Film {
   std::vector<LayerRow> layerRows_;
 };
 
+/// Returns the number of samples with a value of a layer that is not finite or above kFilmMaximum in magnitude.
+std::uint64_t badLayerCount(const Film& film);
+
 /// Returns the Rec. 709 luminance.
 inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
 

@@ -43,6 +43,22 @@ TEST_CASE("layers are refused without an EXR file, by other integrators, and wit
   requireRefusal({"--aov", "depth", "--checkpoint", folder.path("film.exr")}, 1, "--aov: film files have no layers");
 }
 
+TEST_CASE("values of layers beyond the range are limited, with a warning") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "far.p3f",
+      "v\nfrom 0 0 0\nat 0 1 0\nup 0 0 1\nangle 1\nhither 0\nresolution 2 2\nf 1 1 1 1 0 0 0 0 1 0 1 0 0 0\n"
+      "p 3\n-9e6 2e6 -9e6\n9e6 2e6 -9e6\n0 2e6 9e6\n");
+  const std::vector<std::string> words{scene, "--device", "cpu", "--spp", "1", "-o", folder.path("a.exr"), "--aov"};
+  const auto with = [&](const char* layers) {
+    std::vector<std::string> all = words;
+    all.push_back(layers);
+    return runCandela(all);
+  };
+  CHECK(contains(with("depth").err, "4 samples have values of layers that are not finite or above 2^20"));
+  CHECK_FALSE(contains(with("normal").err, "values of layers"));
+}
+
 TEST_CASE("a PNG file beside the EXR file shows the image as without layers") {
   const TemporaryFolder folder;
   const std::string exr = folder.path("a.exr"), png = folder.path("a.png"), plain = folder.path("b.png");
