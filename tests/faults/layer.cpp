@@ -245,7 +245,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physicalDevice, con
   const VkResult result = create(physicalDevice, info, allocator, device);
   if (result != VK_SUCCESS) return result;
   Next next{get(*device, "vkDestroyDevice"), nullptr, get, {}, false};
-  for (std::size_t i = 0; i < kFunctionCount; ++i) next.functions[i] = get(*device, kNames[i]);
+#define CANDELA_GET(function) next.functions[k_##function] = get(*device, #function);
+  CANDELA_DEVICE_FUNCTIONS(CANDELA_GET)
+#undef CANDELA_GET
   const std::scoped_lock lock(mutex);
   nexts[keyOf(*device)] = next;
   return result;
