@@ -104,6 +104,14 @@ class Threads(FolderTest):
                 self.assertGreater(description["samples"], 0)
                 self.assertFalse(description["complete"])
 
+    def test_ctrl_c_without_a_callback(self):
+        """Then no code in Python runs in the main thread, which would handle signals by itself."""
+        call = ("import threading\n"
+                "    threading.Timer(1, print, ('started',), {'flush': True}).start()\n"
+                "    candela.render(scene, **options)")
+        _, seconds = self.interrupt(call, "cpu")
+        self.assertLess(seconds, 15)
+
     def test_ctrl_c_leaves_a_session_usable(self):
         call = ("with candela.Session(scene, size=(16, 16), spp=8, device='cpu') as small:\n"
                 "        session = candela.Session(scene, **options)\n"
