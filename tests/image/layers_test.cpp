@@ -58,7 +58,7 @@ TEST_CASE("a layer's value is added in units of 2^-40, truncated towards 0, in t
   CHECK(rows[0].words == FixedSum{1, 0, 0});
 }
 
-TEST_CASE("values that are not finite add 0 to layers, and those beyond 2^20 are limited; both are counted") {
+TEST_CASE("values that are not finite add 0 to layers, those beyond 2^20 are limited, and both are counted") {
   const std::vector<LayerRow> rows = rowsOf(
       setOf({Layer::depth}),
       {{hitAt(kNotANumberHere), glm::dvec3(0)}, {hitAt(1e9), glm::dvec3(0)}, {hitAt(kFilmMaximum), glm::dvec3(0)}});
