@@ -9,6 +9,7 @@
 #include "host/vulkan/describe.h"
 #include "host/vulkan/device_choice.h"
 #include "host/vulkan/instance.h"
+#include "host/vulkan/vulkan_errors.h"
 
 namespace candela::vulkan {
 namespace {
@@ -117,11 +118,13 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
 }
 
 std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>& devices) {
-  std::vector<DeviceInfo> infos;
-  for (const vk::raii::PhysicalDevice& device : devices) {
-    infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
-  }
-  return infos;
+  return guarded("query the devices", [&] {
+    std::vector<DeviceInfo> infos;
+    for (const vk::raii::PhysicalDevice& device : devices) {
+      infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
+    }
+    return infos;
+  });
 }
 
 std::vector<DeviceInfo> listDevices() {
