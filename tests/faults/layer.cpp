@@ -191,7 +191,7 @@ struct Hook<kFunction, VkResult(VKAPI_PTR*)(First, Rest...)> {
     const std::optional<VkResult> fault = faultOf(kFunction);
     if constexpr (usesDevice(kFunction)) {
       if (fault == VK_ERROR_DEVICE_LOST) loseDevice(keyOf(first));
-      if (next.isLost) {
+      if (next.isLost || fault == VK_ERROR_DEVICE_LOST) {
         if constexpr (kFunction == k_vkDeviceWaitIdle) pass();
         return VK_ERROR_DEVICE_LOST;
       }
