@@ -132,8 +132,9 @@ void Film::merge(const Film& other) {
     }
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) addSums(pixels_[i], other.pixels_[i]);
-  for (std::uint32_t y = 0; y < height_; ++y) {
-    for (std::uint32_t x = 0; x < width_; ++x) addLayerRows(layerRowsAt(x, y), other.layerRowsAt(x, y));
+  const std::size_t step = layerRowCount(layerSumsOf(layers_));
+  for (std::size_t i = 0; i < layerRows_.size(); i += step) {
+    addLayerRows(std::span(layerRows_).subspan(i, step), std::span(other.layerRows_).subspan(i, step));
   }
 }
 
