@@ -5,7 +5,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstring>
 
 #include "host/core/errors.h"
 #include "host/vulkan/command_recorder_impl.h"
@@ -26,9 +25,7 @@ vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, st
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
   std::vector<const char*> extensions;
-  for (const vk::ExtensionProperties& extension : physicalDevice.enumerateDeviceExtensionProperties()) {
-    if (std::strcmp(extension.extensionName, kPortabilitySubset) == 0) extensions.push_back(kPortabilitySubset);
-  }
+  if (hasExtension(physicalDevice, kPortabilitySubset)) extensions.push_back(kPortabilitySubset);
   vk::PhysicalDeviceFeatures features;
   features.robustBufferAccess = options.robustBufferAccess;
   vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT sizeControl(VK_TRUE);

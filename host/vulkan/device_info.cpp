@@ -62,15 +62,8 @@ void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
 }
 
-bool hasSizeControl(const vk::raii::PhysicalDevice& device) {
-  const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
-  return std::ranges::any_of(extensions, [](const vk::ExtensionProperties& extension) {
-    return std::string_view(extension.extensionName.data()) == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
-  });
-}
-
 void fillSubgroupSizes(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
-  if (!hasSizeControl(device)) return;
+  if (!hasExtension(device, VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME)) return;
   using Features = vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT;
   using Properties = vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT;
   const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>();
@@ -83,6 +76,13 @@ void fillSubgroupSizes(DeviceInfo& info, const vk::raii::PhysicalDevice& device)
 }
 
 }  // namespace
+
+bool hasExtension(const vk::raii::PhysicalDevice& device, std::string_view name) {
+  const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
+  return std::ranges::any_of(extensions, [name](const vk::ExtensionProperties& extension) {
+    return std::string_view(extension.extensionName.data()) == name;
+  });
+}
 
 std::optional<std::uint32_t> findComputeQueue(const vk::raii::PhysicalDevice& device) {
   const std::vector<vk::QueueFamilyProperties> families = device.getQueueFamilyProperties();
