@@ -1,6 +1,7 @@
 // `candela render`: renders a scene file, and writes images and a report.
 #include <fmt/format.h>
 
+#include <atomic>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -28,11 +29,6 @@ void summarise(const RenderReport& report, const Log& log) {
                        report.totalSeconds, report.result.statistics.device));
 }
 
-// From here on, SIGINT and SIGTERM end the render, and SIGUSR1 has its film written.
-TraceControl traceControl(const Arguments& arguments) {
-  return {watchInterrupts(), arguments.checkpoint.empty() ? nullptr : &watchWriteRequests()};
-}
-
 }  // namespace
 
 ExitCode runRender(const Arguments& arguments, const Log& log) {
@@ -41,9 +37,11 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   requireLayerFile(arguments);
   requireWritableReport(arguments.json);
   requireCheckpoint(arguments);
-  if (!arguments.checkpoint.empty()) watchWriteRequests();  // from here on, SIGUSR1 does not end the program
+  // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
+  // render.
+  std::atomic<bool>* const writeRequested = arguments.checkpoint.empty() ? nullptr : &watchWriteRequests();
   const RenderJob job = loadJob(arguments, log);
-  const TraceControl control = traceControl(arguments);
+  const TraceControl control{watchInterrupts(), writeRequested};
   const TracedFilm traced = traceFilm(job, start, control, log);
   const render::RenderResult& result = traced.result;
 

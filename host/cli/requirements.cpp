@@ -7,6 +7,17 @@
 #include "host/explain/explanation.h"
 
 namespace candela::cli {
+namespace {
+
+void requireTwoTracers(const Arguments& arguments) {
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
+        "devices)");
+  }
+}
+
+}  // namespace
 
 void requireVerifiable(const Arguments& arguments) {
   if (arguments.device == "cpu") {
@@ -16,25 +27,16 @@ void requireVerifiable(const Arguments& arguments) {
 }
 
 void requireComparable(const Arguments& arguments) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
-        "devices)");
-  }
+  requireTwoTracers(arguments);
   if (arguments.settings.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
-        "compared; "
-        "use `candela render` to see the counts of one");
+        "compared; use `candela render` to see the counts of one");
   }
 }
 
 void requireExplainable(const Arguments& arguments) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
-        "devices)");
-  }
+  requireTwoTracers(arguments);
   if (!arguments.pixel && arguments.given.contains("--sample")) {
     throw UsageError(
         "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");

@@ -1,4 +1,4 @@
-// What the commands that compare two tracers require.
+// The requirements of the commands that compare two tracers.
 #pragma once
 #include "host/cli/render_job.h"
 #include "host/render/path_trace.h"
