@@ -31,8 +31,7 @@ std::string generated(std::string_view kindName, std::uint32_t size) {
 }
 
 scene::Scene read(const std::string& bytes, const std::string& name) {
-  const scene::SceneFile file{bytes, name, "."};
-  return chooseLoader(formats::allLoaders(), file).load(file, {}).scene;
+  return formats::loadScene(scene::SceneFile{bytes, name, "."}).scene;
 }
 
 scene::Scene makeScene(const std::string& name) {
