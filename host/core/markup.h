@@ -24,18 +24,26 @@ constexpr std::string_view entityOf(char character) {
   }
 }
 
-/// Returns `text` as content or attribute of XML. Control characters except newlines become spaces.
-inline std::string xmlEscaped(std::string_view text) {
+/// Returns `text` as content or attribute of HTML and XML, with `replacement` for each character that `isRefused`.
+template <class Predicate>
+std::string escaped(std::string_view text, std::string_view replacement, Predicate isRefused) {
   std::string out;
   for (const char character : text) {
     const std::string_view entity = entityOf(character);
     if (!entity.empty()) {
       out += entity;
+    } else if (isRefused(character)) {
+      out += replacement;
     } else {
-      out += static_cast<unsigned char>(character) < ' ' && character != '\n' ? ' ' : character;
+      out += character;
     }
   }
   return out;
+}
+
+/// Returns `text` as content or attribute of XML. Control characters except newlines become spaces.
+inline std::string xmlEscaped(std::string_view text) {
+  return escaped(text, " ", [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; });
 }
 
 }  // namespace candela

@@ -16,18 +16,7 @@ bool isControl(char character) {
 
 }  // namespace
 
-std::string escapeHtml(std::string_view text) {
-  std::string out;
-  for (const char character : text) {
-    const std::string_view entity = entityOf(character);
-    if (!entity.empty()) {
-      out += entity;
-    } else {
-      isControl(character) ? out += kReplacement : out += character;
-    }
-  }
-  return out;
-}
+std::string escapeHtml(std::string_view text) { return escaped(text, kReplacement, isControl); }
 
 std::string fillTemplate(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
   std::string out;
