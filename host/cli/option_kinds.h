@@ -14,7 +14,7 @@ struct Row {
   const char* names;
   unsigned commands;
   OptionGroup group;
-  const char* help;
+  std::string help;
 };
 
 /// An option with a value. `get` maps Arguments& to a reference to its field.

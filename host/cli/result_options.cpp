@@ -1,4 +1,6 @@
 // Options of what is done with an image or a film: files, comparison, verification and explanation.
+#include <fmt/ranges.h>
+
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -21,7 +23,7 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--aov", kRender, kGroup, "layers that EXR files get beside the image, separated by commas: normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples"},
+    valued({"--aov", kRender, kGroup, fmt::format("layers that EXR files get beside the image, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.settings.image.layers; }),
     valued({"--tonemap", kRender | kCompare | kFilm, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
