@@ -24,10 +24,10 @@ struct CaseResult {
 struct RunOptions {
   std::uint32_t jobs = 1;                     ///< maximum number of child processes at a time, >= 1
   std::chrono::milliseconds timeout{60'000};  ///< for each case
-  std::optional<std::uint32_t> shuffle;       ///< seed of the order of the cases; absent: the order of the table
-  Expectations expectations;
-  const std::atomic<bool>* stop = nullptr;      ///< polled; if true, the children are killed and the run ends
-  std::function<void(const CaseResult&)> note;  ///< called with each result; may be empty
+  std::optional<std::uint32_t> shuffle{};     ///< seed of the order of the cases; absent: the order of the table
+  Expectations expectations{};
+  const std::atomic<bool>* stop = nullptr;        ///< polled; if true, the children are killed and the run ends
+  std::function<void(const CaseResult&)> note{};  ///< called with each result; may be empty
 };
 
 struct RunResult {

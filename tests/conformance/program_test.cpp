@@ -9,8 +9,9 @@ namespace {
 const Surroundings kNoDriver{
     .environment = {"VK_DRIVER_FILES=/nonexistent/none.json", "VK_ICD_FILENAMES=/nonexistent/none.json"}};
 
-ProgramResult runConformance(std::vector<std::string> words) {
-  words.insert(words.begin(), "conformance");
+ProgramResult runConformance(const std::vector<std::string>& options) {
+  std::vector<std::string> words{"conformance"};
+  words.insert(words.end(), options.begin(), options.end());
   return runCandela(words, kNoDriver);
 }
 
