@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kStackSize = 64;
 
-// What one iteration of switched() adds to its sum, apart from an early return.
+// Returns the term that one iteration of switched() adds to its sum, unless it returns early.
 std::uint32_t termOf(std::uint32_t state) {
   switch (state >> 29) {
     case 0:

@@ -8,7 +8,7 @@ namespace candela::conformance {
 
 class Workbench;
 
-/// What a case itself finds. Crashes and hangs are noticed by the runner.
+/// The finding of a case itself. The runner notices crashes and hangs.
 enum class Outcome { pass, fail, skip };
 
 struct Finding {

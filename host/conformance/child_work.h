@@ -1,4 +1,4 @@
-// What a child process of a run does: it runs cases one after the other, and sends a value before and after each.
+// A child process of a run runs cases one after the other, and sends a value before and after each.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace candela::conformance {
 
-/// What a child sends. Before a case it has no status.
+/// A message of a child. The one before a case has no status.
 struct ChildNote {
   std::optional<Status> status;
   std::string text;

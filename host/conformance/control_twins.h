@@ -1,4 +1,4 @@
-// What shaders/conformance/control.comp computes, by the host.
+// These functions compute on the host what shaders/conformance/control.comp computes on a device.
 #pragma once
 #include <cstdint>
 
