@@ -5,7 +5,7 @@
 
 namespace candela {
 
-/// Exit codes of the program, as README documents them.
+/// Exit codes of the program, as docs/command-line.md documents them.
 enum class ExitCode : int {
   done = 0,
   usage = 1,

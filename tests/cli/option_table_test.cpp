@@ -1,4 +1,4 @@
-// The option table against what is promised: names, defaults, README.
+// The option table against what is promised: names, defaults, documentation.
 #include "host/cli/option_table.h"
 
 #include <algorithm>
@@ -27,13 +27,13 @@ const Option& find(const std::string& name, std::optional<Command> command = std
   return *found;
 }
 
-// The text between "```text" and "```" after a marker.
-std::string readmeBlock(const std::string& marker) {
-  const std::string readme = readFile(CANDELA_SOURCE_DIR "/README.md");
+// The text between "```text" and "```" after a marker in a page of docs/.
+std::string quotedBlock(const std::string& page, const std::string& marker) {
+  const std::string text = readFile(CANDELA_SOURCE_DIR "/docs/" + page);
   const std::string opening = "```text\n";
-  const std::size_t start = readme.find(opening, readme.find("<!-- " + marker));
+  const std::size_t start = text.find(opening, text.find("<!-- " + marker));
   REQUIRE(start != std::string::npos);
-  return readme.substr(start + opening.size(), readme.find("```\n", start + 1) - start - opening.size());
+  return text.substr(start + opening.size(), text.find("```\n", start + 1) - start - opening.size());
 }
 
 }  // namespace
@@ -301,15 +301,17 @@ TEST_CASE("every tuned option belongs to tracing, and has auto and all values th
   }
 }
 
-TEST_CASE("README quotes the help") { CHECK(readmeBlock("help") == helpText(std::nullopt)); }
+TEST_CASE("the documentation quotes the help") {
+  CHECK(quotedBlock("command-line.md", "help") == helpText(std::nullopt));
+}
 
-TEST_CASE("README quotes the list of packages") {
+TEST_CASE("the documentation quotes the list of packages") {
   std::istringstream lines(readFile(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
   std::string packages;
   for (std::string line; std::getline(lines, line);) {
     if (line.front() != '#') packages += line + "\n";
   }
-  CHECK(readmeBlock("packages") == packages);
+  CHECK(quotedBlock("building.md", "packages") == packages);
 }
 
 TEST_CASE("the help of generate has every kind with its sizes, and only its own options") {
