@@ -66,6 +66,7 @@ std::string toText(const FilmDescription& description) {
   text += row("image", fmt::format("{} pixels, {} samples per pixel, seed {}", render::extentText(header.size),
                                    header.samplesPerPixel, header.seed));
   text += row("settings", settingsText(header.settings));
+  if (!header.layers.isEmpty()) text += row("layers", layerText(header.layers));
   text += rows("holds", textsOf(header.covered));
   text += rows("interrupted in", textsOf(header.begun));
   text += rows("lacks", textsOf(description.missing));
@@ -89,6 +90,7 @@ ordered_json toJson(const FilmDescription& description) {
           {"samplesPerPixel", header.samplesPerPixel},
           {"seed", header.seed},
           {"settings", header.settings},
+          {"layers", layerText(header.layers)},
           {"crop", render::windowText(header.window)},
           {"complete", header.isComplete()},
           {"covered", textsOf(header.covered)},

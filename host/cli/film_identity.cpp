@@ -73,6 +73,14 @@ void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& hea
                               render::windowText(header.window), render::windowText(film.header().window)));
 }
 
+// Sums that samples did not add cannot be computed later, whatever the user accepts.
+void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
+  if (film.header().layers == header.layers) return;
+  const std::string layers = layerText(film.header().layers);
+  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; state --aov {}", film.file().string(),
+                              layers, layerText(header.layers), layers));
+}
+
 template <class T>
 void insertSorted(std::vector<T>& items, const T& item) {
   const auto place = std::ranges::lower_bound(items, item);
@@ -107,6 +115,7 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   header.samplesPerPixel = job.settings.image.sampleCount;
   header.seed = job.settings.image.seed;
   header.settings = settingsOf(job, statistics);
+  header.layers = withSums(job.settings.image.layers);
   header.window = job.settings.image.window();
   header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
@@ -138,6 +147,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
                                        const Log& log) {
   film::FilmHeader film = reader.header();
   adoptSampleCount(job, reader, film);
+  requireSameLayers(reader, header);
   std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
   for (const film::Tracer& tracer : film.tracers) {
     const auto more = tracerDifferences(tracer, header.tracers.front(), "the film", "this render");

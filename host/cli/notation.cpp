@@ -143,14 +143,8 @@ Notation<image::LayerSet> layerList() {
     }
     return layers;
   };
-  const auto print = [names](const image::LayerSet& layers) {
-    std::string text;
-    for (std::uint32_t i = 0; i < names.size(); ++i) {
-      if (layers.has(static_cast<image::Layer>(i))) text += fmt::format("{}{}", text.empty() ? "" : ",", names[i]);
-    }
-    return text.empty() ? "none" : text;
-  };
-  return {"LAYERS", fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")), parse, print};
+  return {"LAYERS", fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")), parse,
+          image::layerText};
 }
 
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {

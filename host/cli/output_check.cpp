@@ -64,11 +64,8 @@ void requireCheckpoint(const Arguments& arguments) {
 
 void requireLayerFile(const Arguments& arguments) {
   if (arguments.settings.image.layers.isEmpty()) return;
-  if (std::ranges::none_of(arguments.outputs, image::isExr)) {
-    throw UsageError("--aov: layers are written to EXR files only; add -o FILE.exr");
-  }
-  if (arguments.checkpoint.empty() && arguments.resume.empty()) return;
-  throw UsageError("--aov: film files have no layers; leave out --aov, or --checkpoint and --resume");
+  if (!arguments.checkpoint.empty() || std::ranges::any_of(arguments.outputs, image::isExr)) return;
+  throw UsageError("--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE");
 }
 
 void requireWritableReport(const std::string& target) {

@@ -17,8 +17,7 @@ void requireSeparateFiles(const Arguments& arguments);
 /// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not go on
 /// from it: its samples are not to be lost.
 void requireCheckpoint(const Arguments& arguments);
-/// Throws UsageError if layers (--aov) are requested and there is no EXR file that they could be written to, or if the
-/// render goes on from a film file or writes one, because film files have no layers.
+/// Throws UsageError if layers (--aov) are requested and there is no EXR or film file that they could be written to.
 void requireLayerFile(const Arguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);

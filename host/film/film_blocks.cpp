@@ -79,7 +79,7 @@ void FilmBlocks::find(const FilmHead& head, const FilmHeader& header, std::span<
     const std::uint64_t rows = std::min(kBlockRows, window.height - i * kBlockRows);
     const bool inPlace = littleEndian(table.subspan(i * kTableEntryBytes, kTableEntryBytes)) == offset &&
                          littleEndian(std::span(start).first(4)) == window.y + i * kBlockRows;
-    if (!inPlace || size > rows * window.width * pixelBytes(header.hasAlpha())) {
+    if (!inPlace || size > rows * window.width * pixelBytes(channelsOf(header))) {
       throw FileError(fmt::format("the file is damaged: block {} is not where it belongs", i));
     }
     if (bytes_.size() - offset - kBlockHeadBytes < size) throw FileError("the file is truncated");

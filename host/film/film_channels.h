@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "host/film/film_header.h"
 #include "host/image/film.h"
 
 namespace candela::film {
@@ -68,6 +70,37 @@ inline constexpr std::array kPictureChannels{
 /// Another channel of films with alpha.
 inline constexpr PictureChannel kAlphaChannel{"A", offsetof(PicturePixel, alpha)};
 
+/// The channels that depend on the film.
+struct ChannelChoice {
+  bool hasAlpha = false;
+  std::uint32_t sums = 0;  ///< of layers, as image::layerSumsOf() returns them
+
+  std::size_t layerRows() const { return image::layerRowCount(sums); }
+};
+
+inline ChannelChoice channelsOf(const FilmHeader& header) {
+  return {header.hasAlpha(), image::layerSumsOf(header.layers)};
+}
+
+/// A word of the records of layers of a pixel.
+struct LayerWordChannel {
+  std::string name;
+  std::size_t offset;  ///< from the pixel's first record
+};
+
+inline std::vector<LayerWordChannel> layerWordChannels(std::uint32_t sums) {
+  if (sums == 0) return {};
+  std::vector<LayerWordChannel> channels{{"layerHits", 0}, {"badLayerSamples", sizeof(std::uint32_t)}};
+  const std::vector<std::string> names = image::layerSumNames(sums);
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    for (std::size_t word = 0; word < 3; ++word) {
+      const std::string name = "sum." + names[row] + '.' + static_cast<char>('0' + word);
+      channels.push_back({name, wordOf((1 + row) * sizeof(image::LayerRow), word)});
+    }
+  }
+  return channels;
+}
+
 inline std::vector<WordChannel> wordChannels(bool hasAlpha) {
   std::vector<WordChannel> channels(kWordChannels.begin(), kWordChannels.end());
   if (hasAlpha) channels.push_back(kHitChannel);
@@ -81,14 +114,17 @@ inline std::vector<PictureChannel> pictureChannels(bool hasAlpha) {
 }
 
 /// Bytes of a pixel in a block that is not compressed.
-constexpr std::size_t pixelBytes(bool hasAlpha) {
-  return 4 * (kWordChannels.size() + kPictureChannels.size() + (hasAlpha ? 2 : 0));
+inline std::size_t pixelBytes(const ChannelChoice& choice) {
+  const std::size_t layerWords = choice.sums == 0 ? 0 : 2 + 3 * (choice.layerRows() - 1);
+  return 4 * (kWordChannels.size() + kPictureChannels.size() + (choice.hasAlpha ? 2 : 0) + layerWords);
 }
 
-inline Imf::ChannelList filmChannels(bool hasAlpha) {
+inline Imf::ChannelList filmChannels(const ChannelChoice& choice) {
+  const Imf::Channel real(Imf::FLOAT), word(Imf::UINT);
   Imf::ChannelList list;
-  for (const PictureChannel& channel : pictureChannels(hasAlpha)) list.insert(channel.name, Imf::Channel(Imf::FLOAT));
-  for (const WordChannel& channel : wordChannels(hasAlpha)) list.insert(channel.name, Imf::Channel(Imf::UINT));
+  for (const PictureChannel& channel : pictureChannels(choice.hasAlpha)) list.insert(channel.name, real);
+  for (const WordChannel& channel : wordChannels(choice.hasAlpha)) list.insert(channel.name, word);
+  for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) list.insert(channel.name, word);
   return list;
 }
 
@@ -100,6 +136,17 @@ inline void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, c
   for (const WordChannel& channel : wordChannels(hasAlpha)) {
     const std::byte* const first = reinterpret_cast<const std::byte*>(pixels) + channel.offset;
     buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, sizeof *pixels, width * sizeof *pixels));
+  }
+}
+
+/// Adds the words of the records of layers, which are those of the rows of `window`.
+inline void addLayerWords(Imf::FrameBuffer& buffer, const image::LayerRow* rows, const Imath::Box2i& window,
+                          const ChannelChoice& choice) {
+  const std::size_t pixelStride = choice.layerRows() * sizeof *rows;
+  const std::size_t rowStride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * pixelStride;
+  for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) {
+    const std::byte* const first = reinterpret_cast<const std::byte*>(rows) + channel.offset;
+    buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, pixelStride, rowStride));
   }
 }
 

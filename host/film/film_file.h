@@ -19,6 +19,13 @@ class FilmBlocks;
 /// header.window. Returns the file's check, 8 hexadecimal digits that change with every byte. Throws FileError.
 std::string writeFilm(const std::filesystem::path& file, const FilmHeader& header, const image::Film& film);
 
+/// Full rows of a film.
+struct FilmRows {
+  std::uint32_t first;  ///< index of the first row within the window of the film
+  std::span<const image::FilmPixel> pixels;
+  std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows() has them
+};
+
 /// A film file that is open for reading. All functions throw FileError, which names the file, for any file that
 /// writeFilm() did not write: not a film, truncated, damaged, beyond the limits of image sizes, or of another version.
 class FilmReader {
@@ -32,9 +39,8 @@ class FilmReader {
   const FilmHeader& header() const { return header_; }
   /// The digits that writeFilm() returned.
   const std::string& check() const { return check_; }
-  /// Passes all pixels, blocks of full rows from the top: the number of the block's first row within the window, and
-  /// its pixels, which may be taken.
-  void forEachBlock(const std::function<void(std::uint32_t, std::span<image::FilmPixel>)>& use);
+  /// Passes all pixels, blocks of full rows from the top.
+  void forEachBlock(const std::function<void(const FilmRows&)>& use);
 
  private:
   std::filesystem::path file_;

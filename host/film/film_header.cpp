@@ -36,6 +36,7 @@ Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
   std::map<std::string, std::string> names = header.settings;
   names.insert(other.settings.begin(), other.settings.end());
   for (const auto& [name, value] : names) members.emplace_back("--" + name, settingOf(header, name));
+  members.emplace_back("--aov", image::layerText(header.layers));
   return members;
 }
 
@@ -60,6 +61,11 @@ std::vector<std::string> differences(const Members& inA, const Members& inB, con
 
 bool FilmHeader::isComplete() const {
   return covered == std::vector{SampleBox{render::windowOf(size), {0, samplesPerPixel}}};
+}
+
+std::uint32_t FilmHeader::format() const {
+  if (!layers.isEmpty()) return 3;
+  return hasAlpha() ? 2 : 1;
 }
 
 bool FilmHeader::hasAlpha() const { return settingOf(*this, "background") == "none"; }

@@ -30,6 +30,7 @@ struct FilmHeader {
   std::uint32_t samplesPerPixel = 1;  ///< of the whole render, of which the film may hold a part
   std::uint32_t seed = 0;
   std::map<std::string, std::string> settings;  ///< other options that decide the image, by name without dashes
+  image::LayerSet layers;                       ///< those with sums, see image::withSums()
   render::Window window;                        ///< pixels of the full image that the film has
   std::vector<SampleBox> covered;               ///< samples that the film holds, as canonicalBoxes() lists them
   /// Boxes that were interrupted: each of their pixels holds the first of these samples, some none, but no pixel all of
@@ -38,11 +39,13 @@ struct FilmHeader {
   std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
   std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
 
-  /// Whether the film has hit counts, which the setting `background` says. Its file has version 2 of the format.
+  /// Whether the film has hit counts, which the setting `background` says.
   bool hasAlpha() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Whether every pixel of the image has all samples.
   bool isComplete() const;
+  /// Version of the format of its file: 3 with layers, 2 with alpha alone, else 1.
+  std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };
 
@@ -54,7 +57,8 @@ void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t firs
 /// which do not form such a film.
 std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header);
 
-/// The differences of two films, or of a film and a render, in scene, image and settings, each as a clause such as
+/// The differences of two films, or of a film and a render, in scene, image, settings and layers, each as a clause such
+/// as
 /// "--sampler is sobol in A and stratified in B". `a` and `b` are what the clauses call them.
 std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
                                              const std::string& b);

@@ -13,8 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint32_t kFormat = 1;
-constexpr std::uint32_t kAlphaFormat = 2;        // with the channels of alpha
+constexpr std::uint32_t kLastFormat = 3;
 constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 constexpr std::size_t kMaxBoxes = 10000;         // sets of boxes take time of the square of their number
 
@@ -100,6 +99,29 @@ std::map<std::string, std::string> settingsAt(const ordered_json& json) {
   return settings;
 }
 
+ordered_json layersJson(image::LayerSet layers) {
+  ordered_json names = ordered_json::array();
+  for (std::size_t i = 0; i < image::layerNames().size(); ++i) {
+    if (layers.has(static_cast<image::Layer>(i))) names.push_back(image::layerNames()[i]);
+  }
+  return names;
+}
+
+// The list has the names of layers with sums in the order of image::Layer, and is absent if there are none.
+image::LayerSet layersAt(const ordered_json& json) {
+  image::LayerSet layers;
+  if (!json.contains("layers")) return layers;
+  const std::span<const std::string_view> names = image::layerNames();
+  for (const ordered_json& entry : listAt(json, "layers")) {
+    if (!entry.is_string()) refuse("layers");
+    const auto place = std::ranges::find(names, entry.get<std::string>());
+    if (place == names.end()) refuse("layers");
+    layers.add(static_cast<image::Layer>(place - names.begin()));
+  }
+  if (layers != withSums(layers) || json["layers"] != layersJson(layers)) refuse("layers");
+  return layers;
+}
+
 std::vector<std::string> mixedAt(const ordered_json& json) {
   std::vector<std::string> lines;
   for (const ordered_json& line : listAt(json, "mixed")) {
@@ -151,9 +173,9 @@ ordered_json parsed(const std::string& text) {
   ordered_json json = ordered_json::parse(text, nullptr, false);
   if (!json.is_object()) throw FileError("the description of the film is not JSON");
   const std::uint32_t format = numberAt(json, "format", 0, 0xffffffffu);
-  if (format != kFormat && format != kAlphaFormat) {
-    throw FileError(fmt::format("the film file has version {} of the format, and this program reads versions {} and {}",
-                                format, kFormat, kAlphaFormat));
+  if (format < 1 || format > kLastFormat) {
+    throw FileError(fmt::format("the film file has version {} of the format, and this program reads versions 1 to {}",
+                                format, kLastFormat));
   }
   return json;
 }
@@ -178,12 +200,13 @@ std::string validText(const std::string& text) {
 
 std::string toJson(const FilmHeader& header) {
   ordered_json json;
-  json["format"] = header.hasAlpha() ? kAlphaFormat : kFormat;
+  json["format"] = header.format();
   json["scene"] = header.sceneHash;
   json["size"] = {header.size.width, header.size.height};
   json["samplesPerPixel"] = header.samplesPerPixel;
   json["seed"] = header.seed;
   json["settings"] = header.settings;
+  if (!header.layers.isEmpty()) json["layers"] = layersJson(header.layers);
   json["window"] = {header.window.x, header.window.y, header.window.width, header.window.height};
   json["covered"] = boxesJson(header.covered);
   json["begun"] = boxesJson(header.begun);
@@ -200,7 +223,8 @@ FilmHeader headerFromJson(const std::string& text) {
   header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, kMaxSamples);
   header.seed = numberAt(json, "seed", 0, 0xffffffffu);
   header.settings = settingsAt(json);
-  if (json["format"] != (header.hasAlpha() ? kAlphaFormat : kFormat)) refuse("format");
+  header.layers = layersAt(json);
+  if (json["format"] != header.format()) refuse("format");
   if (listAt(json, "window").size() != 4) refuse("window");
   header.window = windowFrom(json["window"], "window", header.size);
   header.covered = boxesAt(json, "covered", header);

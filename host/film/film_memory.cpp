@@ -8,9 +8,11 @@
 
 namespace candela::film {
 
-void requireMemoryForFilm(const render::Extent& size) {
+void requireMemoryForFilm(const render::Extent& size, image::LayerSet layers) {
+  const std::uint64_t layerBytes = image::layerRowCount(image::layerSumsOf(layers)) * sizeof(image::LayerRow);
   requireMemory(fmt::format("an image of {}x{} pixels", size.width, size.height),
-                std::uint64_t{size.width} * size.height * sizeof(image::FilmPixel), "use a machine with more memory");
+                std::uint64_t{size.width} * size.height * (sizeof(image::FilmPixel) + layerBytes),
+                "use a machine with more memory");
 }
 
 }  // namespace candela::film

@@ -78,17 +78,32 @@ void checkCounts(const FilmHeader& header, std::uint32_t y, std::span<const imag
   }
 }
 
-void checkRows(const FilmHeader& header, std::uint32_t first, std::span<const image::FilmPixel> pixels) {
-  const std::size_t width = header.window.width;
-  for (std::size_t row = 0; row * width < pixels.size(); ++row) {
-    checkCounts(header, header.window.y + first + static_cast<std::uint32_t>(row), pixels.subspan(row * width, width));
+// Throws if the records of layers of a pixel count more samples than the pixel holds.
+void checkLayers(const FilmHeader& header, const FilmRows& rows) {
+  const std::size_t step = channelsOf(header).layerRows();
+  for (std::size_t i = 0; i * step < rows.layerRows.size(); ++i) {
+    const image::LayerRow& counts = rows.layerRows[i * step];
+    const std::uint32_t samples = rows.pixels[i].sampleCount;
+    if (counts.words[0] <= samples && counts.words[1] <= samples) continue;
+    throw FileError(fmt::format("pixel ({}, {}) has layers of more samples than it holds",
+                                header.window.x + i % header.window.width,
+                                header.window.y + rows.first + i / header.window.width));
   }
 }
 
-void requireOurs(const Imf::InputFile& input, bool hasAlpha) {
+void checkRows(const FilmHeader& header, const FilmRows& rows) {
+  const std::size_t width = header.window.width;
+  for (std::size_t row = 0; row * width < rows.pixels.size(); ++row) {
+    const auto y = header.window.y + rows.first + static_cast<std::uint32_t>(row);
+    checkCounts(header, y, rows.pixels.subspan(row * width, width));
+  }
+  checkLayers(header, rows);
+}
+
+void requireOurs(const Imf::InputFile& input, const ChannelChoice& channels) {
   const bool ours = input.header().compression() == Imf::ZIP_COMPRESSION &&
                     input.header().lineOrder() == Imf::INCREASING_Y &&
-                    input.header().channels() == filmChannels(hasAlpha) && input.isComplete();
+                    input.header().channels() == filmChannels(channels) && input.isComplete();
   if (!ours) throw FileError("the channels or the compression are not those of a film file");
 }
 
@@ -96,7 +111,7 @@ void requireOurs(const Imf::InputFile& input, bool hasAlpha) {
 void requirePlausible(const FilmHeader& header, std::uint64_t fileBytes) {
   constexpr std::uint64_t kMaxExpansion = 1032;
   const std::uint64_t pixels = std::uint64_t{header.window.width} * header.window.height;
-  if (pixels * pixelBytes(header.hasAlpha()) / kMaxExpansion > fileBytes) {
+  if (pixels * pixelBytes(channelsOf(header)) / kMaxExpansion > fileBytes) {
     throw FileError("the file is truncated");
   }
 }
@@ -127,12 +142,14 @@ FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
 FilmReader::~FilmReader() = default;
 FilmReader::FilmReader(FilmReader&&) noexcept = default;
 
-void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<image::FilmPixel>)>& use) try {
+void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) try {
+  const ChannelChoice channels = channelsOf(header_);
   std::optional<FilmInput> stream;
   std::optional<Imf::InputFile> input;
   const std::uint32_t threads = exrThreads();
   const std::uint32_t rowsAtATime = std::min(kBlockRows * threads, header_.window.height);
   std::vector<image::FilmPixel> pixels(std::size_t{rowsAtATime} * header_.window.width);
+  std::vector<image::LayerRow> layerRows(pixels.size() * channels.layerRows());
   for (std::uint32_t first = 0; first < header_.window.height; first += rowsAtATime) {
     const std::uint32_t rows = std::min(rowsAtATime, header_.window.height - first);
     for (std::uint32_t row = first; row < first + rows; row += kBlockRows) {
@@ -141,19 +158,22 @@ void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<
     if (!input) {
       stream.emplace(blocks_->bytes());
       input.emplace(*stream, static_cast<int>(threads));
-      requireOurs(*input, header_.hasAlpha());
+      requireOurs(*input, channels);
     }
     const auto top = static_cast<int>(header_.window.y + first);
     const auto left = static_cast<int>(header_.window.x);
     const Imath::Box2i box({left, top},
                            {left + static_cast<int>(header_.window.width) - 1, top + static_cast<int>(rows) - 1});
-    const std::span block = std::span(pixels).first(std::size_t{rows} * header_.window.width);
+    const std::size_t count = std::size_t{rows} * header_.window.width;
     Imf::FrameBuffer buffer;
-    addWords(buffer, block.data(), box, header_.hasAlpha());
+    addWords(buffer, pixels.data(), box, channels.hasAlpha);
+    addLayerWords(buffer, layerRows.data(), box, channels);
     input->setFrameBuffer(buffer);
     input->readPixels(box.min.y, box.max.y);
-    checkRows(header_, first, block);
-    use(first, block);
+    const FilmRows block{first, std::span(pixels).first(count),
+                         std::span(layerRows).first(count * channels.layerRows())};
+    checkRows(header_, block);
+    use(block);
   }
 } catch (const FileError& error) {
   fail(file_, error.what());
@@ -163,10 +183,12 @@ void FilmReader::forEachBlock(const std::function<void(std::uint32_t, std::span<
 
 image::Film readFilm(FilmReader& reader) try {
   const render::Window& window = reader.header().window;
-  requireMemoryForFilm(window.extent());
-  image::Film film(window.width, window.height);
-  reader.forEachBlock(
-      [&](std::uint32_t first, std::span<image::FilmPixel> pixels) { std::ranges::copy(pixels, &film.at(0, first)); });
+  requireMemoryForFilm(window.extent(), reader.header().layers);
+  image::Film film(window.width, window.height, reader.header().layers);
+  reader.forEachBlock([&](const FilmRows& rows) {
+    std::ranges::copy(rows.pixels, &film.at(0, rows.first));
+    if (!rows.layerRows.empty()) std::ranges::copy(rows.layerRows, film.layerRowsAt(0, rows.first).begin());
+  });
   return film;
 } catch (const std::bad_alloc&) {
   throw OutOfMemoryError(fmt::format("{}: the film does not fit into memory", reader.file().string()));

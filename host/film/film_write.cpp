@@ -27,7 +27,7 @@ Imf::Header exrHeader(const FilmHeader& header) {
   const std::uint32_t blocks = (header.window.height + kBlockRows - 1) / kBlockRows;
   Imf::Header exr(boxOf(render::windowOf(header.size)), boxOf(header.window));
   exr.compression() = Imf::ZIP_COMPRESSION;
-  exr.channels() = filmChannels(header.hasAlpha());
+  exr.channels() = filmChannels(channelsOf(header));
   Imf::addChromaticities(exr, Imf::Chromaticities());  // the default is Rec. 709
   exr.insert("candela.sceneHash", Imf::StringAttribute(header.sceneHash));
   exr.insert("candela.samplesPerPixel", Imf::StringAttribute(fmt::to_string(header.samplesPerPixel)));
@@ -63,14 +63,16 @@ void addPicture(Imf::FrameBuffer& buffer, const std::vector<PicturePixel>& pictu
 // Several blocks at a time, so that threads have one each.
 void writeBlocks(Imf::OutputFile& output, const FilmHeader& header, const image::Film& film,
                  std::uint32_t rowsAtATime) {
+  const ChannelChoice channels = channelsOf(header);
   std::vector<PicturePixel> picture;
   for (std::uint32_t first = 0; first < header.window.height; first += rowsAtATime) {
     const std::uint32_t rows = std::min(rowsAtATime, header.window.height - first);
     const Imath::Box2i box = boxOf({header.window.x, header.window.y + first, header.window.width, rows});
     fillPicture(film, first, rows, picture);
     Imf::FrameBuffer buffer;
-    addPicture(buffer, picture, box, header.hasAlpha());
-    addWords(buffer, &film.at(0, first), box, header.hasAlpha());
+    addPicture(buffer, picture, box, channels.hasAlpha);
+    addWords(buffer, &film.at(0, first), box, channels.hasAlpha);
+    addLayerWords(buffer, film.layerRowsAt(0, first).data(), box, channels);
     output.setFrameBuffer(buffer);
     output.writePixels(static_cast<int>(rows));
   }

@@ -134,11 +134,13 @@ void add(const Part& part, MergedFilm& merged) {
   const render::Window& from = part.header.window;
   const std::uint32_t left = from.x - merged.header.window.x;
   const std::uint32_t top = from.y - merged.header.window.y;
-  reader.forEachBlock([&](std::uint32_t first, std::span<image::FilmPixel> pixels) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const auto x = static_cast<std::uint32_t>(i % from.width);
-      const auto y = static_cast<std::uint32_t>(i / from.width);
-      image::addSums(merged.film.at(left + x, top + first + y), pixels[i]);
+  const std::size_t step = image::layerRowCount(image::layerSumsOf(part.header.layers));
+  reader.forEachBlock([&](const FilmRows& rows) {
+    for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
+      const auto x = left + static_cast<std::uint32_t>(i % from.width);
+      const auto y = top + rows.first + static_cast<std::uint32_t>(i / from.width);
+      image::addSums(merged.film.at(x, y), rows.pixels[i]);
+      image::addLayerRows(merged.film.layerRowsAt(x, y), rows.layerRows.subspan(i * step, step));
     }
   });
   merged.work.add(readWork(part.file, part.check));
@@ -154,8 +156,8 @@ MergedFilm mergeFilms(std::span<const std::filesystem::path> files, const MergeO
   merged.missing = missingBoxes(allBoxes(merged.header),
                                 {render::windowOf(merged.header.size), {0, merged.header.samplesPerPixel}});
   if (!options.partial) requireWhole(parts, merged.missing);
-  requireMemoryForFilm(merged.header.window.extent());
-  merged.film = image::Film(merged.header.window.width, merged.header.window.height);
+  requireMemoryForFilm(merged.header.window.extent(), merged.header.layers);
+  merged.film = image::Film(merged.header.window.width, merged.header.window.height, merged.header.layers);
   for (const Part& part : parts) add(part, merged);
   return merged;
 } catch (const std::bad_alloc&) {

@@ -14,15 +14,31 @@ constexpr std::array<std::string_view, 10> kLayerNames{"normal", "albedo",   "de
 
 struct SumSpan {
   LayerSum sum;
+  std::string_view name;
   std::uint32_t count;
 };
 constexpr std::array kSums{
-#define CANDELA_LIST_SUM(sum, has, row, bit, count) SumSpan{LayerSum::sum, count},
+#define CANDELA_LIST_SUM(sum, has, row, bit, count) SumSpan{LayerSum::sum, #sum, count},
     CANDELA_LAYER_SUMS(CANDELA_LIST_SUM)
 #undef CANDELA_LIST_SUM
 };
 
 constexpr std::uint32_t bitOf(LayerSum sum) { return static_cast<std::uint32_t>(sum); }
+
+// Letters of a sum's channels.
+std::string_view lettersOf(LayerSum sum) {
+  switch (sum) {
+    case LayerSum::normal:
+    case LayerSum::position:
+      return "XYZ";
+    case LayerSum::depth:
+      return "Z";
+    case LayerSum::texCoord:
+      return "UV";
+    default:
+      return "RGB";
+  }
+}
 
 std::uint32_t sumsOf(Layer layer) {
   switch (layer) {
@@ -95,6 +111,25 @@ glm::dvec3 partOf(const glm::dvec3& whole, const glm::dvec3& part) {
 
 std::span<const std::string_view> layerNames() { return kLayerNames; }
 
+LayerSet withSums(LayerSet layers) {
+  LayerSet kept;
+  for (std::uint32_t i = 0; i < kLayerNames.size(); ++i) {
+    const auto layer = static_cast<Layer>(i);
+    if (layers.has(layer) && sumsOf(layer) != 0) kept.add(layer);
+  }
+  return kept;
+}
+
+std::string layerText(LayerSet layers) {
+  std::string text;
+  for (std::size_t i = 0; i < kLayerNames.size(); ++i) {
+    if (!layers.has(static_cast<Layer>(i))) continue;
+    text += text.empty() ? "" : ",";
+    text += kLayerNames[i];
+  }
+  return text.empty() ? "none" : text;
+}
+
 std::uint32_t layerSumsOf(LayerSet layers) {
   std::uint32_t sums = 0;
   for (std::uint32_t i = 0; i < kLayerNames.size(); ++i) {
@@ -112,6 +147,17 @@ std::uint32_t layerRowCount(std::uint32_t sums) {
 std::uint32_t firstLayerRow(std::uint32_t sums, LayerSum sum) {
   const std::uint32_t before = sums & (bitOf(sum) - 1);
   return std::max(layerRowCount(before), 1u);
+}
+
+std::vector<std::string> layerSumNames(std::uint32_t sums) {
+  std::vector<std::string> names;
+  for (const SumSpan& entry : kSums) {
+    if ((sums & bitOf(entry.sum)) == 0) continue;
+    for (const char letter : lettersOf(entry.sum).substr(0, entry.count)) {
+      names.push_back(std::string(entry.name) + '.' + letter);
+    }
+  }
+  return names;
 }
 
 void addLayerRows(std::span<LayerRow> sums, std::span<const LayerRow> terms) {

@@ -30,6 +30,12 @@ struct LayerSet {
 /// Names of all layers, indexed by Layer.
 std::span<const std::string_view> layerNames();
 
+/// Returns `layers` without those that every film has, `variance` and `samples`.
+LayerSet withSums(LayerSet layers);
+
+/// Returns the names of the layers, separated by commas; `none` for an empty set.
+std::string layerText(LayerSet layers);
+
 /// The sums that a pixel has; the enumerators are the bits of a mask.
 enum class LayerSum : std::uint32_t {
 #define CANDELA_DECLARE_SUM(sum, has, row, bit, count) sum = 1u << bit,
@@ -44,6 +50,9 @@ std::uint32_t layerSumsOf(LayerSet layers);
 std::uint32_t layerRowCount(std::uint32_t sums);
 /// Returns the index of the sum's first record in a pixel's records. The mask must contain the sum.
 std::uint32_t firstLayerRow(std::uint32_t sums, LayerSum sum);
+
+/// Returns the names of a pixel's records with these sums, such as `normal.X`, in their order, without the header.
+std::vector<std::string> layerSumNames(std::uint32_t sums);
 
 /// A 16-byte record of a pixel; the device has the same layout. In the first record, the header, `words` are the number
 /// of samples whose camera ray hit something and the number of samples with a value that is not finite or above

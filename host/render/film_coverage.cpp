@@ -36,7 +36,7 @@ void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, s
 }
 
 void requireLayers(const image::Film& film, image::LayerSet layers) {
-  if (film.layers() == layers) return;
+  if (image::withSums(film.layers()) == image::withSums(layers)) return;
   throw UsageError("a film cannot be continued by a render with other layers (--aov)");
 }
 

@@ -31,6 +31,17 @@ TEST_CASE("a device's film with alpha has the same bytes however it was divided"
         readFile(folder.path("whole.exr")));
 }
 
+TEST_CASE("a device's film with layers has the same bytes however it was divided", "[swiftshader-slow]") {
+  const TemporaryFolder folder;
+  const FilmRuns runs = onDevice(kSmall);
+  const std::vector<std::string> layers{"--aov", "normal,depth,uv,direct"};
+  requireEqualDivisions(runs, folder, layers);
+  std::vector<std::string> options = layers;
+  options.insert(options.end(), {"--kernel", "wavefront"});
+  CHECK(runs.film(folder.path("scene.p3f"), folder.path("wavefront.exr"), options) ==
+        readFile(folder.path("whole.exr")));
+}
+
 TEST_CASE("the wavefront goes on from the megakernel's film, and gives its bytes") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -102,6 +102,46 @@ TEST_CASE("a film under an environment can be divided") {
   requireEqualDivisions(kReference, folder, {"--env", "sun:30,200,3"});
 }
 
+TEST_CASE("a film with layers can be divided, lists them, and gives the pictures that the render gives") {
+  const TemporaryFolder folder;
+  const std::string list = "normal,albedo,depth,position,uv,direct,indirect,emission";
+  requireEqualDivisions(kReference, folder, {"--aov", list});
+
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("film.exr");
+  kReference.film(scene, film, {"-o", folder.path("a.exr"), "--aov", list});
+  const std::string report = folder.path("film.json");
+  REQUIRE(runCandela({"film", film, "--json", report, "-o", folder.path("b.exr")}).exitCode == 0);
+  CHECK(jsonOf(report)["layers"] == list);
+  CHECK_THAT(runCandela({"film", film}).out, Contains("layers           " + list));
+  const image::Image a = image::readImage(folder.path("a.exr")), b = image::readImage(folder.path("b.exr"));
+  CHECK(a.rgb == b.rgb);
+  REQUIRE(runCandela({"film", film, "-o", folder.path("c.exr")}).exitCode == 0);
+  CHECK(readFile(folder.path("b.exr")) == readFile(folder.path("c.exr")));
+  for (const char* name : {"N.X", "albedo.G", "uv.V", "indirect.B", "emission.R"}) {
+    CHECK(readFile(folder.path("b.exr")).find(name) != std::string::npos);
+  }
+}
+
+TEST_CASE("a film is not resumed nor merged with other layers") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string with = folder.path("with.exr"), without = folder.path("without.exr");
+  kReference.film(scene, with, {"--samples", "0:4", "--aov", "normal,variance"});
+  kReference.film(scene, without, {"--samples", "4:12"});
+  for (const std::vector<std::string>& anyway : std::vector<std::vector<std::string>>{{}, {"--resume-anyway"}}) {
+    std::vector<std::string> options{"--resume", with};
+    options.insert(options.end(), anyway.begin(), anyway.end());
+    CHECK_THAT(kReference.refusal(scene, options),
+               Contains("the film has the layers normal, and the render none; state --aov normal"));
+  }
+  const ProgramResult merged = runCandela({"merge", with, without, "-o", folder.path("merged.exr")});
+  CHECK(merged.exitCode == 2);
+  CHECK_THAT(merged.err, Contains("--aov is normal in") && Contains("and none in"));
+  // Layers without sums make no difference.
+  kReference.film(scene, folder.path("rest.exr"), {"--resume", with, "--aov", "normal,samples"});
+}
+
 TEST_CASE("a film with alpha can be divided, and gives the pictures that the render gives") {
   const TemporaryFolder folder;
   const std::vector<std::string> options{"--background", "none", "--env", "white"};

@@ -118,6 +118,37 @@ TEST_CASE("a film with alpha gives back its hit counts, and is a picture with al
   CHECK_THAT(refusalOf(folder / "b.exr"), Catch::Contains("pixel (0, 0) holds more hits than samples"));
 }
 
+TEST_CASE("a film with layers gives back their sums, to the bit, and layers that every film has need no sums") {
+  const TemporaryFolder folder;
+  image::LayerSet layers;
+  for (const auto layer : {image::Layer::position, image::Layer::emission, image::Layer::samples}) layers.add(layer);
+  image::Film film(3, 20, layers);
+  for (std::uint32_t i = 0; i < film.width() * film.height(); ++i) {
+    film.addSample(i % 3, i / 3, glm::dvec3(i), 0);
+    image::LayerSample sample;
+    if (i % 4 != 0) sample.hit = image::LayerSample::FirstHit{.position = {-1.0 / (i + 1), i, 1e9}};
+    film.addLayers(i % 3, i / 3, sample, glm::dvec3(i));
+  }
+  FilmHeader header = madeHeader({3, 20}, 1);
+  header.layers = withSums(layers);
+  setCoverage(header, film, 0);
+  writeFilm(folder / "a.exr", header, film);
+  FilmReader reader(folder / "a.exr");
+  const image::Film back = readFilm(reader);
+  CHECK(equal(back, film));
+  CHECK(back.layers() == header.layers);
+  CHECK(back.layerRows() == film.layerRows());
+  const std::string bytes = bytesOf(folder / "a.exr");
+  for (const char* name : {"layerHits", "badLayerSamples", "sum.position.X.0", "sum.unscattered.B.2"}) {
+    CHECK(bytes.find(name) != std::string::npos);
+  }
+  CHECK(bytes.find("scatteredOnce") == std::string::npos);
+
+  film.layerRowsAt(2, 19)[0].words[0] = 2;
+  writeFilm(folder / "b.exr", header, film);
+  CHECK_THAT(refusalOf(folder / "b.exr"), Catch::Contains("pixel (2, 19) has layers of more samples than it holds"));
+}
+
 TEST_CASE("files that are no films are refused, and the message says what they are") {
   const TemporaryFolder folder;
   image::writeImage(folder / "picture.exr", image::toImage(madeFilm(kBox)), {});

@@ -89,9 +89,9 @@ TEST_CASE("every member of a description that is impossible is refused by name")
 
 TEST_CASE("another version of the format is refused by its number") {
   ordered_json json = ordered_json::parse(toJson(fullHeader()));
-  json["format"] = 3;
+  json["format"] = 4;
   CHECK_THROWS_WITH(headerFromJson(json.dump()),
-                    Catch::Contains("has version 3") && Catch::Contains("reads versions 1 and 2"));
+                    Catch::Contains("has version 4") && Catch::Contains("reads versions 1 to 3"));
 }
 
 TEST_CASE("films with alpha have version 2 of the format, and no others have") {
@@ -110,6 +110,46 @@ TEST_CASE("films with alpha have version 2 of the format, and no others have") {
   json["format"] = 2;
   json["settings"].erase("background");
   CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid format"));
+}
+
+TEST_CASE("films with layers have version 3 of the format, and list them in their order") {
+  FilmHeader header = fullHeader();
+  header.layers.add(image::Layer::direct);
+  header.layers.add(image::Layer::normal);
+  const ordered_json json = ordered_json::parse(toJson(header));
+  CHECK(json["format"] == 3);
+  CHECK(json["layers"] == ordered_json{"normal", "direct"});
+  CHECK(headerFromJson(json.dump()) == header);
+  header.settings["background"] = "none";
+  CHECK(headerFromJson(toJson(header)) == header);
+  CHECK(header.format() == 3);
+}
+
+TEST_CASE("a list of layers that no film has is refused") {
+  FilmHeader header = fullHeader();
+  header.layers.add(image::Layer::normal);
+  const ordered_json good = ordered_json::parse(toJson(header));
+  for (const char* list : {R"(["albedo","normal"])", R"(["normal","normal"])", R"(["normal","samples"])",
+                           R"(["normals"])", R"([1])", R"("normal")"}) {
+    CAPTURE(list);
+    ordered_json json = good;
+    json["layers"] = ordered_json::parse(list);
+    CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid layers"));
+  }
+  for (const std::uint32_t format : {1u, 2u}) {
+    ordered_json json = good;
+    json["format"] = format;
+    CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid format"));
+  }
+  ordered_json json = good;
+  json["layers"] = ordered_json::array();
+  CHECK_THROWS_WITH(headerFromJson(json.dump()), Catch::Contains("valid format"));
+}
+
+TEST_CASE("films with other layers are different estimates") {
+  FilmHeader a = fullHeader(), b = a;
+  b.layers.add(image::Layer::depth);
+  CHECK(estimateDifferences(a, b, "A", "B") == std::vector<std::string>{"--aov is none in A and depth in B"});
 }
 
 TEST_CASE("the coverage of an interrupted film is what all pixels have, and what some have") {
