@@ -29,7 +29,8 @@ enum class Command : unsigned {
   doctor = 1024,
   film = 2048,
   merge = 4096,
-  conformance = 8192
+  conformance = 8192,
+  report = 131072
 };
 
 /// The renderer that finishes a render after its device has failed for good.

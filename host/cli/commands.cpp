@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 14> table{{
+  static const std::array<CommandInfo, 15> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
@@ -41,6 +41,8 @@ std::span<const CommandInfo> commandTable() {
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,
        kAnyNumber, runTune},
+      {Command::report, "report", "report RESULTS.json...", "compare devices by the results of the kit", "results file",
+       1, kAnyNumber, runReport},
   }};
   return table;
 }

@@ -43,6 +43,7 @@ ExitCode runTune(const Arguments& arguments, const Log& log);
 ExitCode runFilm(const Arguments& arguments, const Log& log);
 ExitCode runMerge(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
+ExitCode runReport(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

@@ -20,9 +20,9 @@ std::vector<Option> benchmarkOptions() {
           [](auto& a) -> auto& { return a.sweeps; }),
     valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
            share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
-    valued({"--markdown", kBench | kTune, kGroup, "write the table as Markdown; `-`: to stdout"},
+    valued({"--markdown", kBench | kTune | kReport, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
-    valued({"--svg", kBench, kGroup, "for scenes: write a chart of samples per second as SVG; `-`: to stdout"},
+    valued({"--svg", kBench | kReport, kGroup, "for scenes and `report`: write a chart of samples per second as SVG; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.svg; }),
   };
 }
