@@ -1,5 +1,6 @@
 // Renders that write films, divided, stopped and killed.
 #pragma once
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct FilmRuns {
   /// What a run that must end with exit code 2 says on stderr.
   std::string refusal(const std::string& scene, const std::vector<std::string>& options) const;
 };
+
+inline const FilmRuns kReference{{"--device", "cpu", "--size", "48x36", "--spp", "12"}};
+
+inline nlohmann::json jsonOf(const std::string& file) { return nlohmann::json::parse(readFile(file)); }
 
 /// Requires that the film of a render of 48x36 pixels and 12 or more samples has the same bytes in one run, from shards
 /// by samples, by crops and by both, merged in two orders, and resumed twice.

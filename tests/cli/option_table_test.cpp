@@ -1,19 +1,15 @@
-// The option table against what is promised: names, defaults, documentation.
+// The option table against what is promised: names, values and defaults.
 #include "host/cli/option_table.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 
 #include "host/cli/commands.h"
-#include "host/cli/help.h"
-#include "host/generate/kinds.h"
 #include "host/tune/dimensions.h"
-#include "tests/cli/run_program.h"
 
 namespace candela::cli {
 namespace {
@@ -25,15 +21,6 @@ const Option& find(const std::string& name, std::optional<Command> command = std
       table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
   REQUIRE(found != table.end());
   return *found;
-}
-
-// The text between "```text" and "```" after a marker in a page of docs/.
-std::string quotedBlock(const std::string& page, const std::string& marker) {
-  const std::string text = readFile(CANDELA_SOURCE_DIR "/docs/" + page);
-  const std::string opening = "```text\n";
-  const std::size_t start = text.find(opening, text.find("<!-- " + marker));
-  REQUIRE(start != std::string::npos);
-  return text.substr(start + opening.size(), text.find("```\n", start + 1) - start - opening.size());
 }
 
 }  // namespace
@@ -298,40 +285,6 @@ TEST_CASE("every tuned option belongs to tracing, and has auto and all values th
       CHECK(option.apply(arguments, value.name));
       CHECK(option.show(arguments) == std::vector{value.name});
     }
-  }
-}
-
-TEST_CASE("the documentation quotes the help") {
-  CHECK(quotedBlock("command-line.md", "help") == helpText(std::nullopt));
-}
-
-TEST_CASE("the documentation quotes the list of packages") {
-  std::istringstream lines(readFile(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
-  std::string packages;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.front() != '#') packages += line + "\n";
-  }
-  CHECK(quotedBlock("building.md", "packages") == packages);
-}
-
-TEST_CASE("the help of generate has every kind with its sizes, and only its own options") {
-  const std::string help = helpText(Command::generate);
-  for (const generate::Kind& kind : generate::kindTable()) {
-    CHECK(help.find("\n  " + std::string(kind.name) + " ") != std::string::npos);
-  }
-  CHECK(help.find("balls            1 to 7 (4)") != std::string::npos);
-  CHECK(help.find("--size N") != std::string::npos);
-  CHECK(help.find("--size WxH") == std::string::npos);
-  CHECK(helpText(Command::render).find("--size N") == std::string::npos);
-  CHECK(helpText(Command::render).find("balls") == std::string::npos);
-}
-
-TEST_CASE("the help fits into 100 columns and states every exit code") {
-  const std::string help = helpText(std::nullopt) + helpText(Command::generate);
-  std::istringstream lines(help);
-  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
-  for (const char* code : {"   0  ", "   1  ", "   2  ", "   3  ", "   4  ", "   5  ", "   6  ", "   7  ", "  70  "}) {
-    CHECK(help.find(std::string("\n") + code) != std::string::npos);
   }
 }
 

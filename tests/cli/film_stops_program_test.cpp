@@ -1,0 +1,89 @@
+// Renders that are stopped or killed, and go on from their films, on the reference tracer.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/film_runs.h"
+
+namespace candela {
+namespace {
+
+using Catch::Contains;
+using std::chrono::milliseconds;
+
+// A render of about a second on one thread.
+const FilmRuns kLong{{"--device", "cpu", "--threads", "1", "--size", "64x48", "--spp", "256"}};
+
+}  // namespace
+
+TEST_CASE("a film that cannot be written in the end is an error, and the picture is still written") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string gone = folder.path("gone");
+  std::filesystem::create_directory(gone);
+  const std::string picture = folder.path("a.png");
+  // The folder vanishes while the render runs.
+  std::jthread thief([&] {
+    std::this_thread::sleep_for(milliseconds(150));
+    std::filesystem::remove(gone);
+  });
+  const ProgramResult result = kLong.run(scene,
+                                         {"-o", picture, "--checkpoint", gone + "/a.exr", "--time-limit", "0.6s"});
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Contains("a.exr"));
+  CHECK(std::filesystem::exists(picture));
+}
+
+TEST_CASE("a render that is stopped in any way leaves a film that it goes on from") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string whole = kLong.film(scene, folder.path("whole.exr"));
+  const auto finish = [&](const std::string& film) { CHECK(kLong.film(scene, film, {"--resume", film}) == whole); };
+  SECTION("by --time-limit") {
+    const std::string film = folder.path("a.exr");
+    const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--time-limit", "0.2s"});
+    CHECK(result.exitCode == 7);
+    CHECK_THAT(result.err, Contains("the time is up") && Contains("--resume " + film));
+    const ProgramResult description = runCandela({"film", film});
+    CHECK_THAT(description.out, Contains("interrupted in"));
+    finish(film);
+  }
+  SECTION("by Ctrl-C and by SIGTERM") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      const std::string film = folder.path(std::to_string(signal) + ".exr");
+      Surroundings surroundings;
+      surroundings.interruptAfter = milliseconds(200);
+      surroundings.signal = signal;
+      CHECK(kLong.run(scene, {"--checkpoint", film}, surroundings).exitCode == 7);
+      finish(film);
+    }
+  }
+}
+
+TEST_CASE("SIGUSR1 has the film written, again and again, and changes nothing") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string whole = kLong.film(scene, folder.path("whole.exr"));
+  Surroundings surroundings;
+  surroundings.writeRequestsFrom = milliseconds(100);
+  surroundings.writeRequestsEvery = milliseconds(40);
+  const std::string film = folder.path("a.exr");
+  const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--checkpoint-every", "1h", "-v"}, surroundings);
+  CHECK(result.exitCode == 0);
+  CHECK(readFile(film) == whole);
+  std::size_t writes = 0;
+  for (std::size_t at = 0; (at = result.err.find("a.exr: written after", at)) != std::string::npos; ++at) ++writes;
+  CHECK(writes >= 3);
+  CHECK(folder.fileCount() == 5);  // the scene, and two films with their reports
+}
+
+TEST_CASE("a render that is killed at any moment goes on from its checkpoint, byte by byte") {
+  requireSurvivesKills(kLong, 10, 1);
+}
+
+TEST_CASE("a render that is killed at 200 even and 100 random moments goes on from its checkpoint", "[slow]") {
+  requireSurvivesKills(kLong, 200, 1);
+  requireSurvivesKills(kLong, 0, 100);
+}
+
+}  // namespace candela
