@@ -12,6 +12,8 @@ struct SurfaceParameters {
   vec3 specularColour;
   float specularWeight;
   float roughness;
+  float anisotropy;  // strength
+  vec2 rotation;     // cosine and sine
   float ior;
   float transmissionWeight;
   bool isThinWalled;
@@ -44,7 +46,7 @@ struct SurfaceLobes {
   vec3 diffuse;         // albedo
   vec3 specular;        // factor of the microfacets at normal incidence
   vec3 grazing;         // factor of (1 - wo.h)^5
-  float alpha;
+  vec2 alpha;           // along x and y
   float diffuseShare;   // probabilities of the lobes
   float specularShare;
   float glassShare;
@@ -88,11 +90,12 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   vec4 shape = sceneRowFloat(row + 2u);
   float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
   volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
+  vec3 grain = kHasAnisotropy ? sceneRowFloat(row + 4u).yzw : vec3(0.0);
   vec4 sheen = kHasSheen ? sceneRowFloat(row + 5u) : vec4(0.0);
   vec4 film = kHasFilm ? sceneRowFloat(row + 6u) : vec4(0.0);
   vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
   vec3 kappa = kHasConductors ? sceneRowFloat(row + 8u).xyz : vec3(0.0);
-  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, shape.y, shape.z, volume == 0u, coat,
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, grain.x, grain.yz, shape.y, shape.z, volume == 0u, coat,
                            shape.w, false, sheen.xyz, sheen.w, film.x, film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa);
 }
 

@@ -1,4 +1,5 @@
-// GGX microfacets with height-correlated masking and shadowing: docs/light-transport.md sections 5.2 and 5.3.
+// GGX microfacets with height-correlated masking and shadowing: docs/light-transport.md sections 5.2, 5.3
+// and 5.12.
 #ifndef CANDELA_MICROFACETS_GLSL
 #define CANDELA_MICROFACETS_GLSL
 #include "sampling.glsl"
@@ -6,9 +7,24 @@
 
 const float kMinRoughness = 0.01;
 const uvec3 kGlassCells = uvec3(kGlassCosineCells, kGlassRoughnessCells, kGlassIorCells);
+const uint kGlassTableRows = 2u * kGlassCosineCells * kGlassRoughnessCells * (kGlassIorCells + 1u);
+const uvec4 kGrainCells = uvec4(kGrainCosineCells, kGrainAzimuthCells, kGrainRoughnessCells, kGrainStrengthCells);
+const uint kGrainTableRows =
+    kGrainCosineCells * kGrainAzimuthCells * (kGrainRoughnessCells + 1u) * (kGrainStrengthCells + 1u);
+
+// The first records of the tables after the energy tables, which exist only if the scene needs them.
+uint firstGlassRow() { return constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells; }
+uint firstSheenRow() { return firstGlassRow() + (kHasVolumes ? kGlassTableRows : 0u); }
+uint firstGrainRow() { return firstSheenRow() + (kHasSheen ? kSheenCosineCells * kSheenRoughnessCells : 0u); }
 
 // The length of w after its stretching by alpha.
 float stretchedLength(vec3 w, float alpha) { return sqrt(alpha * alpha * dot(w.xy, w.xy) + w.z * w.z); }
+
+// Two alphas are those along the x and the y axis. Without anisotropy, they are equal.
+float stretchedLength(vec3 w, vec2 alpha) {
+  if (!kHasAnisotropy) return stretchedLength(w, alpha.y);
+  return length(vec3(alpha * w.xy, w.z));
+}
 
 float ggxDistribution(vec3 h, float alpha) {
   float inverse = 1.0 / alpha;
@@ -17,8 +33,15 @@ float ggxDistribution(vec3 h, float alpha) {
   return inverse * inverse / (kPi * q * q);
 }
 
+float ggxDistribution(vec3 h, vec2 alpha) {
+  if (!kHasAnisotropy) return ggxDistribution(h, alpha.y);
+  vec2 slope = h.xy / alpha;
+  float q = dot(slope, slope) + h.z * h.z;
+  return 1.0 / (kPi * alpha.x * alpha.y * q * q);
+}
+
 // Samples a normal that is visible from wo by a spherical cap (Dupuy and Benyoub 2023).
-vec3 sampleVisibleNormal(vec2 u, vec3 wo, float alpha) {
+vec3 sampleVisibleNormal(vec2 u, vec3 wo, vec2 alpha) {
   vec3 stretched = unit(vec3(alpha * wo.xy, wo.z));
   vec3 h = sampleCap(u, 1.0 + stretched.z) + stretched;
   return unit(vec3(alpha * h.xy, h.z));
@@ -28,7 +51,7 @@ vec3 sampleVisibleNormal(vec2 u, vec3 wo, float alpha) {
 float visibleReflectionPdf(float d, float cosO, float lengthO) { return d / (2.0 * (cosO + lengthO)); }
 
 // Returns G2 / (4 cosO cosI).
-float visibility(vec3 wo, vec3 wi, float lengthO, float alpha) {
+float visibility(vec3 wo, vec3 wi, float lengthO, vec2 alpha) {
   return 0.5 / (wi.z * lengthO + wo.z * stretchedLength(wi, alpha));
 }
 
@@ -49,6 +72,35 @@ vec2 microfacetAlbedo(float cosO, float roughness) {
   float white = dot(weights, sceneRowFloat(row));
   float tilt = dot(weights, sceneRowFloat(row + 1u));
   return vec2(white, white * fifthPower(max(0.0, 1.0 - cosO - alpha * tilt)));
+}
+
+// Interpolates a table of anisotropic microfacets that begins at `first`, at the fractions `place` of the cosine, azimuth,
+// roughness and strength.
+float grainValue(uint first, vec4 place) {
+  vec4 scaled = clamp(place, 0.0, 1.0) * vec4(kGrainCells);
+  uvec4 cell = min(uvec4(scaled), kGrainCells - 1u);
+  vec4 part = scaled - vec4(cell);
+  vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
+  const uint plane = kGrainCells.x * kGrainCells.y;
+  const uint strength = plane * (kGrainCells.z + 1u);
+  uint row = first + cell.w * strength + cell.z * plane + cell.y * kGrainCells.x + cell.x;
+  vec2 low = vec2(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + plane)));
+  vec2 high = vec2(dot(weights, sceneRowFloat(row + strength)), dot(weights, sceneRowFloat(row + strength + plane)));
+  vec2 across = mix(low, high, part.w);
+  return mix(across.x, across.y, part.z);
+}
+
+// Returns what microfacetAlbedo() does, for alpha along x and y.
+vec2 grainAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
+  float square = dot(wo.xy, wo.xy);
+  float cosSquared = square > 0.0 ? wo.x * wo.x / square : 1.0;
+  float towards = sqrt(mix(alpha.y * alpha.y, alpha.x * alpha.x, cosSquared));
+  float azimuth = sqrt(cosSquared * (alpha.x + alpha.y) / (towards + alpha.y));
+  float cosine = wo.z * (1.0 + towards) / (wo.z + towards);
+  float white = min(1.0, grainValue(firstGrainRow(), vec4(cosine, azimuth, roughness, strength)));
+  cosine = wo.z * (1.0 + alpha.x) / (wo.z + alpha.x);
+  float tilt = grainValue(firstGrainRow() + kGrainTableRows, vec4(cosine, azimuth, roughness, strength));
+  return vec2(white, white * fifthPower(clamp(1.0 - wo.z - alpha.x * tilt, 0.0, 1.0)));
 }
 
 #endif

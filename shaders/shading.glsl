@@ -1,7 +1,8 @@
 // The frame in which a surface scatters, and the choice of a layer of a normal-mapped surface: docs/light-transport.md
-// sections 4 and 5.8.
+// sections 4, 5.8 and 5.12.
 #ifndef CANDELA_SHADING_GLSL
 #define CANDELA_SHADING_GLSL
+#include "anisotropy.glsl"
 #include "coat.glsl"
 #include "normal_maps.glsl"
 #include "normals.glsl"
@@ -17,7 +18,7 @@ struct Shading {
 
 Shading shadingAt(Surface surface, vec3 wo) {
   Normals normals = normalsTowards(surface, wo);
-  mat3 frame = frameAround(normals.shading);
+  mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.grain) : frameAround(normals.shading);
   Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
   if (kHasNormalMaps && surface.isMapped) {
     shading.facets = Facets(true, normals.geometric * frame);

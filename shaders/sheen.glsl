@@ -6,7 +6,6 @@
 
 const float kMinSheenRoughness = 0.07;
 const uvec2 kSheenCells = uvec2(kSheenCosineCells, kSheenRoughnessCells);
-const uint kGlassTableRows = 2u * kGlassCosineCells * kGlassRoughnessCells * (kGlassIorCells + 1u);
 
 // Interpolates the albedo of a white sheen, times the weight in addSheen().
 float weighedSheenAlbedo(float cosO, float roughness) {
@@ -15,8 +14,7 @@ float weighedSheenAlbedo(float cosO, float roughness) {
   uvec2 cell = min(uvec2(scaled), kSheenCells - 1u);
   vec2 part = scaled - vec2(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
-  uint firstRow = constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells + (kHasVolumes ? kGlassTableRows : 0u);
-  return dot(weights, sceneRowFloat(firstRow + cell.y * kSheenCells.x + cell.x));
+  return dot(weights, sceneRowFloat(firstSheenRow() + cell.y * kSheenCells.x + cell.x));
 }
 
 float sheenCosine(float cosine) { return clamp(cosine, 0.001, 1.0); }

@@ -1,4 +1,4 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.11. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.12. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
@@ -33,8 +33,14 @@ void separateConductor(SurfaceParameters s, vec3 metal, vec3 normal, vec3 rise, 
 SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   SurfaceLobes lobes;
   float roughness = max(s.roughness, kMinRoughness);
-  lobes.alpha = roughness * roughness;
-  vec2 albedo = microfacetAlbedo(wo.z, roughness);
+  lobes.alpha = vec2(roughness * roughness);
+  vec2 albedo;
+  if (kHasAnisotropy && s.anisotropy > 0.0) {
+    lobes.alpha.x = mix(lobes.alpha.y, 1.0, s.anisotropy * s.anisotropy);
+    albedo = grainAlbedo(wo, roughness, s.anisotropy, lobes.alpha);
+  } else {
+    albedo = microfacetAlbedo(wo.z, roughness);
+  }
   float lost = (1.0 - albedo.x) / albedo.x;
   float r = (s.ior - 1.0) / (s.ior + 1.0);
   vec3 normal = min(r * r * s.specularColour, vec3(1.0));
@@ -109,7 +115,7 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   float coated = ggxDistribution(h, lobes.coatAlpha);
   float coatLength = stretchedLength(wo, lobes.coatAlpha);
   pdf += lobes.coatShare * visibleReflectionPdf(coated, wo.z, coatLength);
-  return f * (1.0 - lobes.coatShare) + lobes.coat * coated * visibility(wo, wi, coatLength, lobes.coatAlpha);
+  return f * (1.0 - lobes.coatShare) + lobes.coat * coated * visibility(wo, wi, coatLength, vec2(lobes.coatAlpha));
 }
 
 vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
@@ -136,7 +142,7 @@ BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   } else if (isDiffuse) {
     result.wi = sampleCosineHemisphere(numbers.yz);
   } else {
-    vec3 h = sampleVisibleNormal(numbers.yz, wo, coated ? lobes.coatAlpha : lobes.alpha);
+    vec3 h = sampleVisibleNormal(numbers.yz, wo, coated ? vec2(lobes.coatAlpha) : lobes.alpha);
     float cosOH = min(dot(wo, h), 1.0);
     result.wi = 2.0 * cosOH * h - wo;
     if (kHasTransmission && !coated) {

@@ -15,7 +15,7 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   vec3 part = scaled - vec3(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
   uint layer = kGlassCells.x * kGlassCells.y;
-  uint row = constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells + cell.y * kGlassCells.x + cell.x +
+  uint row = firstGlassRow() + cell.y * kGlassCells.x + cell.x +
              layer * (cell.z + (outside ? 0u : kGlassCells.z + 1u));
   return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
 }
@@ -27,7 +27,7 @@ Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight
   glass.isThin = !kHasVolumes || s.isThinWalled;
   glass.eta = glass.isThin ? 1.0 : outside ? ior : 1.0 / ior;
   float albedo = white;
-  if (!glass.isThin) albedo = glassAlbedo(wo.z, roughness, ior, outside);
+  if (!glass.isThin) albedo = kHasAnisotropy && s.anisotropy > 0.0 ? 1.0 : glassAlbedo(wo.z, roughness, ior, outside);
   glass.all = weight / albedo;
   glass.transmitted = glass.all * s.baseColour;
   glass.normal = s.specularWeight * normal;
@@ -62,7 +62,7 @@ vec3 transmittedDirection(Glass glass, vec3 wo, vec3 h, float cosOH, vec3 mirror
 }
 
 // `pdf` is that of a surface that is nothing but glass.
-vec3 evaluateThinTransmission(Glass glass, float alpha, vec3 wo, vec3 wi, out float pdf) {
+vec3 evaluateThinTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out float pdf) {
   vec3 mirrored = vec3(wi.xy, -wi.z);
   vec3 h = unit(wo + mirrored);
   float d = ggxDistribution(h, alpha);
@@ -72,7 +72,7 @@ vec3 evaluateThinTransmission(Glass glass, float alpha, vec3 wo, vec3 wi, out fl
   return glass.transmitted * (passing * d * visibility(wo, mirrored, lengthO, alpha));
 }
 
-vec3 evaluateTransmission(Glass glass, float alpha, vec3 wo, vec3 wi, out float pdf) {
+vec3 evaluateTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out float pdf) {
   if (glass.isThin) return evaluateThinTransmission(glass, alpha, wo, wi, pdf);
   pdf = 0.0;
   vec3 h = unit(wo + glass.eta * wi);

@@ -38,6 +38,7 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.coats |= surface.coatWeight > 0;
   features.films |= surface.filmWeight > 0;
   features.conductors |= surface.conductor && surface.metalness > 0;
+  features.anisotropy |= surface.anisotropy > 0;
   features.sheens |= surface.sheenColour != glm::vec3(0);
 }
 

@@ -33,8 +33,8 @@ struct SurfaceOrder {
 /// Throws FileError if there are more volumes than a path's record can name.
 SurfaceOrder orderSurfaces(const scene::Scene& scene);
 Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order);
-/// Returns the records of the energy tables, of the glass tables if there are volumes, and of the sheen table if there
-/// is a sheen.
+/// Returns the records of the energy tables, of the glass tables if there are volumes, of the sheen table if there is a
+/// sheen, and of the tables for anisotropic microfacets if there are any.
 Rows energyRows(const SceneFeatures& features);
 
 /// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/core/errors.h"
 #include "host/energy/energy_tables.h"
+#include "host/energy/grain_tables.h"
 #include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
@@ -16,6 +18,10 @@ static_assert(gpu::kGlassRoughnessCells == energy::kGlassRoughnesses - 1);
 static_assert(gpu::kGlassIorCells == energy::kGlassIors - 1);
 static_assert(gpu::kSheenCosineCells == energy::kSheenCosines - 1);
 static_assert(gpu::kSheenRoughnessCells == energy::kSheenRoughnesses - 1);
+static_assert(gpu::kGrainCosineCells == energy::kGrainCosines - 1);
+static_assert(gpu::kGrainAzimuthCells == energy::kGrainAzimuths - 1);
+static_assert(gpu::kGrainRoughnessCells == energy::kGrainRoughnesses - 1);
+static_assert(gpu::kGrainStrengthCells == energy::kGrainStrengths - 1);
 
 // Appends a record for every cell of a plane of `width` by `height` nodes.
 void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
@@ -33,12 +39,21 @@ void appendGlass(const energy::GlassTable& table, Rows& rows) {
   }
 }
 
+void appendGrain(const energy::GrainTable& table, Rows& rows) {
+  constexpr std::size_t kPlane = energy::kGrainCosines * energy::kGrainAzimuths;
+  for (std::size_t first = 0; first < table.size(); first += kPlane) {
+    appendCells(table.data() + first, energy::kGrainCosines, energy::kGrainAzimuths, rows);
+  }
+}
+
 void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
   rows.push_back(row(glm::dvec3(s.baseColour), double{s.metalness}));
   rows.push_back(row(glm::dvec3(s.specularColour), double{s.specularWeight}));
   rows.push_back(row(glm::dvec3(s.roughness, s.ior, s.transmissionWeight), double{s.coatRoughness}));
   rows.push_back(row(glm::dvec3(s.absorption), double{s.coatWeight}));
-  rows.push_back({volume, 0, 0, 0});
+  const double rotation = s.anisotropyRotation;
+  rows.push_back(
+      {volume, floatBits(double{s.anisotropy}), floatBits(std::cos(rotation)), floatBits(std::sin(rotation))});
   rows.push_back(row(glm::dvec3(s.sheenColour), double{s.sheenRoughness}));
   rows.push_back(row(glm::dvec3(s.filmWeight, s.filmIor, s.filmThickness), double{s.filmThicknessMinimum}));
   const scene::Conductor conductor = s.conductor.value_or(scene::Conductor{});
@@ -87,6 +102,10 @@ Rows energyRows(const SceneFeatures& features) {
     appendGlass(energy::kGlassInside, rows);
   }
   if (features.sheens) appendCells(energy::kSheen.data(), energy::kSheenCosines, energy::kSheenRoughnesses, rows);
+  if (features.anisotropy) {
+    appendGrain(energy::kGrainWhite, rows);
+    appendGrain(energy::kGrainTilt, rows);
+  }
   return rows;
 }
 

@@ -22,6 +22,7 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatRoughness) == g
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatNormal) == gpu::kSlotCoatNormal);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenColour) == gpu::kSlotSheenColour);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenRoughness) == gpu::kSlotSheenRoughness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::anisotropy) == gpu::kSlotAnisotropy);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::film) == gpu::kSlotFilm);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::filmThickness) == gpu::kSlotFilmThickness);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);

@@ -14,14 +14,22 @@
 namespace candela::gltf {
 namespace {
 
-constexpr std::array kComplete{
-    "CANDELA_materials_conductor", "EXT_mesh_gpu_instancing",    "EXT_texture_webp",
-    "KHR_lights_punctual",         "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",           "KHR_materials_iridescence",  "KHR_materials_sheen",
-    "KHR_materials_specular",      "KHR_materials_transmission", "KHR_materials_volume",
-    "KHR_mesh_quantization",       "KHR_texture_transform"};
-constexpr std::array kPartly{"KHR_materials_anisotropy", "KHR_materials_dispersion", "KHR_materials_unlit",
-                             "KHR_materials_variants"};
+constexpr std::array kComplete{"CANDELA_materials_conductor",
+                               "EXT_mesh_gpu_instancing",
+                               "EXT_texture_webp",
+                               "KHR_lights_punctual",
+                               "KHR_materials_anisotropy",
+                               "KHR_materials_clearcoat",
+                               "KHR_materials_emissive_strength",
+                               "KHR_materials_ior",
+                               "KHR_materials_iridescence",
+                               "KHR_materials_sheen",
+                               "KHR_materials_specular",
+                               "KHR_materials_transmission",
+                               "KHR_materials_volume",
+                               "KHR_mesh_quantization",
+                               "KHR_texture_transform"};
+constexpr std::array kPartly{"KHR_materials_dispersion", "KHR_materials_unlit", "KHR_materials_variants"};
 
 void checkVersion(const Value& root) {
   const Value version = root.require("asset").require("version");

@@ -12,9 +12,10 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit",        "KHR_materials_ior",
-                           "KHR_materials_specular",          "KHR_materials_clearcoat",    "KHR_materials_sheen",
-                           "KHR_materials_iridescence",       "CANDELA_materials_conductor"};
+constexpr std::array kRead{
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",      "KHR_materials_ior",
+    "KHR_materials_specular",          "KHR_materials_clearcoat",  "KHR_materials_sheen",
+    "KHR_materials_iridescence",       "KHR_materials_anisotropy", "CANDELA_materials_conductor"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -145,6 +146,14 @@ void readIridescence(const Value& material, const TextureReader& readTexture, Gl
   result.iridescenceThicknessTexture = textureIn(*film, "iridescenceThicknessTexture", readTexture);
 }
 
+void readAnisotropy(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  const std::optional<Value> anisotropy = material.extension("KHR_materials_anisotropy");
+  if (!anisotropy) return;
+  result.anisotropy = fraction(*anisotropy, "anisotropyStrength", 0);
+  result.anisotropyRotation = anisotropy->numberOr("anisotropyRotation", 0);
+  result.anisotropyTexture = textureIn(*anisotropy, "anisotropyTexture", readTexture);
+}
+
 void readConductor(const Value& material, GltfMaterial& result) {
   const std::optional<Value> extension = material.extension("CANDELA_materials_conductor");
   if (!extension) return;
@@ -182,6 +191,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readNormalMap(material, readTexture, result);
   readSheen(material, readTexture, result);
   readIridescence(material, readTexture, result);
+  readAnisotropy(material, readTexture, result);
   readConductor(material, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);

@@ -35,6 +35,7 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> sheenRoughnessTexture{};
   std::optional<scene::TextureReference> iridescenceTexture{};
   std::optional<scene::TextureReference> iridescenceThicknessTexture{};
+  std::optional<scene::TextureReference> anisotropyTexture{};
   AlphaMode alphaMode = AlphaMode::opaque;
   double alphaCutoff = 0.5;  ///< of AlphaMode::mask
   bool isDoubleSided = false;
@@ -54,6 +55,8 @@ struct GltfMaterial {
   double iridescenceIor = 1.3;           ///< KHR_materials_iridescence; at least 1
   double iridescenceMinimum = 100;       ///< KHR_materials_iridescence; thickness in nanometres
   double iridescenceMaximum = 400;       ///< KHR_materials_iridescence; thickness in nanometres
+  double anisotropy = 0;                 ///< KHR_materials_anisotropy; strength
+  double anisotropyRotation = 0;         ///< KHR_materials_anisotropy; in radians
   /// CANDELA_materials_conductor, docs/gltf.md
   std::optional<scene::Conductor> conductor{};
   /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_dispersion".

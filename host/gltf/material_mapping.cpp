@@ -1,7 +1,9 @@
 // Maps materials to parameters of surfaces.
 #include "host/gltf/material_mapping.h"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace candela::gltf {
 namespace {
@@ -31,6 +33,8 @@ scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
   surface.filmIor = static_cast<float>(source.iridescenceIor);
   surface.filmThickness = static_cast<float>(source.iridescenceMaximum);
   surface.filmThicknessMinimum = static_cast<float>(source.iridescenceMinimum);
+  surface.anisotropy = static_cast<float>(source.anisotropy);
+  surface.anisotropyRotation = static_cast<float>(std::remainder(source.anisotropyRotation, 2 * std::numbers::pi));
   surface.conductor = source.conductor;
   surface.sheenColour = source.sheenColour;
   surface.sheenRoughness = static_cast<float>(source.sheenRoughness);
@@ -65,6 +69,7 @@ void addTextures(const GltfMaterial& source, scene::Material& material) {
     set(scene::TextureSlot::film, source.iridescenceTexture);
     set(scene::TextureSlot::filmThickness, source.iridescenceThicknessTexture);
   }
+  if (source.anisotropy > 0) set(scene::TextureSlot::anisotropy, source.anisotropyTexture);
 }
 
 }  // namespace

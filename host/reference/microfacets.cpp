@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/energy/energy_tables.h"
+#include "host/energy/grain_tables.h"
 #include "host/reference/sampling.h"
 #include "host/reference/table_axis.h"
 
@@ -19,23 +20,54 @@ double interpolate(const energy::Table& table, const TableAxis& x, const TableAx
   return std::lerp(along(y.node), along(y.node + 1), y.part);
 }
 
+// The dimensions of the tables of anisotropic microfacets, apart from the cosine.
+struct GrainAxes {
+  TableAxis azimuth;
+  TableAxis roughness;
+  TableAxis strength;
+
+  double interpolate(const energy::GrainTable& table, double cosine, double scale) const {
+    const TableAxis x(cosine * (1 + scale) / (cosine + scale), energy::kGrainCosines);
+    double sum = 0;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      const auto [j, weightJ] = azimuth.end(corner & 1);
+      const auto [k, weightK] = roughness.end(corner >> 1 & 1);
+      const auto [l, weightL] = strength.end(corner >> 2 & 1);
+      const std::size_t line = (l * energy::kGrainRoughnesses + k) * energy::kGrainAzimuths + j;
+      const float* at = table.data() + line * energy::kGrainCosines + x.node;
+      sum += weightJ * weightK * weightL * std::lerp(double{at[0]}, double{at[1]}, x.part);
+    }
+    return sum;
+  }
+};
+
 }  // namespace
 
-Microfacets::Microfacets(double roughness)
+Microfacets::Microfacets(double roughness, double anisotropy)
     : roughness_(std::max(roughness, double{static_cast<float>(energy::kMinRoughness)})),
-      alpha_(roughness_ * roughness_) {}
+      anisotropy_(anisotropy),
+      alpha_(roughness_ * roughness_) {
+  if (!isIsotropic()) alpha_.x = std::lerp(alpha_.y, 1.0, anisotropy * anisotropy);
+}
+
+double Microfacets::alphaSquaredTowards(const dvec3& w) const {
+  const double square = w.x * w.x + w.y * w.y;
+  if (isIsotropic() || square == 0) return alpha_.y * alpha_.y;
+  return (std::pow(alpha_.x * w.x, 2) + std::pow(alpha_.y * w.y, 2)) / square;
+}
 
 double Microfacets::distribution(const dvec3& h) const {
   if (h.z <= 0) return 0;
   const double cosSquared = h.z * h.z;
   const double slopeSquared = (h.x * h.x + h.y * h.y) / cosSquared;
-  const double falloff = 1 + slopeSquared / (alpha_ * alpha_);
-  return 1 / (kPi * alpha_ * alpha_ * cosSquared * cosSquared * falloff * falloff);
+  double falloff = 1 + slopeSquared / (alpha_.y * alpha_.y);
+  if (!isIsotropic()) falloff = 1 + (std::pow(h.x / alpha_.x, 2) + std::pow(h.y / alpha_.y, 2)) / cosSquared;
+  return 1 / (kPi * alpha_.x * alpha_.y * cosSquared * cosSquared * falloff * falloff);
 }
 
 double Microfacets::lambda(const dvec3& w) const {
   const double tanSquared = (w.x * w.x + w.y * w.y) / (w.z * w.z);
-  return (std::sqrt(1 + alpha_ * alpha_ * tanSquared) - 1) / 2;
+  return (std::sqrt(1 + alphaSquaredTowards(w) * tanSquared) - 1) / 2;
 }
 
 double Microfacets::maskingShadowing(const dvec3& wo, const dvec3& wi) const {
@@ -47,17 +79,35 @@ double Microfacets::normalPdf(const dvec3& wo, const dvec3& h) const {
 }
 
 dvec3 Microfacets::sampleNormal(const dvec3& wo, const dvec2& u) const {
-  const dvec3 stretch(alpha_, alpha_, 1);
+  const dvec3 stretch(alpha_, 1);
   const dvec3 onHemisphere = normalize(stretch * wo);
   const dvec3 onCap = sampleCap(u, 1 + onHemisphere.z);
   return normalize(stretch * (onHemisphere + onCap));
 }
 
-SingleScattering Microfacets::albedo(double cosine) const {
-  const TableAxis x(cosine * (1 + alpha_) / (cosine + alpha_), energy::kNodes), y(roughness_, energy::kNodes);
+SingleScattering Microfacets::albedo(const dvec3& wo) const {
+  return isIsotropic() ? isotropicAlbedo(wo.z) : anisotropicAlbedo(wo);
+}
+
+SingleScattering Microfacets::isotropicAlbedo(double cosine) const {
+  const double alpha = alpha_.y;
+  const TableAxis x(cosine * (1 + alpha) / (cosine + alpha), energy::kNodes), y(roughness_, energy::kNodes);
   const double white = interpolate(energy::kWhite, x, y);
-  const double tilted = std::max(0.0, 1 - cosine - alpha_ * interpolate(energy::kTilt, x, y));
+  const double tilted = std::max(0.0, 1 - cosine - alpha * interpolate(energy::kTilt, x, y));
   return {white, white * std::pow(tilted, 5)};
+}
+
+SingleScattering Microfacets::anisotropicAlbedo(const dvec3& wo) const {
+  const double square = wo.x * wo.x + wo.y * wo.y;
+  const double cosSquared = square > 0 ? wo.x * wo.x / square : 1;
+  const double towards = std::sqrt(glm::mix(alpha_.y * alpha_.y, alpha_.x * alpha_.x, cosSquared));
+  const double part = cosSquared * (alpha_.x + alpha_.y) / (towards + alpha_.y);
+  const GrainAxes axes{TableAxis(std::sqrt(part), energy::kGrainAzimuths),
+                       TableAxis(roughness_, energy::kGrainRoughnesses),
+                       TableAxis(anisotropy_, energy::kGrainStrengths)};
+  const double white = std::min(1.0, axes.interpolate(energy::kGrainWhite, wo.z, towards));
+  const double tilt = axes.interpolate(energy::kGrainTilt, wo.z, alpha_.x);
+  return {white, white * std::pow(std::clamp(1 - wo.z - alpha_.x * tilt, 0.0, 1.0), 5)};
 }
 
 }  // namespace candela::reference

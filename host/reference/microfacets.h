@@ -1,4 +1,5 @@
-// Rough surfaces of GGX microfacets: docs/light-transport.md sections 5.2 and 5.3. Directions are in the shading frame.
+// Rough surfaces of GGX microfacets: docs/light-transport.md sections 5.2, 5.3 and 5.12. Directions are in the shading
+// frame.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -15,10 +16,13 @@ struct SingleScattering {
 
 class Microfacets {
  public:
-  /// `roughness` in [0, 1] is at least energy::kMinRoughness afterwards.
-  explicit Microfacets(double roughness);
+  /// `roughness` in [0, 1] is at least energy::kMinRoughness afterwards. `anisotropy` in [0, 1] is the strength with
+  /// which the microfacets are rougher along the frame's x axis.
+  explicit Microfacets(double roughness, double anisotropy = 0);
 
-  double alpha() const { return alpha_; }
+  /// Returns the larger one of the roughnesses along the axes.
+  double alpha() const { return alpha_.x; }
+  bool isIsotropic() const { return anisotropy_ == 0; }
   /// Density of normals, such that the integral of D cosH is 1.
   double distribution(const dvec3& h) const;
   /// Fraction of the microfacets of normal h that both directions see, with heights correlated.
@@ -27,13 +31,18 @@ class Microfacets {
   double normalPdf(const dvec3& wo, const dvec3& h) const;
   dvec3 sampleNormal(const dvec3& wo, const dvec2& u) const;
   /// Interpolates the energy tables.
-  SingleScattering albedo(double cosine) const;
+  SingleScattering albedo(const dvec3& wo) const;
 
  private:
+  /// Returns the square of the roughness in the azimuth of w.
+  double alphaSquaredTowards(const dvec3& w) const;
   double lambda(const dvec3& w) const;
+  SingleScattering isotropicAlbedo(double cosine) const;
+  SingleScattering anisotropicAlbedo(const dvec3& wo) const;
 
   double roughness_;
-  double alpha_;
+  double anisotropy_;
+  dvec2 alpha_;
 };
 
 }  // namespace candela::reference

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/reference/anisotropy.h"
 #include "host/reference/shading_frame.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
@@ -139,6 +140,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.decide(surface.fromOutside);
     SurfaceMaterial material = materialAt(surface, rounding);
     dimEmission(surface, ray.direction, material);
+    alignGrain(scene(), surface, material, rounding);
     mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
     if (depth == 1) notes.firstHit(hit, surface, material);

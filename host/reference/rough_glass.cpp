@@ -37,7 +37,11 @@ RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectanc
   const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
   if (!isThin_) (outside ? beyond_ : here_) = ior;
   const energy::GlassTable& table = outside ? energy::kGlassOutside : energy::kGlassInside;
-  factor_ = weight / (isThin_ ? microfacets.albedo(wo.z).white : tableValue(table, wo.z, microfacets.alpha(), ior));
+  if (isThin_) {
+    factor_ = weight / microfacets.albedo(wo).white;
+  } else {
+    factor_ = microfacets.isIsotropic() ? weight / tableValue(table, wo.z, microfacets.alpha(), ior) : weight;
+  }
 }
 
 double RoughGlass::outerCosine(double cosine) const {

@@ -44,4 +44,12 @@ Frame::Frame(const dvec3& n) : normal(n) {
   bitangent = {b, s + n.y * n.y * a, -n.y};
 }
 
+Frame::Frame(const dvec3& unitNormal, const dvec3& along) : Frame(unitNormal) {
+  const dvec3 across = cross(unitNormal, along);
+  const double sine = length(across);
+  if (sine < 1e-6) return;
+  bitangent = across / sine;
+  tangent = cross(bitangent, unitNormal);
+}
+
 }  // namespace candela::reference

@@ -4,7 +4,8 @@
 namespace candela::reference {
 
 ShadingFrame::ShadingFrame(const Surface& surface, const dvec3& rayDirection, Rounding& rounding)
-    : frame(surface.shadingNormal), wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+    : frame(surface.shadingNormal, surface.grain),
+      wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
   if (!surface.isMapped) return;
   facets.emplace(rounding.turned(frame.toLocal(surface.facingNormal), kRoundingBounds.frame));
   const double number = rounding.absolute(surface.facetNumber, kRoundingBounds.choice);

@@ -21,7 +21,7 @@ double coatReflectance(double weight, double cosine) {
 
 SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone)
     : wo_(wo),
-      microfacets_(surface.roughness),
+      microfacets_(surface.roughness, surface.anisotropy),
       coat_{Microfacets(surface.coatRoughness), 0, 0},
       sheen_(surface, wo),
       metalness_(surface.metalness),
@@ -31,8 +31,8 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
       filmThickness_(surface.filmWeight > 0 ? surface.filmThickness : 0),
       conductor_(surface.conductor) {
   coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
-  coat_.factor = coat_.share / coat_.microfacets.albedo(wo.z).white;
-  const SingleScattering single = microfacets_.albedo(wo.z);
+  coat_.factor = coat_.share / coat_.microfacets.albedo(wo).white;
+  const SingleScattering single = microfacets_.albedo(wo);
   const double lost = 1 / single.white - 1;
   const dvec3 base(surface.baseColour);
   const double weight = surface.specularWeight;

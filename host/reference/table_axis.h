@@ -16,6 +16,13 @@ struct TableAxis {
     node = std::min(static_cast<std::size_t>(scaled), nodes - 2);
     part = scaled - static_cast<double>(node);
   }
+
+  struct End {
+    std::size_t node;
+    double weight;
+  };
+  /// Returns the lower node or the upper one, with its weight.
+  End end(bool upper) const { return upper ? End{node + 1, part} : End{node, 1 - part}; }
 };
 
 }  // namespace candela::reference

@@ -111,11 +111,18 @@ inline bool hasNormalMap(const Material& material) {
   return textureOf(material, TextureSlot::normal) || textureOf(material, TextureSlot::coatNormal);
 }
 
+/// Returns whether microfacets of the material are rougher in one direction than in the other.
+inline bool isAnisotropic(const Material& material) { return material.surface && material.surface->anisotropy > 0; }
+
 /// Returns the texture along whose coordinates the tangents of a mesh run; nothing if the material depends on no
-/// tangent. Meshes that state no tangents get those of mikkTangents().
+/// tangent. Meshes that state no tangents get those of mikkTangents(). An anisotropic material without textures has the
+/// tangents of the first set of texture coordinates.
 inline const std::optional<TextureReference>& tangentTextureOf(const Material& material) {
-  const auto& normal = textureOf(material, TextureSlot::normal);
-  return normal ? normal : textureOf(material, TextureSlot::coatNormal);
+  static const std::optional<TextureReference> kFirstSet{TextureReference{}};
+  for (const TextureSlot slot : {TextureSlot::normal, TextureSlot::coatNormal, TextureSlot::anisotropy}) {
+    if (textureOf(material, slot)) return textureOf(material, slot);
+  }
+  return isAnisotropic(material) ? kFirstSet : textureOf(material, TextureSlot::anisotropy);
 }
 
 /// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.

@@ -30,7 +30,7 @@ struct SurfaceParameters {
   glm::vec3 sheenColour{0, 0, 0};  ///< albedo of the fibres on the surface, relative to that of white ones
   float sheenRoughness = 0;
   float coatRoughness = 0;
-  float anisotropy = 0;                  ///< alpha along the tangent is mix(alpha, 1, anisotropy^2)
+  float anisotropy = 0;                  ///< alpha along its direction is mix(alpha, 1, anisotropy^2)
   float anisotropyRotation = 0;          ///< of that direction from the tangent, counter-clockwise, in radians
   float filmWeight = 0;                  ///< of interference in a thin film on the surface
   float filmIor = 1.3f;                  ///< at least 1

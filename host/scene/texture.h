@@ -48,7 +48,8 @@ enum class TextureSlot : std::uint8_t {
   coatNormal,         ///< as `normal`
   sheenColour,        ///< sRGB
   sheenRoughness,     ///< alpha
-  film = 13,          ///< weight: red
+  anisotropy,         ///< strength: blue; its direction in the tangent frame: red and green
+  film,               ///< weight: red
   filmThickness       ///< green
 };
 inline constexpr std::size_t kTextureSlotCount = 15;

@@ -64,7 +64,8 @@ CANDELA_CONST uint kColourRows = 3u;
 CANDELA_CONST uint kMaterialRows = 5u;
 
 // Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word, 0, 0, 0)
+// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word,
+// strength of the anisotropy, cosine and sine of its rotation)
 // (sheen colour, sheen roughness) (film weight, film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a
 // conductor) (kappa, 0).
 // The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
@@ -87,6 +88,14 @@ CANDELA_CONST uint kGlassIorCells = 10u;
 // energy::kSheen.
 CANDELA_CONST uint kSheenCosineCells = 31u;
 CANDELA_CONST uint kSheenRoughnessCells = 31u;
+
+// Tables of anisotropic microfacets, if the scene has any: after the tables before them, a record of four values as above for
+// every cell of the cosines and azimuths, for every node of the roughness, for every node of the strength; those of
+// energy::kGrainWhite, then of energy::kGrainTilt.
+CANDELA_CONST uint kGrainCosineCells = 31u;
+CANDELA_CONST uint kGrainAzimuthCells = 11u;
+CANDELA_CONST uint kGrainRoughnessCells = 15u;
+CANDELA_CONST uint kGrainStrengthCells = 11u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
@@ -139,6 +148,7 @@ CANDELA_CONST uint kSlotCoatRoughness = 8u;
 CANDELA_CONST uint kSlotCoatNormal = 9u;
 CANDELA_CONST uint kSlotSheenColour = 10u;
 CANDELA_CONST uint kSlotSheenRoughness = 11u;
+CANDELA_CONST uint kSlotAnisotropy = 12u;
 CANDELA_CONST uint kSlotFilm = 13u;
 CANDELA_CONST uint kSlotFilmThickness = 14u;
 

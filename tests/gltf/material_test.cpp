@@ -1,4 +1,6 @@
 // Materials: what is read, and the lobes that are made of it.
+#include <numbers>
+
 #include "host/gltf/material_mapping.h"
 #include "tests/gltf/gltf_file.h"
 
@@ -134,6 +136,27 @@ TEST_CASE("sheen has a colour and a roughness, with textures unless it is black"
   CHECK(textureOf(mapped(material), scene::TextureSlot::sheenColour)->image == 7);
   CHECK(textureOf(mapped(material), scene::TextureSlot::sheenRoughness)->image == 8);
   sheen["sheenColorFactor"] = {0.5, 1.5, 0};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+}
+
+TEST_CASE("anisotropy has a strength, a rotation and a texture, along whose coordinates tangents run") {
+  json material;
+  json& anisotropy = material["extensions"]["KHR_materials_anisotropy"];
+  anisotropy = {{"anisotropyRotation", 7}, {"anisotropyTexture", {{"index", 3}}}};
+  CHECK_FALSE(isTextured(mapped(material)));
+  CHECK_FALSE(tangentTextureOf(mapped(material)));
+  anisotropy["anisotropyStrength"] = 0.25;
+  const scene::Material brushed = mapped(material);
+  CHECK(brushed.surface->anisotropy == 0.25f);
+  CHECK(brushed.surface->anisotropyRotation == Approx(7 - 2 * std::numbers::pi));
+  CHECK(textureOf(brushed, scene::TextureSlot::anisotropy)->image == 3);
+  CHECK(tangentTextureOf(brushed)->image == 3);
+  material["normalTexture"] = {{"index", 5}};
+  CHECK(tangentTextureOf(mapped(material))->image == 5);
+  material.erase("normalTexture");
+  anisotropy.erase("anisotropyTexture");
+  CHECK(tangentTextureOf(mapped(material)) == scene::TextureReference{});
+  anisotropy["anisotropyStrength"] = 1.5;
   CHECK_THROWS_AS(mapped(material), PlaceError);
 }
 

@@ -1,6 +1,7 @@
 // Cells of half vectors, which follow the shape of a rough surface's highlight: equal steps of log(1 + tan^2 /
-// alpha^2).
+// alpha^2), with alpha along x and along y.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
@@ -19,8 +20,12 @@ class SlopeGrid {
   using Point = HemisphereGrid::Point;
 
   /// `eta`, not used except for refraction, is the index beyond the surface divided by that on the side of wo.
-  SlopeGrid(int rows, int columns, const glm::dvec3& wo, double alpha, Passage passage, double eta)
-      : wo_(wo), alpha_(alpha), passage_(passage), eta_(eta), scale_(std::log1p(std::pow(kSteepest / alpha, 2))) {
+  SlopeGrid(int rows, int columns, const glm::dvec3& wo, const glm::dvec2& alpha, Passage passage, double eta)
+      : wo_(wo),
+        alpha_(alpha),
+        passage_(passage),
+        eta_(eta),
+        scale_(std::log1p(std::pow(kSteepest / std::min(alpha.x, alpha.y), 2))) {
     const HemisphereGrid nodes(rows, columns);  // its places are the nodes of the unit square
     for (const Point& node : nodes.points()) addPoint(node);
   }
@@ -30,8 +35,8 @@ class SlopeGrid {
   /// Cells outside the unit square hold what is steeper.
   glm::dvec2 placeOf(const glm::dvec3& wi) const {
     const glm::dvec3 h = halfVector(wi);
-    const double t = (h.x * h.x + h.y * h.y) / (h.z * h.z) / (alpha_ * alpha_);
-    return {std::log1p(t) / scale_, turns(h.x, h.y)};
+    const glm::dvec2 slope = glm::dvec2(h) / h.z / alpha_;
+    return {std::log1p(dot(slope, slope)) / scale_, turns(slope.x, slope.y)};
   }
 
  private:
@@ -46,9 +51,10 @@ class SlopeGrid {
 
   void addPoint(const Point& node) {
     const double t = std::expm1(node.place.x * scale_);
-    const double cosH = 1 / std::sqrt(1 + alpha_ * alpha_ * t);
-    const glm::dvec3 h = directionAt(cosH, node.place.y);
-    const double ofHalf = std::pow(cosH, 3) / 2 * alpha_ * alpha_ * (1 + t) * scale_ * node.solidAngle;
+    const double azimuth = 2 * std::numbers::pi * node.place.y;
+    const glm::dvec2 slope = std::sqrt(t) * alpha_ * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
+    const glm::dvec3 h = normalize(glm::dvec3(slope, 1));
+    const double ofHalf = std::pow(h.z, 3) / 2 * alpha_.x * alpha_.y * (1 + t) * scale_ * node.solidAngle;
     if (dot(wo_, h) <= 0) return;
     if (passage_ == Passage::refracted)
       addRefracted(h, node.place, ofHalf);
@@ -71,7 +77,7 @@ class SlopeGrid {
   }
 
   glm::dvec3 wo_;
-  double alpha_;
+  glm::dvec2 alpha_;
   Passage passage_;
   double eta_;
   double scale_;

@@ -1,0 +1,26 @@
+// Turns the tangent by the rotation of a material and by its texture.
+#include "host/reference/anisotropy.h"
+
+#include <complex>
+
+#include "host/reference/textured_material.h"
+
+namespace candela::reference {
+
+void alignGrain(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
+  if (!material.surface || material.surface->anisotropy == 0) return;
+  const MeshAttributes& attributes = surface.attributes;
+  if (attributes.tangent == dvec3(0)) {
+    material.surface->anisotropy = 0;
+    return;
+  }
+  std::complex<double> direction = std::polar(1.0, double{material.surface->anisotropyRotation});
+  if (const auto texel = texelOf(scene, surface, scene::TextureSlot::anisotropy, rounding)) {
+    direction *= std::complex<double>(*texel % 256 / 127.5 - 1, *texel / 256 % 256 / 127.5 - 1);
+    material.surface->anisotropy *= static_cast<float>(*texel / 65536 % 256) / 255;
+  }
+  const dvec3 grain = direction.real() * attributes.tangent + direction.imag() * attributes.bitangent;
+  surface.grain = rounding.turned(normalize(grain), kRoundingBounds.frame);
+}
+
+}  // namespace candela::reference
