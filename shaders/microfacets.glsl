@@ -9,13 +9,17 @@ const float kMinRoughness = 0.01;
 const uvec3 kGlassCells = uvec3(kGlassCosineCells, kGlassRoughnessCells, kGlassIorCells);
 const uint kGlassTableRows = 2u * kGlassCosineCells * kGlassRoughnessCells * (kGlassIorCells + 1u);
 const uvec4 kGrainCells = uvec4(kGrainCosineCells, kGrainAzimuthCells, kGrainRoughnessCells, kGrainStrengthCells);
-const uint kGrainTableRows =
-    kGrainCosineCells * kGrainAzimuthCells * (kGrainRoughnessCells + 1u) * (kGrainStrengthCells + 1u);
+const uvec4 kGrainGlassCells =
+    uvec4(kGrainGlassCosineCells, kGrainGlassAzimuthCells, kGrainGlassRoughnessCells, kGrainGlassStrengthCells);
 
 // The first records of the tables after the energy tables, which exist only if the scene needs them.
 uint firstGlassRow() { return constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells; }
 uint firstSheenRow() { return firstGlassRow() + (kHasVolumes ? kGlassTableRows : 0u); }
 uint firstGrainRow() { return firstSheenRow() + (kHasSheen ? kSheenCosineCells * kSheenRoughnessCells : 0u); }
+
+// The number of records of a table with these cells of cosines, azimuths, roughnesses and strengths.
+uint grainRows(uvec4 cells) { return cells.x * cells.y * (cells.z + 1u) * (cells.w + 1u); }
+uint firstGrainGlassRow() { return firstGrainRow() + 2u * grainRows(kGrainCells); }
 
 // The length of w after its stretching by alpha.
 float stretchedLength(vec3 w, float alpha) { return sqrt(alpha * alpha * dot(w.xy, w.xy) + w.z * w.z); }
@@ -76,30 +80,35 @@ vec2 microfacetAlbedo(float cosO, float roughness) {
 
 // Interpolates a table of anisotropic microfacets that begins at `first`, at the fractions `place` of the cosine, azimuth,
 // roughness and strength.
-float grainValue(uint first, vec4 place) {
-  vec4 scaled = clamp(place, 0.0, 1.0) * vec4(kGrainCells);
-  uvec4 cell = min(uvec4(scaled), kGrainCells - 1u);
+float grainValue(uint first, uvec4 cells, vec4 place) {
+  vec4 scaled = clamp(place, 0.0, 1.0) * vec4(cells);
+  uvec4 cell = min(uvec4(scaled), cells - 1u);
   vec4 part = scaled - vec4(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
-  const uint plane = kGrainCells.x * kGrainCells.y;
-  const uint strength = plane * (kGrainCells.z + 1u);
-  uint row = first + cell.w * strength + cell.z * plane + cell.y * kGrainCells.x + cell.x;
+  uint plane = cells.x * cells.y;
+  uint strength = plane * (cells.z + 1u);
+  uint row = first + cell.w * strength + cell.z * plane + cell.y * cells.x + cell.x;
   vec2 low = vec2(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + plane)));
   vec2 high = vec2(dot(weights, sceneRowFloat(row + strength)), dot(weights, sceneRowFloat(row + strength + plane)));
   vec2 across = mix(low, high, part.w);
   return mix(across.x, across.y, part.z);
 }
 
-// Returns what microfacetAlbedo() does, for alpha along x and y.
-vec2 grainAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
+// Returns fractions of the cosine, azimuth, roughness and strength for grainValue().
+vec4 grainPlace(vec3 wo, float roughness, float strength, vec2 alpha) {
   float square = dot(wo.xy, wo.xy);
   float cosSquared = square > 0.0 ? wo.x * wo.x / square : 1.0;
   float towards = sqrt(mix(alpha.y * alpha.y, alpha.x * alpha.x, cosSquared));
   float azimuth = sqrt(cosSquared * (alpha.x + alpha.y) / (towards + alpha.y));
-  float cosine = wo.z * (1.0 + towards) / (wo.z + towards);
-  float white = min(1.0, grainValue(firstGrainRow(), vec4(cosine, azimuth, roughness, strength)));
-  cosine = wo.z * (1.0 + alpha.x) / (wo.z + alpha.x);
-  float tilt = grainValue(firstGrainRow() + kGrainTableRows, vec4(cosine, azimuth, roughness, strength));
+  return vec4(wo.z * (1.0 + towards) / (wo.z + towards), azimuth, roughness, strength);
+}
+
+// Returns what microfacetAlbedo() does, for alpha along x and y.
+vec2 grainAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
+  vec4 place = grainPlace(wo, roughness, strength, alpha);
+  float white = min(1.0, grainValue(firstGrainRow(), kGrainCells, place));
+  place.x = wo.z * (1.0 + alpha.x) / (wo.z + alpha.x);
+  float tilt = grainValue(firstGrainRow() + grainRows(kGrainCells), kGrainCells, place);
   return vec2(white, white * fifthPower(clamp(1.0 - wo.z - alpha.x * tilt, 0.0, 1.0)));
 }
 

@@ -69,7 +69,7 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float diffuse = luminance(lobes.diffuse);
   float transmitting = 0.0;
   if (kHasTransmission) {
-    lobes.glass = glassAt(s, wo, normal, rise, glass, albedo.x, roughness, outside);
+    lobes.glass = glassAt(s, wo, normal, rise, glass, albedo.x, roughness, lobes.alpha, outside);
     float reflecting = s.specularWeight * largest(normal * albedo.x + rise * albedo.y);
     transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
   }

@@ -20,14 +20,31 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
 }
 
+// Returns what glassAlbedo() does, for alpha along x and y.
+float grainGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alpha, float ior, bool outside) {
+  vec4 place = grainPlace(wo, roughness, strength, alpha);
+  float scaled = min(sqrt(2.0 * (ior - 1.0) / (ior + 1.0)), 1.0) * float(kGrainGlassIorCells);
+  uint cell = min(uint(scaled), kGrainGlassIorCells - 1u);
+  uint layer = grainRows(kGrainGlassCells);
+  uint row = firstGrainGlassRow() + layer * (cell + (outside ? 0u : kGrainGlassIorCells + 1u));
+  float low = grainValue(row, kGrainGlassCells, place);
+  return min(1.0, mix(low, grainValue(row + layer, kGrainGlassCells, place), scaled - float(cell)));
+}
+
 // `weight` of the glass among the surface's lobes; `normal` + `rise` (1 - x)^5: reflectance of the dielectric.
-Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight, float white, float roughness, bool outside) {
+Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight, float white, float roughness,
+              vec2 alpha, bool outside) {
   Glass glass;
   float ior = max(s.ior, kMinVolumeIor);
   glass.isThin = !kHasVolumes || s.isThinWalled;
   glass.eta = glass.isThin ? 1.0 : outside ? ior : 1.0 / ior;
   float albedo = white;
-  if (!glass.isThin) albedo = kHasAnisotropy && s.anisotropy > 0.0 ? 1.0 : glassAlbedo(wo.z, roughness, ior, outside);
+  if (!glass.isThin) {
+    if (kHasAnisotropy && s.anisotropy > 0.0)
+      albedo = grainGlassAlbedo(wo, roughness, s.anisotropy, alpha, ior, outside);
+    else
+      albedo = glassAlbedo(wo.z, roughness, ior, outside);
+  }
   glass.all = weight / albedo;
   glass.transmitted = glass.all * s.baseColour;
   glass.normal = s.specularWeight * normal;

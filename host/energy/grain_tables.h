@@ -21,4 +21,16 @@ extern const GrainTable kGrainWhite;
 /// where interpolation would exceed it in the middle of a cell.
 extern const GrainTable kGrainTilt;
 
+/// Nodes of the tables of anisotropic glass. The first four dimensions are those above, with a = av. The fifth has the
+/// indices of refraction n at which (n - 1)/(n + 1) is (m / (kGrainGlassIors - 1))^2 / 2, but at least kMinVolumeIor.
+inline constexpr std::size_t kGrainGlassCosines = 16, kGrainGlassAzimuths = 12, kGrainGlassRoughnesses = 8,
+                             kGrainGlassStrengths = 10, kGrainGlassIors = 9;
+using GrainGlassTable = std::array<float, kGrainGlassCosines * kGrainGlassAzimuths * kGrainGlassRoughnesses *
+                                              kGrainGlassStrengths * kGrainGlassIors>;
+
+/// Directional albedo of rough anisotropic glass that reflects or transmits once, seen from outside and from inside.
+/// Nodes are raised where interpolation would fall short of it at four points of a cell, and by 0.1 % everywhere.
+extern const GrainGlassTable kGrainGlassOutside;
+extern const GrainGlassTable kGrainGlassInside;
+
 }  // namespace candela::energy

@@ -43,57 +43,82 @@ Node nodeAt(std::size_t i, std::size_t j) {
   return {white, (1 - cosine - std::pow(grazing / white, 0.2)) / alpha};
 }
 
-std::string sourceOf(const char* name, double Node::*member) {
+std::vector<Node> microfacetNodes() {
+  std::vector<Node> nodes;
+  for (std::size_t n = 0; n < kNodes * kNodes; ++n) nodes.push_back(nodeAt(n % kNodes, n / kNodes));
+  return nodes;
+}
+
+std::string sourceOf(const char* name, const std::vector<Node>& nodes, double Node::*member) {
   std::string text = fmt::format("const Table {}{{\n", name);
-  for (std::size_t j = 0; j < kNodes; ++j) {
-    for (std::size_t i = 0; i < kNodes; ++i) text += fmt::format("{:.9e}f,", nodeAt(i, j).*member);
-    text += '\n';
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    text += fmt::format("{:.9e}f,{}", nodes[n].*member, (n + 1) % kNodes == 0 ? "\n" : "");
   }
   return text + "};\n";
 }
 
-// A plane of a glass table: the albedos at places (i, j) between the nodes of one index of refraction.
-class GlassPlane {
- public:
-  GlassPlane(std::size_t k, bool outside) : outside_(outside) {
-    const double root = static_cast<double>(k) / 2 / (kGlassIors - 1);
-    ior_ = std::max((1 + root) / (1 - root), candela::energy::kMinVolumeIor);
-  }
+// The albedos of all boundaries at a place between nodes.
+using GlassAlbedos = std::array<double, 2 * kGlassIors>;
 
-  // Returns the nodes, raised until no centre of a cell falls short of its albedo.
-  std::vector<double> nodes() const {
-    std::vector<double> nodes, shortfall(kGlassCosines * kGlassRoughnesses);
-    for (std::size_t n = 0; n < shortfall.size(); ++n) {
-      nodes.push_back(albedo(static_cast<double>(n % kGlassCosines), static_cast<double>(n / kGlassCosines)));
+// The boundaries of all indices of refraction, from outside and then from inside.
+candela::energy::Boundaries<double> glassBoundaries() {
+  candela::energy::Boundaries<double> boundaries;
+  for (const bool outside : {true, false}) {
+    for (std::size_t k = 0; k < kGlassIors; ++k) {
+      const double root = static_cast<double>(k) / 2 / (kGlassIors - 1);
+      boundaries.add(std::max((1 + root) / (1 - root), candela::energy::kMinVolumeIor), outside);
     }
-    for (std::size_t j = 0; j + 1 < kGlassRoughnesses; ++j) {
-      for (std::size_t i = 0; i + 1 < kGlassCosines; ++i) {
-        const std::size_t first = j * kGlassCosines + i;
-        const std::array corners{first, first + 1, first + kGlassCosines, first + kGlassCosines + 1};
-        double centre = 0;
-        for (const std::size_t corner : corners) centre += nodes[corner] / 4;
-        const double missing = albedo(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) - centre;
-        for (const std::size_t corner : corners) shortfall[corner] = std::max(shortfall[corner], missing);
-      }
+  }
+  return boundaries;
+}
+
+GlassAlbedos glassAt(double i, double j) {
+  static const candela::energy::Boundaries<double> kBoundaries = glassBoundaries();
+  const double roughness = std::max(j / (kGlassRoughnesses - 1), kMinRoughness), alpha = roughness * roughness;
+  GlassAlbedos albedos;
+  candela::energy::integrateGlass(cosineAt(i / (kGlassCosines - 1), alpha), alpha, kBoundaries, albedos);
+  return albedos;
+}
+
+// Returns the albedos at the nodes, displaced by a part of their distance.
+std::vector<GlassAlbedos> glassPlane(std::size_t cosines, std::size_t roughnesses, double part) {
+  std::vector<GlassAlbedos> plane;
+  for (std::size_t n = 0; n < cosines * roughnesses; ++n) {
+    plane.push_back(glassAt(static_cast<double>(n % cosines) + part, static_cast<double>(n / cosines) + part));
+  }
+  return plane;
+}
+
+// The planes of the glass tables, each of one boundary.
+class GlassPlanes {
+ public:
+  // Returns the nodes of a boundary, raised until no centre of a cell falls short of its albedo.
+  std::vector<double> nodesOf(std::size_t boundary) const {
+    std::vector<double> nodes, shortfall(kGlassCosines * kGlassRoughnesses);
+    for (const GlassAlbedos& albedos : nodes_) nodes.push_back(albedos[boundary]);
+    for (std::size_t cell = 0; cell < centres_.size(); ++cell) {
+      const std::size_t first = cell / kCellCosines * kGlassCosines + cell % kCellCosines;
+      const std::array corners{first, first + 1, first + kGlassCosines, first + kGlassCosines + 1};
+      double centre = 0;
+      for (const std::size_t corner : corners) centre += nodes[corner] / 4;
+      const double missing = centres_[cell][boundary] - centre;
+      for (const std::size_t corner : corners) shortfall[corner] = std::max(shortfall[corner], missing);
     }
     for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = kQuadratureMargin * (nodes[n] + shortfall[n]);
     return nodes;
   }
 
  private:
-  double albedo(double i, double j) const {
-    const double roughness = std::max(j / (kGlassRoughnesses - 1), kMinRoughness), alpha = roughness * roughness;
-    return candela::energy::integrateGlass(cosineAt(i / (kGlassCosines - 1), alpha), alpha, ior_, outside_);
-  }
+  static constexpr std::size_t kCellCosines = kGlassCosines - 1;
 
-  double ior_;
-  bool outside_;
+  std::vector<GlassAlbedos> nodes_ = glassPlane(kGlassCosines, kGlassRoughnesses, 0);
+  std::vector<GlassAlbedos> centres_ = glassPlane(kCellCosines, kGlassRoughnesses - 1, 0.5);
 };
 
-std::string glassSourceOf(const char* name, bool outside) {
+std::string glassSourceOf(const char* name, const GlassPlanes& planes, std::size_t firstBoundary) {
   std::string text = fmt::format("const GlassTable {}{{\n", name);
   for (std::size_t k = 0; k < kGlassIors; ++k) {
-    for (const double node : GlassPlane(k, outside).nodes()) text += fmt::format("{:.9e}f,", node);
+    for (const double node : planes.nodesOf(firstBoundary + k)) text += fmt::format("{:.9e}f,", node);
     text += '\n';
   }
   return text + "};\n";
@@ -124,8 +149,10 @@ int main(int argc, char** argv) {
   }
   std::ofstream file(argv[1]);
   file << "#include \"host/energy/energy_tables.h\"\n\nnamespace candela::energy {\n\n";
-  file << sourceOf("kWhite", &Node::white) << sourceOf("kTilt", &Node::tilt);
-  file << glassSourceOf("kGlassOutside", true) << glassSourceOf("kGlassInside", false);
+  const std::vector<Node> nodes = microfacetNodes();
+  file << sourceOf("kWhite", nodes, &Node::white) << sourceOf("kTilt", nodes, &Node::tilt);
+  const GlassPlanes planes;
+  file << glassSourceOf("kGlassOutside", planes, 0) << glassSourceOf("kGlassInside", planes, kGlassIors);
   file << sheenSource();
   file << "\n}  // namespace candela::energy\n";
   file.close();

@@ -1,101 +1,138 @@
 // Writes the C++ source of the tables of anisotropic microfacets: candela_make_grain_tables FILE
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "host/energy/energy_tables.h"
 #include "host/energy/grain_albedo.h"
 #include "host/energy/grain_tables.h"
+#include "host/energy/table_grid.h"
 
 namespace {
 
 using namespace candela::energy;
 
 constexpr double kQuadratureMargin = 1.001;
-constexpr std::array<std::size_t, 4> kSizes{kGrainCosines, kGrainAzimuths, kGrainRoughnesses, kGrainStrengths};
+const Lattice kFine(2584, 1597);
+const Lattice kCoarse(987, 610);  // of glass, whose interpolation has larger errors
 
-/// Cosine, azimuth, roughness and strength in units of the distance of nodes.
-using Place = std::array<double, 4>;
-
-/// The arguments of the integral.
-struct Point {
-  double cosine, cosSquared;
-  glm::dvec2 alpha;
-};
+/// Fractions of the way from the first to the last node of the cosines, azimuths, roughnesses and strengths.
+using Fractions = std::array<double, 4>;
 
 // Returns the cosine c at which c (1 + scale) / (c + scale) is x.
 double cosineAt(double x, double scale) { return std::min(1.0, scale * x / (1 + scale - x)); }
 
-Point pointAt(const Place& place, bool scaledAlongWo) {
-  const auto fraction = [&](std::size_t d) { return place[d] / static_cast<double>(kSizes[d] - 1); };
-  const double along = std::pow(std::max(fraction(2), kMinRoughness), 2);
-  const double across = std::lerp(along, 1.0, fraction(3) * fraction(3));
-  const double part = fraction(1) * fraction(1), towards = std::lerp(along, across, part);
-  return {cosineAt(fraction(0), scaledAlongWo ? towards : across),
-          part * (towards + along) / (across + along),
-          {across, along}};
+// What microfacets scatter at a place of the tables.
+struct Scattering {
+  double cosine;
+  glm::dvec2 alpha;
+  VisibleNormals normals;
+};
+
+Scattering scatteringAt(const Fractions& fractions, bool scaledAlongWo, const Lattice& lattice) {
+  const double along = std::pow(std::max(fractions[2], kMinRoughness), 2);
+  const double across = std::lerp(along, 1.0, fractions[3] * fractions[3]);
+  const double part = fractions[1] * fractions[1], towards = std::lerp(along, across, part);
+  const double cosine = cosineAt(fractions[0], scaledAlongWo ? towards : across);
+  const glm::dvec2 alpha(across, along);
+  return {cosine, alpha, VisibleNormals(cosine, part * (towards + along) / (across + along), alpha, lattice)};
 }
 
-double whiteAt(const Place& place) {
-  const Point point = pointAt(place, true);
-  return integrateGrain(point.cosine, point.cosSquared, point.alpha).white;
-}
+double whiteAt(const Fractions& fractions) { return scatteringAt(fractions, true, kFine).normals.albedo().white; }
 
 // Returns the opposite of a node of kGrainTilt, which is to be raised as those of kGrainWhite are.
-double riseAt(const Place& place) {
-  const Point point = pointAt(place, false);
-  const auto [white, grazing] = integrateGrain(point.cosine, point.cosSquared, point.alpha);
-  return (std::pow(grazing / white, 0.2) - 1 + point.cosine) / point.alpha.x;
+double riseAt(const Fractions& fractions) {
+  const Scattering scattering = scatteringAt(fractions, false, kFine);
+  const auto [white, grazing] = scattering.normals.albedo();
+  return (std::pow(grazing / white, 0.2) - 1 + scattering.cosine) / scattering.alpha.x;
 }
 
-Place placeOf(std::size_t node) {
-  Place place{};
-  for (std::size_t d = 0; d < 4; ++d) {
-    place[d] = static_cast<double>(node % kSizes[d]);
-    node /= kSizes[d];
-  }
-  return place;
-}
-
-// Returns the indices of the 16 nodes of the cell that begins at `node`; none if it is on an upper border.
-std::vector<std::size_t> cellAt(std::size_t node) {
-  std::vector<std::size_t> corners{node};
-  std::size_t stride = 1;
-  for (std::size_t d = 0; d < 4; ++d) {
-    if (node / stride % kSizes[d] + 1 == kSizes[d]) return {};
-    for (std::size_t i = 0, count = corners.size(); i < count; ++i) corners.push_back(corners[i] + stride);
-    stride *= kSizes[d];
-  }
-  return corners;
-}
-
-// Returns the nodes of a quantity, raised until no centre of a cell falls short of it.
-std::vector<double> raisedNodes(const std::function<double(const Place&)>& quantity) {
-  std::vector<double> nodes, shortfall(std::tuple_size_v<GrainTable>);
-  for (std::size_t n = 0; n < shortfall.size(); ++n) nodes.push_back(quantity(placeOf(n)));
+std::vector<double> raisedNodes(double (*quantity)(const Fractions&)) {
+  const TableGrid<4> grid({kGrainCosines, kGrainAzimuths, kGrainRoughnesses, kGrainStrengths});
+  std::vector<double> nodes(grid.size());
+  std::vector<TableGrid<4>::Probe> probes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const std::vector<std::size_t> corners = cellAt(n);
-    if (corners.empty()) continue;
-    double mean = 0;
-    for (const std::size_t corner : corners) mean += nodes[corner] / 16;
-    Place centre = placeOf(n);
-    for (double& coordinate : centre) coordinate += 0.5;
-    const double missing = quantity(centre) - mean;
-    for (const std::size_t corner : corners) shortfall[corner] = std::max(shortfall[corner], missing);
+    nodes[n] = quantity(grid.placeIn(n));
+    if (!grid.beginsCell(n)) continue;
+    constexpr Fractions kCentre{0.5, 0.5, 0.5, 0.5};
+    probes.push_back({n, kCentre, quantity(grid.placeIn(n, kCentre))});
   }
-  for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] += shortfall[n];
-  return nodes;
+  return grid.raised(nodes, probes);
 }
 
-std::string sourceOf(const char* name, const std::vector<double>& nodes, double factor) {
-  std::string text = fmt::format("const GrainTable {}{{\n", name);
+// The boundaries of the glass tables, `part` of the way from their nodes to the next ones.
+Boundaries<float> grainBoundaries(bool outside, double part) {
+  Boundaries<float> boundaries;
+  for (std::size_t m = 0; m < kGrainGlassIors; ++m) {
+    const double place = (static_cast<double>(m) + part) / (kGrainGlassIors - 1), root = place * place / 2;
+    boundaries.add(std::max((1 + root) / (1 - root), kMinVolumeIor), outside);
+  }
+  return boundaries;
+}
+
+// Computes the glass tables from outside and from inside. All indices of refraction share the microfacets.
+class GrainGlass {
+ public:
+  GrainGlass() {
+    const Place steps = quasirandomSteps<5>();
+    Place place{0.5, 0.5, 0.5, 0.5, 0.5};
+    for (std::size_t node = 0; node < kPlane; ++node) {
+      addNodes(node);
+      if (!grid_.beginsCell(node)) continue;
+      for (std::size_t i = 0; i < kProbesOfCell; ++i) {
+        addProbes(node, place);
+        for (std::size_t d = 0; d < 5; ++d) place[d] = std::fmod(place[d] + steps[d], 1);
+      }
+    }
+  }
+
+  std::vector<double> nodes(std::size_t side) const { return grid_.raised(nodes_[side], probes_[side]); }
+
+ private:
+  using Place = TableGrid<5>::Place;
+  using Albedos = std::array<double, kGrainGlassIors>;
+
+  static constexpr std::size_t kProbesOfCell = 4;
+  static constexpr std::size_t kSize = std::tuple_size_v<GrainGlassTable>, kPlane = kSize / kGrainGlassIors;
+
+  // Returns the albedos at all indices of refraction from each side, in a cell of the other dimensions.
+  std::array<Albedos, 2> albedosIn(std::size_t node, const Place& place) const {
+    const Place at = grid_.placeIn(node, place);
+    const Scattering scattering = scatteringAt({at[0], at[1], at[2], at[3]}, true, kCoarse);
+    std::array<Albedos, 2> sides;
+    for (std::size_t side = 0; side < 2; ++side) {
+      scattering.normals.integrateGlass(grainBoundaries(side == 0, place[4]), sides[side]);
+    }
+    return sides;
+  }
+  void addNodes(std::size_t node) {
+    const std::array<Albedos, 2> sides = albedosIn(node, {});
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t m = 0; m < kGrainGlassIors; ++m) nodes_[side][m * kPlane + node] = sides[side][m];
+    }
+  }
+  void addProbes(std::size_t node, const Place& place) {
+    const std::array<Albedos, 2> sides = albedosIn(node, place);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t m = 0; m + 1 < kGrainGlassIors; ++m) {
+        probes_[side].push_back({m * kPlane + node, place, sides[side][m]});
+      }
+    }
+  }
+
+  TableGrid<5> grid_{
+      {kGrainGlassCosines, kGrainGlassAzimuths, kGrainGlassRoughnesses, kGrainGlassStrengths, kGrainGlassIors}};
+  std::array<std::vector<double>, 2> nodes_{std::vector<double>(kSize), std::vector<double>(kSize)};
+  std::array<std::vector<TableGrid<5>::Probe>, 2> probes_;
+};
+
+std::string sourceOf(const char* name, const char* type, const std::vector<double>& nodes, double factor) {
+  std::string text = fmt::format("const {} {}{{\n", type, name);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     text += fmt::format("{:.6e}f{}", factor * nodes[n], (n + 1) % kGrainCosines == 0 ? ",\n" : ",");
   }
@@ -111,8 +148,11 @@ int main(int argc, char** argv) {
   }
   std::ofstream file(argv[1]);
   file << "#include \"host/energy/grain_tables.h\"\n\nnamespace candela::energy {\n\n";
-  file << sourceOf("kGrainWhite", raisedNodes(whiteAt), kQuadratureMargin);
-  file << sourceOf("kGrainTilt", raisedNodes(riseAt), -1);
+  file << sourceOf("kGrainWhite", "GrainTable", raisedNodes(whiteAt), kQuadratureMargin);
+  file << sourceOf("kGrainTilt", "GrainTable", raisedNodes(riseAt), -1);
+  const GrainGlass glass;
+  file << sourceOf("kGrainGlassOutside", "GrainGlassTable", glass.nodes(0), kQuadratureMargin);
+  file << sourceOf("kGrainGlassInside", "GrainGlassTable", glass.nodes(1), kQuadratureMargin);
   file << "\n}  // namespace candela::energy\n";
   file.close();
   return file ? 0 : 1;

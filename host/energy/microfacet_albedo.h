@@ -1,5 +1,8 @@
 // The energy that a rough surface reflects once: docs/light-transport.md section 5.3.
 #pragma once
+#include <span>
+
+#include "host/energy/boundary.h"
 
 namespace candela::energy {
 
@@ -13,8 +16,9 @@ struct MicrofacetAlbedo {
 /// `alpha` in (0, 1]. With 256 by 128 points the error is below 1e-4.
 MicrofacetAlbedo integrateMicrofacets(double cosine, double alpha, int rings = 256, int spokes = 128);
 
-/// Returns the fraction of light that microfacets of glass, with Schlick's reflectance, reflect or transmit to the side
-/// where it belongs. `ior` > 1 is the index inside; `outside`: the light comes from outside.
-double integrateGlass(double cosine, double alpha, double ior, bool outside, int rings = 96, int spokes = 64);
+/// Computes, for each of `boundaries`, the fraction of light that microfacets of glass, with Schlick's reflectance,
+/// reflect or transmit to the side where it belongs. `albedos` has as many elements.
+void integrateGlass(double cosine, double alpha, const Boundaries<double>& boundaries, std::span<double> albedos,
+                    int rings = 96, int spokes = 64);
 
 }  // namespace candela::energy

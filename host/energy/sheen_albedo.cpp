@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace candela::energy {
 namespace {
@@ -31,19 +32,26 @@ class FibreMasking {
 
 constexpr double kLowestCosine = 0.001;  // of docs/light-transport.md
 
+std::vector<double> azimuthCosines(int spokes) {
+  std::vector<double> cosines;
+  for (int spoke = 0; spoke < spokes; ++spoke) cosines.push_back(std::cos(std::numbers::pi * (spoke + 0.5) / spokes));
+  return cosines;
+}
+
 }  // namespace
 
 double integrateSheen(double cosine, double alpha, int rings, int spokes) {
   const FibreMasking masking(alpha);
   const double cosO = std::max(cosine, kLowestCosine), sinO = std::sqrt(1 - cosine * cosine);
   const double lambdaO = masking.lambda(cosO);
+  const std::vector<double> azimuths = azimuthCosines(spokes);
   double sum = 0;
   for (int ring = 0; ring < rings; ++ring) {
     const double t = (ring + 0.5) / rings, z = t * t;  // the step of z is 2 t / rings
     const double cosI = std::max(z, kLowestCosine), sinI = std::sqrt(1 - z * z);
     double distribution = 0;
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const double across = 2 * (1 + cosine * z + sinO * sinI * std::cos(std::numbers::pi * (spoke + 0.5) / spokes));
+    for (const double azimuth : azimuths) {
+      const double across = 2 * (1 + cosine * z + sinO * sinI * azimuth);
       const double cosHSquared = across > 0 ? std::min(1.0, std::pow(cosine + z, 2) / across) : 1;
       distribution += std::pow(1 - cosHSquared, 0.5 / alpha);
     }

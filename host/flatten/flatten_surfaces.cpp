@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "host/core/errors.h"
 #include "host/energy/energy_tables.h"
@@ -22,6 +23,11 @@ static_assert(gpu::kGrainCosineCells == energy::kGrainCosines - 1);
 static_assert(gpu::kGrainAzimuthCells == energy::kGrainAzimuths - 1);
 static_assert(gpu::kGrainRoughnessCells == energy::kGrainRoughnesses - 1);
 static_assert(gpu::kGrainStrengthCells == energy::kGrainStrengths - 1);
+static_assert(gpu::kGrainGlassCosineCells == energy::kGrainGlassCosines - 1);
+static_assert(gpu::kGrainGlassAzimuthCells == energy::kGrainGlassAzimuths - 1);
+static_assert(gpu::kGrainGlassRoughnessCells == energy::kGrainGlassRoughnesses - 1);
+static_assert(gpu::kGrainGlassStrengthCells == energy::kGrainGlassStrengths - 1);
+static_assert(gpu::kGrainGlassIorCells == energy::kGrainGlassIors - 1);
 
 // Appends a record for every cell of a plane of `width` by `height` nodes.
 void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
@@ -39,11 +45,19 @@ void appendGlass(const energy::GlassTable& table, Rows& rows) {
   }
 }
 
-void appendGrain(const energy::GrainTable& table, Rows& rows) {
-  constexpr std::size_t kPlane = energy::kGrainCosines * energy::kGrainAzimuths;
-  for (std::size_t first = 0; first < table.size(); first += kPlane) {
-    appendCells(table.data() + first, energy::kGrainCosines, energy::kGrainAzimuths, rows);
+// Appends the planes of a table of anisotropic microfacets, each of `cosines` by `azimuths` nodes.
+void appendGrain(std::span<const float> table, std::size_t cosines, std::size_t azimuths, Rows& rows) {
+  for (std::size_t first = 0; first < table.size(); first += cosines * azimuths) {
+    appendCells(table.data() + first, cosines, azimuths, rows);
   }
+}
+
+void appendGrain(bool withGlass, Rows& rows) {
+  appendGrain(energy::kGrainWhite, energy::kGrainCosines, energy::kGrainAzimuths, rows);
+  appendGrain(energy::kGrainTilt, energy::kGrainCosines, energy::kGrainAzimuths, rows);
+  if (!withGlass) return;
+  appendGrain(energy::kGrainGlassOutside, energy::kGrainGlassCosines, energy::kGrainGlassAzimuths, rows);
+  appendGrain(energy::kGrainGlassInside, energy::kGrainGlassCosines, energy::kGrainGlassAzimuths, rows);
 }
 
 void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
@@ -102,10 +116,7 @@ Rows energyRows(const SceneFeatures& features) {
     appendGlass(energy::kGlassInside, rows);
   }
   if (features.sheens) appendCells(energy::kSheen.data(), energy::kSheenCosines, energy::kSheenRoughnesses, rows);
-  if (features.anisotropy) {
-    appendGrain(energy::kGrainWhite, rows);
-    appendGrain(energy::kGrainTilt, rows);
-  }
+  if (features.anisotropy) appendGrain(features.volumes, rows);
   return rows;
 }
 

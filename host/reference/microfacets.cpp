@@ -20,26 +20,13 @@ double interpolate(const energy::Table& table, const TableAxis& x, const TableAx
   return std::lerp(along(y.node), along(y.node + 1), y.part);
 }
 
-// The dimensions of the tables of anisotropic microfacets, apart from the cosine.
-struct GrainAxes {
-  TableAxis azimuth;
-  TableAxis roughness;
-  TableAxis strength;
+double interpolateGrain(const energy::GrainTable& table, const GrainPlace& place) {
+  return interpolateTable(
+      table.data(), place,
+      {energy::kGrainStrengths, energy::kGrainRoughnesses, energy::kGrainAzimuths, energy::kGrainCosines});
+}
 
-  double interpolate(const energy::GrainTable& table, double cosine, double scale) const {
-    const TableAxis x(cosine * (1 + scale) / (cosine + scale), energy::kGrainCosines);
-    double sum = 0;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      const auto [j, weightJ] = azimuth.end(corner & 1);
-      const auto [k, weightK] = roughness.end(corner >> 1 & 1);
-      const auto [l, weightL] = strength.end(corner >> 2 & 1);
-      const std::size_t line = (l * energy::kGrainRoughnesses + k) * energy::kGrainAzimuths + j;
-      const float* at = table.data() + line * energy::kGrainCosines + x.node;
-      sum += weightJ * weightK * weightL * std::lerp(double{at[0]}, double{at[1]}, x.part);
-    }
-    return sum;
-  }
-};
+double scaledCosine(double cosine, double scale) { return cosine * (1 + scale) / (cosine + scale); }
 
 }  // namespace
 
@@ -97,16 +84,19 @@ SingleScattering Microfacets::isotropicAlbedo(double cosine) const {
   return {white, white * std::pow(tilted, 5)};
 }
 
-SingleScattering Microfacets::anisotropicAlbedo(const dvec3& wo) const {
+GrainPlace Microfacets::grainPlace(const dvec3& wo) const {
   const double square = wo.x * wo.x + wo.y * wo.y;
   const double cosSquared = square > 0 ? wo.x * wo.x / square : 1;
   const double towards = std::sqrt(glm::mix(alpha_.y * alpha_.y, alpha_.x * alpha_.x, cosSquared));
   const double part = cosSquared * (alpha_.x + alpha_.y) / (towards + alpha_.y);
-  const GrainAxes axes{TableAxis(std::sqrt(part), energy::kGrainAzimuths),
-                       TableAxis(roughness_, energy::kGrainRoughnesses),
-                       TableAxis(anisotropy_, energy::kGrainStrengths)};
-  const double white = std::min(1.0, axes.interpolate(energy::kGrainWhite, wo.z, towards));
-  const double tilt = axes.interpolate(energy::kGrainTilt, wo.z, alpha_.x);
+  return {anisotropy_, roughness_, std::sqrt(part), scaledCosine(wo.z, towards)};
+}
+
+SingleScattering Microfacets::anisotropicAlbedo(const dvec3& wo) const {
+  GrainPlace place = grainPlace(wo);
+  const double white = std::min(1.0, interpolateGrain(energy::kGrainWhite, place));
+  place[3] = scaledCosine(wo.z, alpha_.x);
+  const double tilt = interpolateGrain(energy::kGrainTilt, place);
   return {white, white * std::pow(std::clamp(1 - wo.z - alpha_.x * tilt, 0.0, 1.0), 5)};
 }
 

@@ -1,6 +1,7 @@
 // Rough surfaces of GGX microfacets: docs/light-transport.md sections 5.2, 5.3 and 5.12. Directions are in the shading
 // frame.
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 
 namespace candela::reference {
@@ -13,6 +14,10 @@ struct SingleScattering {
   double white;    ///< with a reflectance of 1
   double grazing;  ///< with the reflectance (1 - wo.h)^5
 };
+
+/// Strength, roughness, azimuth and cosine as fractions of the edges of the tables in host/energy/grain_tables.h, with
+/// a = av.
+using GrainPlace = std::array<double, 4>;
 
 class Microfacets {
  public:
@@ -32,6 +37,8 @@ class Microfacets {
   dvec3 sampleNormal(const dvec3& wo, const dvec2& u) const;
   /// Interpolates the energy tables.
   SingleScattering albedo(const dvec3& wo) const;
+  /// Not for isotropic microfacets.
+  GrainPlace grainPlace(const dvec3& wo) const;
 
  private:
   /// Returns the square of the roughness in the azimuth of w.

@@ -6,24 +6,27 @@
 #include <cmath>
 
 #include "host/energy/energy_tables.h"
+#include "host/energy/grain_tables.h"
 #include "host/reference/table_axis.h"
 
 namespace candela::reference {
 namespace {
 
-double tableValue(const energy::GlassTable& table, double cosine, double alpha, double ior) {
-  const std::array axes{TableAxis(2 * (ior - 1) / (ior + 1), energy::kGlassIors),
-                        TableAxis(std::sqrt(alpha), energy::kGlassRoughnesses),
-                        TableAxis(cosine * (1 + alpha) / (cosine + alpha), energy::kGlassCosines)};
-  double sum = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const auto bit = [&](std::size_t axis) { return corner >> axis & 1; };
-    const auto node = [&](std::size_t axis) { return axes[axis].node + bit(axis); };
-    double weight = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) weight *= bit(axis) ? axes[axis].part : 1 - axes[axis].part;
-    sum += weight * table[(node(0) * energy::kGlassRoughnesses + node(1)) * energy::kGlassCosines + node(2)];
-  }
-  return sum;
+// Returns the energy that glass which bounds a volume scatters once.
+double glassAlbedo(const Microfacets& microfacets, double cosine, double ior, bool outside) {
+  const double alpha = microfacets.alpha();
+  const std::array fractions{2 * (ior - 1) / (ior + 1), std::sqrt(alpha), cosine * (1 + alpha) / (cosine + alpha)};
+  const energy::GlassTable& table = outside ? energy::kGlassOutside : energy::kGlassInside;
+  return interpolateTable<3>(table.data(), fractions,
+                             {energy::kGlassIors, energy::kGlassRoughnesses, energy::kGlassCosines});
+}
+
+double grainGlassAlbedo(const GrainPlace& place, double ior, bool outside) {
+  const std::array fractions{std::sqrt(2 * (ior - 1) / (ior + 1)), place[0], place[1], place[2], place[3]};
+  constexpr std::array kSizes{energy::kGrainGlassIors, energy::kGrainGlassStrengths, energy::kGrainGlassRoughnesses,
+                              energy::kGrainGlassAzimuths, energy::kGrainGlassCosines};
+  const energy::GrainGlassTable& table = outside ? energy::kGrainGlassOutside : energy::kGrainGlassInside;
+  return std::min(1.0, interpolateTable(table.data(), fractions, kSizes));
 }
 
 }  // namespace
@@ -36,12 +39,12 @@ RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectanc
       base_(surface.baseColour) {
   const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
   if (!isThin_) (outside ? beyond_ : here_) = ior;
-  const energy::GlassTable& table = outside ? energy::kGlassOutside : energy::kGlassInside;
-  if (isThin_) {
+  if (isThin_)
     factor_ = weight / microfacets.albedo(wo).white;
-  } else {
-    factor_ = microfacets.isIsotropic() ? weight / tableValue(table, wo.z, microfacets.alpha(), ior) : weight;
-  }
+  else if (microfacets.isIsotropic())
+    factor_ = weight / glassAlbedo(microfacets, wo.z, ior, outside);
+  else
+    factor_ = weight / grainGlassAlbedo(microfacets.grainPlace(wo), ior, outside);
 }
 
 double RoughGlass::outerCosine(double cosine) const {

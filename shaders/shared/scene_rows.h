@@ -42,8 +42,8 @@ CANDELA_CONST uint kFlagColours = 8u;        // triangle with vertex colours; th
 CANDELA_CONST uint kFlagTexCoords = 64u;     // triangle with texture coordinates
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
-CANDELA_CONST uint kFlagSmooth = 256u;       // triangle with vertex normals
-CANDELA_CONST uint kFlagTangents = 512u;     // triangle with tangents
+CANDELA_CONST uint kFlagSmooth = 256u;            // triangle with vertex normals
+CANDELA_CONST uint kFlagTangents = 512u;          // triangle with tangents
 CANDELA_CONST uint kFlagEmissionColours = 1024u;  // triangle whose vertex colours scale the emission
 CANDELA_CONST uint kMaterialShift = 11u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 21;
@@ -64,11 +64,10 @@ CANDELA_CONST uint kColourRows = 3u;
 CANDELA_CONST uint kMaterialRows = 5u;
 
 // Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as a word,
-// strength of the anisotropy, cosine and sine of its rotation)
-// (sheen colour, sheen roughness) (film weight, film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a
-// conductor) (kappa, 0).
-// The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
+// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as
+// a word, strength of the anisotropy, cosine and sine of its rotation) (sheen colour, sheen roughness) (film weight,
+// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, 0). The surfaces that
+// bound volumes come first; the number of a volume is the index of its surface + 1.
 CANDELA_CONST uint kSurfaceRows = 9u;
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
 
@@ -77,8 +76,8 @@ CANDELA_CONST uint kMaxVolumeCount = 2047u;
 CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
 CANDELA_CONST uint kEnergyRows = 2u;
 
-// Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of the
-// cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
+// Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of
+// the cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
 // energy::kGlassInside.
 CANDELA_CONST uint kGlassCosineCells = 47u;
 CANDELA_CONST uint kGlassRoughnessCells = 31u;
@@ -89,13 +88,21 @@ CANDELA_CONST uint kGlassIorCells = 10u;
 CANDELA_CONST uint kSheenCosineCells = 31u;
 CANDELA_CONST uint kSheenRoughnessCells = 31u;
 
-// Tables of anisotropic microfacets, if the scene has any: after the tables before them, a record of four values as above for
-// every cell of the cosines and azimuths, for every node of the roughness, for every node of the strength; those of
-// energy::kGrainWhite, then of energy::kGrainTilt.
+// Tables of anisotropic microfacets, if the scene has any: after the tables before them, a record of four values as
+// above for every cell of the cosines and azimuths, for every node of the roughness, for every node of the strength;
+// those of energy::kGrainWhite, then of energy::kGrainTilt.
 CANDELA_CONST uint kGrainCosineCells = 31u;
 CANDELA_CONST uint kGrainAzimuthCells = 11u;
 CANDELA_CONST uint kGrainRoughnessCells = 15u;
 CANDELA_CONST uint kGrainStrengthCells = 11u;
+
+// Tables of anisotropic glass, if the scene has volumes, too: after those, for every node of the index of refraction,
+// such a table of energy::kGrainGlassOutside, then of energy::kGrainGlassInside.
+CANDELA_CONST uint kGrainGlassCosineCells = 15u;
+CANDELA_CONST uint kGrainGlassAzimuthCells = 11u;
+CANDELA_CONST uint kGrainGlassRoughnessCells = 7u;
+CANDELA_CONST uint kGrainGlassStrengthCells = 9u;
+CANDELA_CONST uint kGrainGlassIorCells = 8u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
@@ -118,9 +125,9 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
-// 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, each image
-// beginning with a record. References have two records: (rowS, flags and first record of the image, counted from the
-// beginning of the textures) (rowT, width | height << 16).
+// 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
+// four in a record, r | g << 8 | b << 16 | a << 24, each image beginning with a record. References have two records:
+// (rowS, flags and first record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kMaterialTextureRows = 6u;
 CANDELA_CONST uint kOpacityRow = 4u;  // of a material's records

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -34,9 +35,18 @@ class SlopeGrid {
 
   /// Cells outside the unit square hold what is steeper.
   glm::dvec2 placeOf(const glm::dvec3& wi) const {
-    const glm::dvec3 h = halfVector(wi);
-    const glm::dvec2 slope = glm::dvec2(h) / h.z / alpha_;
+    const glm::dvec2 slope = slopeOf(halfVector(wi));
     return {std::log1p(dot(slope, slope)) / scale_, turns(slope.x, slope.y)};
+  }
+
+  /// Returns the solid angle for each unit of the square's area around a direction. It is infinite where the quadrature
+  /// has no points.
+  double spreadAt(const glm::dvec3& wi) const {
+    const glm::dvec3 h = halfVector(wi);
+    const glm::dvec2 slope = slopeOf(h);
+    const double t = dot(slope, slope), factor = solidAngleFactor(wi, h);
+    if (factor <= 0 || std::log1p(t) > scale_) return std::numeric_limits<double>::infinity();
+    return 2 * std::numbers::pi * factor * spreadOfHalf(h, t);
   }
 
  private:
@@ -49,31 +59,33 @@ class SlopeGrid {
     return h.z < 0 ? -h : h;
   }
 
+  glm::dvec2 slopeOf(const glm::dvec3& h) const { return glm::dvec2(h) / h.z / alpha_; }
+
+  // Returns the solid angle of half vectors for that of the unit hemisphere's nodes.
+  double spreadOfHalf(const glm::dvec3& h, double t) const {
+    return std::pow(h.z, 3) / 2 * alpha_.x * alpha_.y * (1 + t) * scale_;
+  }
+
+  // Returns the solid angle of directions for that of half vectors; 0 for a half vector that does not send light to wi.
+  double solidAngleFactor(const glm::dvec3& wi, const glm::dvec3& h) const {
+    const double cosO = dot(wo_, h), cosI = dot(wi, h);
+    if (cosO <= 0) return 0;
+    if (passage_ != Passage::refracted) return 4 * cosO;
+    const double sum = cosO + eta_ * cosI;
+    return cosI < 0 ? sum * sum / (eta_ * eta_ * -cosI) : 0;
+  }
+
   void addPoint(const Point& node) {
     const double t = std::expm1(node.place.x * scale_);
     const double azimuth = 2 * std::numbers::pi * node.place.y;
     const glm::dvec2 slope = std::sqrt(t) * alpha_ * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
     const glm::dvec3 h = normalize(glm::dvec3(slope, 1));
-    const double ofHalf = std::pow(h.z, 3) / 2 * alpha_.x * alpha_.y * (1 + t) * scale_ * node.solidAngle;
     if (dot(wo_, h) <= 0) return;
-    if (passage_ == Passage::refracted)
-      addRefracted(h, node.place, ofHalf);
-    else
-      addReflected(h, node.place, ofHalf);
-  }
-
-  void addReflected(const glm::dvec3& h, const glm::dvec2& place, double ofHalf) {
-    glm::dvec3 wi = 2 * dot(wo_, h) * h - wo_;
-    if (wi.z <= 0) return;
-    if (passage_ == Passage::thin) wi.z = -wi.z;
-    points_.push_back({wi, place, 4 * dot(wo_, h) * ofHalf});
-  }
-
-  void addRefracted(const glm::dvec3& h, const glm::dvec2& place, double ofHalf) {
-    const glm::dvec3 wi = glm::refract(-wo_, h, 1 / eta_);
-    if (wi == glm::dvec3(0) || wi.z >= 0) return;
-    const double cosI = dot(wi, h), sum = dot(wo_, h) + eta_ * cosI;
-    points_.push_back({wi, place, ofHalf * sum * sum / (eta_ * eta_ * -cosI)});
+    const glm::dvec3 wi = passage_ == Passage::refracted ? glm::refract(-wo_, h, 1 / eta_) : 2 * dot(wo_, h) * h - wo_;
+    const bool reflects = passage_ != Passage::refracted;
+    if (reflects ? wi.z <= 0 : wi.z >= 0) return;
+    const glm::dvec3 sent = passage_ == Passage::thin ? glm::dvec3(wi.x, wi.y, -wi.z) : wi;
+    points_.push_back({sent, node.place, solidAngleFactor(wi, h) * spreadOfHalf(h, t) * node.solidAngle});
   }
 
   glm::dvec3 wo_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -117,28 +118,25 @@ class Cases {
   std::vector<Mixture> mixtures_;
 };
 
-// The cells of one side of a surface, and quadrature over them.
+// The cells of one side of a surface, and quadrature over them. Cells that follow the highlight resolve what is narrow,
+// those of the hemisphere what is broad: within a long and narrow highlight's cells, a broad lobe fills but a narrow
+// range of azimuths. Where a surface may have both, a direction belongs to the former with a probability that falls
+// smoothly with the density of their quadrature, so that each integrates what it resolves.
 class Half {
  public:
   Half(const Case& c, bool transmitted) : case_(c), transmitted_(transmitted) {
     const bool hasHighlight = c.surface.metalness > 0 || c.surface.specularWeight > 0;
     if (hasHighlight && c.surface.roughness < kNarrow) {
-      const int finer = c.surface.anisotropy > 0 ? kGrainFactor : 1;
+      const int finer = hasBoth() ? kGrainFactor : 1;
       slopes_.emplace(finer * kCellRows, 2 * finer * kCellColumns, c.wo, c.alpha,
                       transmitted ? c.transmission() : Passage::reflected, c.eta());
-      points_ = slopes_->points();
-      return;
+      addSlopes();
     }
-    points_ = HemisphereGrid(2 * kCellRows, 2 * kCellColumns).points();
-    if (transmitted) std::ranges::for_each(points_, [](auto& point) { point.direction.z = -point.direction.z; });
+    if (!slopes_ || hasBoth()) addHemisphere();
   }
 
-  const std::vector<HemisphereGrid::Point>& points() const { return points_; }
   bool contains(const dvec3& wi) const { return (wi.z < 0) == transmitted_; }
-  dvec2 placeOf(const dvec3& wi) const {
-    if (slopes_) return slopes_->placeOf(wi);
-    return {std::abs(wi.z), turns(wi.x, wi.y)};
-  }
+  const std::vector<HemisphereGrid::Point>& points() const { return points_; }
   std::vector<ScatterValue> values(const MaterialLeaves& leaves) const {
     std::vector<DirectionPair> pairs;
     for (const HemisphereGrid::Point& point : points_) {
@@ -147,11 +145,65 @@ class Half {
     return leaves.evaluate(pairs);
   }
 
+  /// Returns the counts that a density implies in all cells.
+  std::vector<double> expected(const std::vector<ScatterValue>& values) const {
+    Cells highlight(kCellRows, kCellColumns), hemisphere(kCellRows, kCellColumns);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      Cells& cells = i < highlightPoints_ ? highlight : hemisphere;
+      cells.add(points_[i].place, kSurfaceSamples * values[i].pdf * points_[i].solidAngle);
+    }
+    return joined(highlight, hemisphere);
+  }
+  /// Counts samples in all cells. `coins` in [0, 1) choose between the cells.
+  std::vector<double> observed(std::span<const Scattered> samples, std::span<const glm::vec3> coins) const {
+    Cells highlight(kCellRows, kCellColumns), hemisphere(kCellRows, kCellColumns);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const dvec3& wi = samples[i].wi;
+      if (samples[i].lobe == render::Lobe::none || !contains(wi)) continue;
+      if (coins[i].x < highlightShare(wi))
+        highlight.add(slopes_->placeOf(wi));
+      else
+        hemisphere.add({std::abs(wi.z), turns(wi.x, wi.y)});
+    }
+    return joined(highlight, hemisphere);
+  }
+
  private:
+  bool hasBoth() const { return case_.surface.anisotropy > 0; }
+
+  // Returns the probability with which a direction belongs to the cells of the highlight.
+  double highlightShare(const dvec3& wi) const {
+    if (!slopes_ || !hasBoth()) return slopes_ ? 1 : 0;
+    const double ratio = slopes_->spreadAt(wi) / (2 * std::numbers::pi);
+    return 1 / (1 + ratio * ratio);
+  }
+
+  void addSlopes() {
+    points_ = slopes_->points();
+    highlightPoints_ = points_.size();
+    for (HemisphereGrid::Point& point : points_) point.solidAngle *= highlightShare(point.direction);
+  }
+
+  void addHemisphere() {
+    const HemisphereGrid hemisphere(2 * kCellRows, 2 * kCellColumns);
+    for (HemisphereGrid::Point point : hemisphere.points()) {
+      if (transmitted_) point.direction.z = -point.direction.z;
+      point.solidAngle *= 1 - highlightShare(point.direction);
+      points_.push_back(point);
+    }
+  }
+
+  static std::vector<double> joined(const Cells& first, const Cells& second) {
+    std::vector<double> counts = first.counts();
+    counts.insert(counts.end(), second.counts().begin(), second.counts().end());
+    return counts;
+  }
+
   Case case_;
   bool transmitted_;
   std::optional<SlopeGrid> slopes_;
-  std::vector<HemisphereGrid::Point> points_;
+  std::vector<HemisphereGrid::Point> points_;  // first those of the highlight
+  std::size_t highlightPoints_ = 0;
 };
 
 std::vector<Half> halvesOf(const Case& c) {
@@ -183,30 +235,26 @@ void poolRare(std::vector<double>& expected, std::vector<double>& observed) {
   }
 }
 
+void append(const std::vector<double>& counts, std::vector<double>& all) {
+  all.insert(all.end(), counts.begin(), counts.end());
+}
+
 }  // namespace
 
 TEST_CASE("surfaces are sampled with the stated density at five roughnesses and five angles", "[swiftshader-slow]") {
   const Cases cases;
   const MaterialLeaves leaves(cases.materials());
-  const std::vector<glm::vec3> numbers = randomNumbers(kSurfaceSamples, 301);
+  const std::vector<glm::vec3> numbers = randomNumbers(kSurfaceSamples, 301),
+                               coins = randomNumbers(kSurfaceSamples, 302);
   cases.forEach([&](const Case& c) {
     const std::vector<Scattered> samples = scattered(leaves, c.material, c.wo, numbers, c.outside);
     std::vector<double> observed, expected;
-    double total = 0, counted = 0;
     for (const Half& half : halvesOf(c)) {
-      Cells shares(kCellRows, kCellColumns), counts(kCellRows, kCellColumns);
-      const std::vector<ScatterValue> values = half.values(leaves);
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        shares.add(half.points()[i].place, kSurfaceSamples * values[i].pdf * half.points()[i].solidAngle);
-      }
-      for (const Scattered& sample : samples) {
-        if (sample.lobe != render::Lobe::none && half.contains(sample.wi)) counts.add(half.placeOf(sample.wi));
-      }
-      expected.insert(expected.end(), shares.counts().begin(), shares.counts().end());
-      observed.insert(observed.end(), counts.counts().begin(), counts.counts().end());
+      append(half.expected(half.values(leaves)), expected);
+      append(half.observed(samples, coins), observed);
     }
-    for (const double share : expected) total += share;
-    for (const double count : observed) counted += count;
+    const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
+    const double counted = std::accumulate(observed.begin(), observed.end(), 0.0);
     CHECK(total <= 1.0005 * kSurfaceSamples);  // quadrature
     for (double& share : expected) share *= std::min(1.0, kSurfaceSamples / total);
     expected.push_back(std::max(0.0, kSurfaceSamples - total));  // samples that end the path
@@ -299,7 +347,7 @@ TEST_CASE("white anisotropic surfaces reflect everything within 2 percent, and n
   CHECK(least < 1);
 }
 
-TEST_CASE("anisotropic glass that bounds a volume gains no energy") {
+TEST_CASE("anisotropic glass that bounds a volume scatters 0.9 to 1.001 of the light") {
   std::vector<scene::Material> materials;
   for (const float roughness : {0.05f, 0.3f, 0.7f}) {
     for (const float strength : {0.1f, 0.4f, 0.7f, 1.0f}) {
@@ -315,7 +363,7 @@ TEST_CASE("anisotropic glass that bounds a volume gains no energy") {
         const double albedo = meanWeight(scattered(leaves, material, directionAt(cosine, 0.13), numbers, outside)).x;
         CAPTURE(materials[material].surface->roughness, materials[material].surface->anisotropy, cosine, outside);
         CHECK(albedo <= 1.001);
-        CHECK(albedo >= 0.25);
+        CHECK(albedo >= 0.9);
       }
     }
   }

@@ -23,13 +23,13 @@ scene::TextureImage randomTexels(std::uint32_t side, std::uint32_t seed) {
   return image;
 }
 
-// A square from `corner` along two edges; its tangents, unless left out, run along `u`.
-scene::Mesh grainSquare(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v, bool tangents = true) {
+// A square from `corner` along two edges; its tangents, unless their handedness is 0, run along `u`.
+scene::Mesh grainSquare(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v, float handedness = 1) {
   scene::Mesh mesh;
   mesh.positions = {corner, corner + u, corner + u + v, corner + v};
   mesh.texCoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   mesh.indices = {0, 1, 2, 0, 2, 3};
-  if (tangents) mesh.tangents.assign(4, glm::vec4(glm::normalize(u), 1));
+  if (handedness != 0) mesh.tangents.assign(4, glm::vec4(glm::normalize(u), handedness));
   return mesh;
 }
 
@@ -51,7 +51,8 @@ void addSquare(test::SceneBuilder& b, const scene::Material& material, const sce
   addMesh(b.scene, mesh, static_cast<std::uint32_t>(b.scene.materials.size() - 1));
 }
 
-// Four squares in front of a wall: plain, with a texture, with a normal map below a coat, and of glass.
+// Squares in front of a wall: plain, with a texture, with a normal map below a coat, a thin wall, and glass around a
+// volume.
 scene::Scene brushedSquares() {
   test::SceneBuilder b;
   b.scene.images = {randomTexels(8, 11), randomTexels(4, 12)};
@@ -68,6 +69,8 @@ scene::Scene brushedSquares() {
   glass.surface->metalness = 0;
   glass.surface->transmissionWeight = 1;
   addSquare(b, glass, square(1.9f));
+  glass.surface->isThinWalled = false;
+  addSquare(b, glass, grainSquare({-0.8f, 0, 2}, {1.5f, 0.3f, 0}, {0.2f, 0, 0.9f}));
   b.pointLight({-1, -4, 4}, glm::vec3(1));
   b.scene.background = glm::vec3(0.3f);
   b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
@@ -77,10 +80,10 @@ scene::Scene brushedSquares() {
 
 // The red that a square in the plane z = 0 reflects upwards from a light whose half vector has the slope `slope`.
 double highlight(const RenderFunction& render, const scene::Material& material, const glm::dvec2& slope,
-                 bool tangents = true) {
+                 float handedness = 1) {
   test::SceneBuilder b;
   b.scene.images = {{"up", 1, 1, {0xffffff80u}}};  // (0, 1), strength 1
-  addSquare(b, material, grainSquare({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, tangents));
+  addSquare(b, material, grainSquare({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, handedness));
   const glm::dvec3 h = glm::normalize(glm::dvec3(slope, 1));
   b.pointLight(glm::vec3(1e4 * (2 * h.z * h - glm::dvec3(0, 0, 1))), glm::vec3(1));
   b.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.001f);
@@ -118,6 +121,9 @@ TEST_CASE("highlights are elongated along the direction that the rotation and th
     const auto quotient = [&](const scene::Material& material, const glm::dvec2& a, const glm::dvec2& b) {
       return highlight(render, material, a) / highlight(render, material, b);
     };
+    const double mirrored = highlight(render, strength(kPiHalf / 2), down, -1) /
+                            highlight(render, strength(kPiHalf / 2), up, -1);
+    CHECK(mirrored == Approx(diagonal).epsilon(5e-3));
     const auto upward = [](const scene::Material& m) { return withImage(m, scene::TextureSlot::anisotropy, 0); };
     CHECK(quotient(strength(0), along, across) == Approx(ratio).epsilon(2e-3));
     CHECK(quotient(strength(kPiHalf), across, along) == Approx(ratio).epsilon(2e-3));
@@ -133,7 +139,7 @@ TEST_CASE("without a tangent, and with the strength 0, a surface is isotropic") 
     const glm::dvec2 along(0.25, 0);
     const double isotropic = highlight(render, brushed(0), along);
     CHECK(highlight(render, brushed(0, 1), along) == isotropic);
-    CHECK(highlight(render, brushed(0.7f), along, false) == Approx(isotropic).epsilon(1e-5));
+    CHECK(highlight(render, brushed(0.7f), along, 0) == Approx(isotropic).epsilon(1e-5));
     CHECK(highlight(render, brushed(0.7f), along) > 1.5 * isotropic);
   });
 }
