@@ -32,6 +32,10 @@ GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
     extensions["KHR_materials_iridescence"] = {{"iridescenceFactor", factors.film},
                                                {"iridescenceThicknessMaximum", factors.filmThickness}};
   }
+  if (factors.anisotropy > 0) {
+    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", factors.anisotropy},
+                                              {"anisotropyRotation", factors.anisotropyRotation}};
+  }
   if (factors.eta != glm::dvec3(0)) {
     const glm::dvec3 &eta = factors.eta, &kappa = factors.kappa;
     extensions["CANDELA_materials_conductor"] = {{"ior", {eta.x, eta.y, eta.z}},

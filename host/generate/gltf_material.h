@@ -19,6 +19,8 @@ struct MaterialFactors {
   double filmThickness = 0;  ///< in nanometres
   glm::dvec3 eta{0};         ///< complex index of refraction of a metal, eta + i kappa; 0: by its colour
   glm::dvec3 kappa{0};
+  double anisotropy = 0;
+  double anisotropyRotation = 0;   ///< in radians
   glm::dvec3 attenuation{1};       ///< colour that is left after `attenuationDistance`
   double attenuationDistance = 0;  ///< 0: nothing is absorbed
 };

@@ -15,6 +15,10 @@ void writeMaterialTable(NffWriter& out, std::uint32_t size);
 std::uint64_t materialFurnacePrimitives(std::uint32_t size);
 void writeMaterialFurnace(NffWriter& out, std::uint32_t size);
 
+/// Balls of six roughnesses (columns) that are rougher in one direction: of metal, plastic and glass (rows).
+std::uint64_t brushedTablePrimitives(std::uint32_t size);
+void writeBrushedTable(NffWriter& out, std::uint32_t size);
+
 /// A glazed vase, a tumbler, a bowl and balls of glass, gold, copper and plastic on tiles.
 std::uint64_t stillLifePrimitives(std::uint32_t size);
 void writeStillLife(NffWriter& out, std::uint32_t size);
