@@ -1,6 +1,7 @@
 // `candela boxes` as a person runs it: what is drawn, where, and mistakes.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "host/accel/primitive_bounds.h"
 #include "host/flatten/flatten_hierarchy.h"
@@ -95,6 +96,25 @@ TEST_CASE("the scene of boxes has the view of the original scene, and both trace
     CHECK(brightest > 0.3f);
     CHECK(seen.at(0, 0) == glm::vec3(0));
   }
+}
+
+TEST_CASE("an orthographic view is drawn from far away, and shows the same part of the plane through the target") {
+  // A triangle at z = 0 in front of a camera at z = 5 whose view is 3 high.
+  const scene::Scene drawn = boxesOf(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.5, 0.25, 5]}],
+    "cameras": [{"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1.5, "zfar": 10, "znear": 0.1}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri":
+    "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  const scene::Camera& camera = *drawn.camera;
+  const glm::dvec3 towards = glm::dvec3(camera.from) - glm::dvec3(camera.at);
+  CHECK(camera.at.x == 0.5f);
+  CHECK(camera.at.y == 0.25f);
+  CHECK(normalize(towards).z == Approx(1));
+  CHECK(camera.angle <= 1);
+  CHECK(2 * length(towards) * std::tan(glm::radians(double{camera.angle}) / 2) == Approx(3));
+  CHECK(drawn.cones.size() >= 8);
 }
 
 TEST_CASE("without -o the boxes go to stdout, and their number to stderr") {
