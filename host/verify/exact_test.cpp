@@ -7,6 +7,7 @@
 
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
+#include "host/verify/agreement.h"
 #include "host/verify/paired_sums.h"
 
 namespace candela::verify {
