@@ -63,6 +63,10 @@ Buffer::Impl::Impl(std::shared_ptr<Device::Impl> owner, std::uint64_t bytes, Usa
       return device->handle.createBufferView({{}, *raw.handle, vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE});
     });
   }
+  if (device->options.recording != nullptr) {
+    index = static_cast<std::uint32_t>(device->options.recording->buffers.size());
+    device->options.recording->buffers.push_back({bytes, usage});
+  }
   MemoryUse& use = device->memoryUse;
   use.currentBytes += raw.bytes;
   use.peakBytes = std::max(use.peakBytes, use.currentBytes);
@@ -91,6 +95,7 @@ std::span<std::byte> Buffer::mapped() const {
 
 void Buffer::upload(std::span<const std::byte> data, std::uint64_t offset) {
   impl_->requireRange(offset, data.size());
+  impl_->device->note([&] { return RecordedWrite{impl_->index, offset, {data.begin(), data.end()}}; });
   if (isMapped()) {
     std::copy(data.begin(), data.end(), impl_->raw.mapped + offset);
     return;

@@ -9,6 +9,7 @@ struct Buffer::Impl {
   std::shared_ptr<Device::Impl> device;
   RawBuffer raw;
   Usage usage;
+  std::uint32_t index = 0;                  ///< in Recording::buffers, if the device has a recording
   vk::raii::BufferView texelView{nullptr};  ///< for Usage::uniformTexel
 
   Impl(std::shared_ptr<Device::Impl> device, std::uint64_t bytes, Usage usage);

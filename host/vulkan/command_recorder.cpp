@@ -28,6 +28,13 @@ void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
                                   groups.y, groups.z, most[0], most[1], most[2]));
 }
 
+RecordedDispatch recordedDispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
+                                  std::span<const std::byte> pushConstants, GroupCount groups) {
+  RecordedDispatch dispatch{pipeline.impl()->index, {}, {pushConstants.begin(), pushConstants.end()}, groups, {}};
+  for (const auto& buffer : bindings.impl()->buffers) dispatch.buffers.push_back(buffer->index);
+  return dispatch;
+}
+
 }  // namespace
 
 void CommandRecorder::Impl::makeVisibleToNext() const {
@@ -65,6 +72,7 @@ void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const Bin
 void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
                                std::span<const std::byte> pushConstants, GroupCount groups) {
   requireGroups(impl_.device.limits, groups);
+  impl_.device.note([&] { return recordedDispatch(pipeline, bindings, pushConstants, groups); });
   prepareDispatch(pipeline, bindings, pushConstants);
   impl_.device.commands.dispatch(groups.x, groups.y, groups.z);
 }
@@ -73,6 +81,11 @@ void CommandRecorder::dispatchIndirect(const ComputePipeline& pipeline, const Bi
                                        std::span<const std::byte> pushConstants, const Buffer& groups,
                                        std::uint64_t offset) {
   groups.impl()->requireRange(offset, sizeof(vk::DispatchIndirectCommand));
+  impl_.device.note([&] {
+    RecordedDispatch dispatch = recordedDispatch(pipeline, bindings, pushConstants, {});
+    dispatch.indirect = {groups.impl()->index, offset};
+    return dispatch;
+  });
   prepareDispatch(pipeline, bindings, pushConstants);
   impl_.device.commands.dispatchIndirect(*groups.impl()->raw.handle, offset);
 }
@@ -80,6 +93,7 @@ void CommandRecorder::dispatchIndirect(const ComputePipeline& pipeline, const Bi
 void CommandRecorder::updateBuffer(const Buffer& buffer, std::uint64_t offset, std::span<const std::byte> data) {
   buffer.impl()->requireRange(offset, data.size());
   if (data.empty()) return;
+  impl_.device.note([&] { return RecordedWrite{buffer.impl()->index, offset, {data.begin(), data.end()}}; });
   impl_.makeVisibleToNext();
   const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(data.size()), data.data());
   impl_.device.commands.updateBuffer<std::byte>(*buffer.impl()->raw.handle, offset, bytes);
@@ -88,6 +102,7 @@ void CommandRecorder::updateBuffer(const Buffer& buffer, std::uint64_t offset, s
 void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes) {
   buffer.impl()->requireRange(offset, bytes);
   if (bytes == 0) return;
+  impl_.device.note([&] { return RecordedFill{buffer.impl()->index, offset, bytes, word}; });
   impl_.makeVisibleToNext();
   impl_.device.commands.fillBuffer(*buffer.impl()->raw.handle, offset, bytes, word);
 }
@@ -101,6 +116,7 @@ void CommandRecorder::copyBuffer(const Buffer& from, std::uint64_t fromOffset, c
   from.impl()->requireRange(fromOffset, bytes);
   to.impl()->requireRange(toOffset, bytes);
   if (bytes == 0) return;
+  impl_.device.note([&] { return RecordedCopy{from.impl()->index, fromOffset, to.impl()->index, toOffset, bytes}; });
   impl_.copy(*from.impl()->raw.handle, fromOffset, *to.impl()->raw.handle, toOffset, bytes);
 }
 

@@ -27,10 +27,8 @@ vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::Descript
 }
 
 vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout,
-                                std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
-  const std::vector<std::uint32_t> code = reducedSpirv(spirv, options.specialisations);
-  const vk::raii::ShaderModule module(device.handle,
-                                      vk::ShaderModuleCreateInfo({}, std::span(code).size_bytes(), code.data()));
+                                std::span<const std::uint32_t> code, const PipelineOptions& options) {
+  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
   const vk::PipelineShaderStageRequiredSubgroupSizeCreateInfoEXT size(device.options.subgroupSize);
   vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
   if (device.options.subgroupSize > 0) stage.pNext = &size;
@@ -59,7 +57,13 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     const vk::raii::Device& handle = device.impl()->handle;
     impl_->setLayout = makeSetLayout(handle, options.bindings);
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
-    impl_->handle = makePipeline(*device.impl(), *impl_->layout, spirv, options);
+    const std::vector<std::uint32_t> code = options.isFinal ? std::vector(spirv.begin(), spirv.end())
+                                                            : reducedSpirv(spirv, options.specialisations);
+    impl_->handle = makePipeline(*device.impl(), *impl_->layout, code, options);
+    if (Recording* const recording = device.impl()->options.recording.get()) {
+      impl_->index = static_cast<std::uint32_t>(recording->shaders.size());
+      recording->shaders.push_back({code, options});
+    }
   });
   impl_->device->residents.add(impl_);
 }

@@ -24,6 +24,8 @@ struct PipelineOptions {
   std::uint32_t pushConstantBytes = 0;  ///< a multiple of 4, at most 128
   std::vector<Specialisation> specialisations{};
   std::string entry = "main";
+  /// The driver gets the module unchanged: it has no specialisation constants, and the code of a recording is repeated.
+  bool isFinal = false;
   bool operator==(const PipelineOptions&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include "host/vulkan/describe.h"
 #include "host/vulkan/device_choice.h"
 #include "host/vulkan/device_impl.h"
+#include "host/vulkan/recording.h"
 #include "host/vulkan/vulkan_errors.h"
 
 namespace candela::vulkan {
@@ -56,6 +57,9 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
   fence = handle.createFence({});
   hangLimit = HangLimit(options.hangTimeout, info.type == "CPU");
+  if (options.recording == nullptr) return;
+  options.recording->robustBufferAccess = options.robustBufferAccess;
+  options.recording->subgroupSize = options.subgroupSize;
 }
 
 double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience) {

@@ -14,6 +14,8 @@
 
 namespace candela::vulkan {
 
+struct Recording;
+
 /// Bytes of device memory in the buffers of one Device.
 struct MemoryUse {
   std::uint64_t currentBytes = 0;
@@ -33,6 +35,8 @@ struct DeviceOptions {
   /// Number of invocations in a subgroup of every pipeline, from DeviceInfo::minSubgroupSize to maxSubgroupSize and a
   /// power of two; 0: as the driver chooses.
   std::uint32_t subgroupSize = 0;
+  /// Receives everything that the device is given from its opening on; null: nothing is recorded.
+  std::shared_ptr<Recording> recording{};
 };
 
 /// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.

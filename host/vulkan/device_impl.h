@@ -7,6 +7,7 @@
 #include "host/vulkan/device.h"
 #include "host/vulkan/hang_limit.h"
 #include "host/vulkan/instance.h"
+#include "host/vulkan/recording.h"
 #include "host/vulkan/residents.h"
 
 namespace candela::vulkan {
@@ -49,6 +50,12 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
   RawBuffer allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference);
   RawBuffer& staging();
+
+  /// Adds a command to the recording, if there is one. `make` returns the command.
+  template <class Make>
+  void note(Make&& make) const {
+    if (options.recording != nullptr) options.recording->commands.emplace_back(make());
+  }
 
   /// Implements Device::run: records, submits and waits. Returns seconds.
   double run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience = Patience::normal);
