@@ -30,6 +30,7 @@ enum class Command : unsigned {
   film = 2048,
   merge = 4096,
   conformance = 8192,
+  capture = 16384,
   report = 131072
 };
 
@@ -51,7 +52,15 @@ struct ConformanceArguments {
   std::filesystem::path baseline;        ///< empty: every case is expected to pass
   std::filesystem::path skips;
   std::filesystem::path flakes;
-  std::string csv;  ///< like `Arguments::json`
+  std::string csv;                 ///< like `Arguments::json`
+  std::filesystem::path captures;  ///< folder for captures of cases that fail; empty for none
+};
+
+/// Where `candela capture` writes, and whose results are expected.
+struct CaptureArguments {
+  std::filesystem::path folder;
+  std::string expect;         ///< selector of a device; empty: the reference tracer, or the twin of a case
+  double shrinkSeconds = 60;  ///< time for leaving parts of the scene out
 };
 
 /// A default-constructed object has the default of every option; the option table reads the defaults from it.
@@ -114,6 +123,7 @@ struct Arguments {
   bool dryRun = false;  ///< for `tune`: store nothing
 
   ConformanceArguments conformance;
+  CaptureArguments capture;
 
   std::filesystem::path report;  ///< HTML file; empty for none
   std::string json;              ///< a file, "-" for stdout, empty for none

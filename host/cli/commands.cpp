@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 15> table{{
+  static const std::array<CommandInfo, 16> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
@@ -27,6 +27,10 @@ std::span<const CommandInfo> commandTable() {
       {Command::explain, "explain", "explain SCENE",
        "trace one sample on a device and on the reference tracer, and show where the paths diverge", "scene", 1, 1,
        runExplain},
+      {Command::capture, "capture", "capture SCENE | CASE -o FOLDER",
+       "write a C program with the shader, the data and the expected results of one sample of a scene, or of a case of "
+       "`candela conformance`",
+       "scene or case", 1, 1, runCapture},
       {Command::generate, "generate", "generate KIND",
        "write a procedural scene; `candela generate --help` lists the kinds", "kind", 1, 1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "write the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},

@@ -31,6 +31,7 @@ ExitCode runDoctor(const Arguments& arguments, const Log& log);
 ExitCode runCheck(const Arguments& arguments, const Log& log);
 ExitCode runCompare(const Arguments& arguments, const Log& log);
 ExitCode runConformance(const Arguments& arguments, const Log& log);
+ExitCode runCapture(const Arguments& arguments, const Log& log);
 ExitCode runVerify(const Arguments& arguments, const Log& log);
 ExitCode runExplain(const Arguments& arguments, const Log& log);
 ExitCode runBench(const Arguments& arguments, const Log& log);

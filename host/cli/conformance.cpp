@@ -1,19 +1,23 @@
 // `candela conformance`: asks a device many small questions, each in a child process.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "host/capture/folder.h"
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/text_output.h"
+#include "host/conformance/capture_case.h"
 #include "host/conformance/case_tables.h"
 #include "host/conformance/results.h"
 #include "host/core/interrupt.h"
 #include "host/core/stopwatch.h"
 #include "host/doctor/devices.h"
+#include "host/process/child_process.h"
 #include "host/vulkan/device_choice.h"
 
 namespace candela::cli {
@@ -60,7 +64,36 @@ bool isWorthALine(const CaseResult& result, const Log& log) {
          log.verbosity() == Verbosity::verbose;
 }
 
+constexpr std::chrono::minutes kCaptureLimit{5};
+
+// A driver that crashes ends a child alone.
+void captureFailure(const conformance::Case& question, const vulkan::DeviceInfo& device,
+                    const std::filesystem::path& folder, const Log& log) {
+  const process::ChildResult result = process::runInChild(kCaptureLimit, [&] {
+    capture::writeFolder(conformance::captureCase(question, device), folder / question.name);
+    return nlohmann::json(true);
+  });
+  if (result.failure.empty()) {
+    log.note(fmt::format("{}: captured in {}", question.name, (folder / question.name).string()));
+  } else {
+    log.warning(fmt::format("{}: capturing it {}", question.name, result.failure));
+  }
+}
+
+void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const Cases& cases,
+                     const vulkan::DeviceInfo& device, const Log& log) {
+  const std::filesystem::path& folder = arguments.conformance.captures;
+  if (folder.empty()) return;
+  for (const CaseResult& result : run.cases) {
+    if (result.verdict.status != conformance::Status::fail || watchInterrupts()) continue;
+    std::error_code ignored;
+    std::filesystem::create_directory(folder, ignored);
+    captureFailure(*std::ranges::find(cases, result.name, &conformance::Case::name), device, folder, log);
+  }
+}
+
 void requireWritableOutputs(const Arguments& arguments) {
+  if (!arguments.conformance.captures.empty()) capture::requireNewFolder(arguments.conformance.captures);
   for (const std::string& target : {arguments.conformance.csv, arguments.json, arguments.junit}) {
     requireWritableReport(target);
   }
@@ -96,6 +129,7 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   writeText(arguments.junit, toJunit(run, device, seconds));
   writeJson(arguments.json, toJson(run, device, seconds));
   if (run.interrupted) return ExitCode::interrupted;
+  captureFailures(arguments, run, cases, device, log);
   return run.isExpected() ? ExitCode::done : ExitCode::differ;
 }
 

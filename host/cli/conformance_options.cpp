@@ -31,6 +31,8 @@ std::vector<Option> conformanceOptions() {
          [](auto& a) -> auto& { return a.conformance.flakes; }),
     valued({"--csv", kConformance, kGroup, "write lines `case,Result,seconds`, as deqp-runner's results.csv; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.conformance.csv; }),
+    path({"--capture", kConformance, kGroup, "new folder: for each unexpected failure a folder as `candela capture` writes it"}, "FOLDER",
+         [](auto& a) -> auto& { return a.conformance.captures; }),
   };
 }
 // clang-format on

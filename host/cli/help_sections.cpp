@@ -16,6 +16,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::comparison, "Comparing images"},
     GroupTitle{OptionGroup::verification, "Verifying a device"},
     GroupTitle{OptionGroup::conformance, "Conformance of a driver"},
+    GroupTitle{OptionGroup::capture, "Reproducers of faults"},
     GroupTitle{OptionGroup::explanation, "Explaining a sample"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
     GroupTitle{OptionGroup::tuning, "Tuning"},

@@ -22,12 +22,13 @@ inline constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
 inline constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
 inline constexpr unsigned kConformance = static_cast<unsigned>(Command::conformance);
 inline constexpr unsigned kReport = static_cast<unsigned>(Command::report);
-inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain;
+inline constexpr unsigned kCapture = static_cast<unsigned>(Command::capture);
+inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain | kCapture;
 inline constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 inline constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 inline constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune |
                                        kDoctor | kFilm | kMerge | kConformance;
-inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport;
+inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport | kCapture;
 
 inline constexpr std::uint32_t kMaxSamples = 1u << 30;
 inline constexpr std::uint32_t kMaxSide = 65535;
@@ -41,6 +42,7 @@ std::vector<Option> filmOptions();
 std::vector<Option> comparisonOptions();
 std::vector<Option> verificationOptions();
 std::vector<Option> conformanceOptions();
+std::vector<Option> captureOptions();
 std::vector<Option> explanationOptions();
 std::vector<Option> benchmarkOptions();
 std::vector<Option> tuningOptions();

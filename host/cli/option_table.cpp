@@ -8,9 +8,10 @@ namespace candela::cli {
 const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
-    for (const auto& part : {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(),
-                             comparisonOptions(), verificationOptions(), conformanceOptions(), explanationOptions(),
-                             benchmarkOptions(), tuningOptions(), generationOptions(), generalOptions()}) {
+    for (const auto& part :
+         {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(), comparisonOptions(),
+          verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(), benchmarkOptions(),
+          tuningOptions(), generationOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -18,6 +18,7 @@ enum class OptionGroup {
   comparison,
   verification,
   conformance,
+  capture,
   explanation,
   benchmark,
   tuning,

@@ -33,7 +33,7 @@ std::vector<Option> imageOptions() {
   constexpr OptionGroup kGroup = OptionGroup::image;
   const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.image.sampleCount);
   return {
-    valued({"--spp", kRender | kCompare | kBench | kExplain, kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
+    valued({"--spp", kRender | kCompare | kBench | kExplain | kCapture, kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
            orAbsent(wholeNumber(0, kMaxSamples), defaultSamples), [](auto& a) -> auto& { return a.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.settings.image.seed; }),
@@ -59,9 +59,9 @@ std::vector<Option> imageOptions() {
            choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.image.pixelOrigin; }),
     valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.image.lightSize; }),
-    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
+    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain | kCapture, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
-    valued({"--background", kRender | kCompare | kBench | kExplain, kGroup, "what camera rays see where they hit nothing: `env`: what lights the scene (environment, sky or background colour); `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light stays the same"},
+    valued({"--background", kRender | kCompare | kBench | kExplain | kCapture, kGroup, "what camera rays see where they hit nothing: `env`: what lights the scene (environment, sky or background colour); `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light stays the same"},
            choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.settings.image.backdrop; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),

@@ -8,6 +8,7 @@
 
 #include "host/conformance/memory_run.h"
 #include "host/conformance/shader_run.h"
+#include "host/conformance/workbench.h"
 #include "spirv/bounds.h"
 
 namespace candela::conformance {
@@ -100,15 +101,18 @@ void checkReads(const BoundsRow& row, const WordList& indices, const WordList& o
     }
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t expected = kFirstWord + (row.function == kReadWords ? index : 4 * index + k);
-      mismatches.expect(fmt::format("{}, index {}, component {}", row.name, index, k), expected, found[k]);
+      mismatches.expect(fmt::format("{}, index {}, component {}", row.name, index, k), outputPlace(i, k), expected,
+                        found[k]);
     }
   }
 }
 
-void checkUnchanged(const char* what, const WordList& expected, const vulkan::Buffer& buffer, Mismatches& mismatches) {
+void checkUnchanged(const char* what, std::uint32_t binding, const WordList& expected, const vulkan::Buffer& buffer,
+                    Mismatches& mismatches) {
   const WordList found = wordsOf(buffer);
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    mismatches.expect(fmt::format("word {} of {}, to which nothing is written", i, what), expected[i], found[i]);
+  for (std::uint32_t i = 0; i < expected.size(); ++i) {
+    mismatches.expect(fmt::format("word {} of {}, to which nothing is written", i, what), {binding, i}, expected[i],
+                      found[i]);
   }
 }
 
@@ -129,24 +133,24 @@ void checkWrites(const BoundsRow& row, const WordList& indices, const BoundsBuff
     mismatches.note(isRight ? ""
                             : fmt::format("{}, word {}: was {:#x}, found {:#x}", row.name, i, before[i], words[i]));
   }
-  checkUnchanged("the indices", indices, buffers.inputs, mismatches);
-  checkUnchanged("the outputs", WordList(indices.size() * 4, 0), buffers.outputs, mismatches);
-  checkUnchanged("the vectors", before, buffers.vectors, mismatches);
-  checkUnchanged("the texels", before, buffers.texels, mismatches);
+  checkUnchanged("the indices", 0, indices, buffers.inputs, mismatches);
+  checkUnchanged("the outputs", kOutputs, WordList(indices.size() * 4, 0), buffers.outputs, mismatches);
+  checkUnchanged("the vectors", 3, before, buffers.vectors, mismatches);
+  checkUnchanged("the texels", 4, before, buffers.texels, mismatches);
 }
 
 void checkLengths(const WordList& outputs, Mismatches& mismatches) {
-  mismatches.expect("length of an array of words", kBufferWords, outputs[0]);
-  mismatches.expect("length of an array of vectors", kBufferWords / 4, outputs[1]);
-  mismatches.expect("size of a texel buffer", kBufferWords / 4, outputs[2]);
+  mismatches.expect("length of an array of words", {kOutputs, 0}, kBufferWords, outputs[0]);
+  mismatches.expect("length of an array of vectors", {kOutputs, 1}, kBufferWords / 4, outputs[1]);
+  mismatches.expect("size of a texel buffer", {kOutputs, 2}, kBufferWords / 4, outputs[2]);
 }
 
 }  // namespace
 
 std::span<const BoundsRow> boundsRows() { return kBoundsRows; }
 
-Finding runBounds(const BoundsRow& row, const vulkan::DeviceInfo& info) {
-  vulkan::Device device = vulkan::Device::open(info, {.robustBufferAccess = true});
+Finding runBounds(const BoundsRow& row, const Workbench& workbench) {
+  vulkan::Device device = workbench.open({.robustBufferAccess = true});
   const WordList indices = indicesFor(row.elements);
   const BoundsBuffers buffers(device, indices);
   dispatchBounds(device, row, buffers, static_cast<std::uint32_t>(indices.size()));

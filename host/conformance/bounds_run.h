@@ -4,7 +4,6 @@
 #include <span>
 
 #include "host/conformance/case.h"
-#include "host/vulkan/device_info.h"
 
 namespace candela::conformance {
 
@@ -18,6 +17,6 @@ std::span<const BoundsRow> boundsRows();
 
 /// Reads within a buffer give its content, and others give 0 or some word of the buffer. Writes beyond the buffer
 /// change no other buffer.
-Finding runBounds(const BoundsRow& row, const vulkan::DeviceInfo& device);
+Finding runBounds(const BoundsRow& row, const Workbench& workbench);
 
 }  // namespace candela::conformance

@@ -9,4 +9,9 @@ Finding passed() { return {}; }
 Finding failed(std::string text) { return {Outcome::fail, std::move(text)}; }
 Finding skipped(std::string missingFeature) { return {Outcome::skip, std::move(missingFeature)}; }
 
+Finding perInvocation(Finding finding) {
+  finding.isPerInvocation = true;
+  return finding;
+}
+
 }  // namespace candela::conformance

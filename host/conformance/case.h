@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "host/capture/capture.h"
+#include "host/vulkan/device_info.h"
+
 namespace candela::conformance {
 
 class Workbench;
@@ -14,16 +17,24 @@ enum class Outcome { pass, fail, skip };
 struct Finding {
   Outcome outcome = Outcome::pass;
   std::string text;  ///< of a failure: what differs; of a skipped case: the missing feature
+  /// What the buffers of the last dispatch must contain; empty for a picture.
+  capture::ExpectedValues expected{};
+  /// The case is a ShaderRun whose invocations do not read each other's inputs: some of them ask the question alone.
+  bool isPerInvocation = false;
 };
 
 Finding passed();
 Finding failed(std::string text);
 Finding skipped(std::string missingFeature);
+/// Returns the finding with Finding::isPerInvocation.
+Finding perInvocation(Finding finding);
 
 struct Case {
   std::string name;   ///< parts of letters, digits and underscores, separated by dots
   std::string group;  ///< cases of one group may run in one child process, because they share kernels or images
   std::function<Finding(Workbench&)> run;
+  /// Captures the case in a way of its own; empty: captureCase() records the work of run().
+  std::function<capture::Capture(const vulkan::DeviceInfo&)> capture{};
 };
 
 using Cases = std::vector<Case>;

@@ -25,6 +25,7 @@ constexpr std::uint32_t kItems = 3000;
 constexpr std::uint32_t kChainSteps = 24;
 constexpr std::uint32_t kReadNeighbour = 8;  // kFunction of memory.comp
 constexpr std::uint32_t kRounds = 20;
+constexpr std::uint32_t kStates = 2;  // binding of queue.comp
 constexpr std::uint64_t kHeaderBytes = 16;
 constexpr std::uint32_t kPartWords = 28;
 constexpr std::uint32_t kParts = 200;
@@ -99,7 +100,7 @@ Finding runChain(vulkan::Device& device) {
   const WordList found = wordsOf(even);
   Mismatches mismatches;
   for (std::uint32_t i = 0; i < kItems; ++i) {
-    mismatches.expect(fmt::format("word {} after {} dispatches", i, kChainSteps), words[i], found[i]);
+    mismatches.expect(fmt::format("word {} after {} dispatches", i, kChainSteps), {kOutputs, i}, words[i], found[i]);
   }
   return mismatches.finding();
 }
@@ -121,8 +122,8 @@ Finding runQueue(vulkan::Device& device) {
   Mismatches mismatches;
   for (std::uint32_t i = 0; i < kItems; ++i) {
     const ItemState expected = afterRounds(initial[2 * i]);
-    mismatches.expect(fmt::format("item {}, rounds", i), expected.rounds, found[2 * i + 1]);
-    mismatches.expect(fmt::format("item {}, word", i), expected.word, found[2 * i]);
+    mismatches.expect(fmt::format("item {}, rounds", i), {kStates, 2 * i + 1}, expected.rounds, found[2 * i + 1]);
+    mismatches.expect(fmt::format("item {}, word", i), {kStates, 2 * i}, expected.word, found[2 * i]);
   }
   return mismatches.finding();
 }
@@ -168,8 +169,8 @@ Finding runRecords(vulkan::Device& device) {
     const std::uint32_t* const first = &parts[part * kPartWords];
     const std::array<std::uint32_t, 16> indices = partIndices(first[4] % 3);
     for (std::uint32_t k = 0; k < indices.size(); ++k) {
-      mismatches.expect(fmt::format("record {}, word {} (output {})", part, indices[k], k), first[indices[k]],
-                        found[16 * part + k]);
+      mismatches.expect(fmt::format("record {}, word {} (output {})", part, indices[k], k), {kOutputs, 16 * part + k},
+                        first[indices[k]], found[16 * part + k]);
     }
   }
   return mismatches.finding();

@@ -22,6 +22,7 @@ namespace {
 using Row = std::array<float, 4>;
 
 constexpr std::uint32_t kFunctionArguments = 4096;
+constexpr std::size_t kPixelWords = sizeof(image::FilmPixel) / sizeof(std::uint32_t);
 
 /// A function of (u, v, w, height of a cap). Errors are those of 32-bit arithmetic with division and square root as
 /// Vulkan permits them.
@@ -65,10 +66,12 @@ std::vector<Row> functionArguments() {
   return inputs;
 }
 
-void compareRow(const FunctionRow& row, const Row& u, const Row& found, Mismatches& mismatches) {
+void compareRow(const FunctionRow& row, std::size_t invocation, const Row& u, const Row& found,
+                Mismatches& mismatches) {
   const glm::dvec4 expected = row.expected({u[0], u[1], u[2], u[3]});
   for (int k = 0; k < 4; ++k) {
     const double error = row.relativeError * std::abs(expected[k]) + row.absoluteError;
+    mismatches.require(outputPlace(invocation, static_cast<std::size_t>(k)), expected[k] - error, expected[k] + error);
     const bool isNear = std::abs(double{found[k]} - expected[k]) <= error;
     mismatches.note(
         isNear
@@ -83,8 +86,8 @@ Finding runFunction(const FunctionRow& row, Workbench& workbench) {
   const std::vector<Row> found = runShader<Row>(
       workbench.device(), {spirv::functions, kFunctionArguments, 0, {{0, row.function}}}, inputs, inputs.size());
   Mismatches mismatches;
-  for (std::size_t i = 0; i < inputs.size(); ++i) compareRow(row, inputs[i], found[i], mismatches);
-  return mismatches.finding();
+  for (std::size_t i = 0; i < inputs.size(); ++i) compareRow(row, i, inputs[i], found[i], mismatches);
+  return perInvocation(mismatches.finding());
 }
 
 // Samples of all magnitudes, among them some that the film refuses or clamps, and a denormal number, which adds 0.
@@ -111,18 +114,25 @@ std::vector<Row> carryingSamples() {
 
 void comparePixel(std::size_t pixel, const image::FilmPixel& host, const image::FilmPixel& found,
                   Mismatches& mismatches) {
+  const auto placeOf = [&](const std::uint32_t& member) {
+    const std::ptrdiff_t word = &member - reinterpret_cast<const std::uint32_t*>(&found);
+    return capture::Place{kOutputs, static_cast<std::uint32_t>(pixel * kPixelWords + static_cast<std::size_t>(word))};
+  };
   const auto compareSum = [&](const char* channel, const image::FixedSum& a, const image::FixedSum& b) {
     for (std::size_t word = 0; word < a.size(); ++word) {
-      mismatches.expect(fmt::format("film of invocation {}, {}, word {}", pixel, channel, word), a[word], b[word]);
+      mismatches.expect(fmt::format("film of invocation {}, {}, word {}", pixel, channel, word), placeOf(b[word]),
+                        a[word], b[word]);
     }
   };
   compareSum("red", host.red, found.red);
   compareSum("green", host.green, found.green);
   compareSum("blue", host.blue, found.blue);
-  mismatches.expect(fmt::format("film of invocation {}, samples", pixel), host.sampleCount, found.sampleCount);
-  mismatches.expect(fmt::format("film of invocation {}, bad samples", pixel), host.badCount, found.badCount);
-  mismatches.expect(fmt::format("film of invocation {}, first bad sample", pixel), host.firstBadSample,
-                    found.firstBadSample);
+  mismatches.expect(fmt::format("film of invocation {}, samples", pixel), placeOf(found.sampleCount), host.sampleCount,
+                    found.sampleCount);
+  mismatches.expect(fmt::format("film of invocation {}, bad samples", pixel), placeOf(found.badCount), host.badCount,
+                    found.badCount);
+  mismatches.expect(fmt::format("film of invocation {}, first bad sample", pixel), placeOf(found.firstBadSample),
+                    host.firstBadSample, found.firstBadSample);
 }
 
 Finding runFilm(const std::vector<Row>& samples, std::uint32_t invocations, Workbench& workbench) {
@@ -136,7 +146,7 @@ Finding runFilm(const std::vector<Row>& samples, std::uint32_t invocations, Work
   }
   Mismatches mismatches;
   for (std::uint32_t i = 0; i < invocations; ++i) comparePixel(i, expected.at(i, 0), films[i], mismatches);
-  return mismatches.finding();
+  return conformance::perInvocation(mismatches.finding());
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ const std::array<ControlRow, 4> kSubgroupControl{{{"loop.ended_at_the_end", 4, e
                                                   {"switch.in_loop", 9, switched},
                                                   {"stack.deep", 11, deepStack}}};
 
-Finding runSubgroup(std::uint32_t size, const vulkan::DeviceInfo& info) {
-  vulkan::Device device = vulkan::Device::open(info, {.subgroupSize = size});
+Finding runSubgroup(std::uint32_t size, const Workbench& workbench) {
+  vulkan::Device device = workbench.open({.subgroupSize = size});
   if (Finding finding = runIdentities(kSubgroupShape, device, size); finding.outcome != Outcome::pass) return finding;
   for (const ControlRow& row : kSubgroupControl) {
     if (Finding finding = runControl(row, device); finding.outcome != Outcome::pass) return finding;
@@ -45,7 +45,7 @@ Cases groupCases() {
   for (const std::uint32_t size : kSubgroupSizes) {
     cases.push_back({fmt::format("group.subgroup.{}", size), kChild, [size](Workbench& workbench) {
                        const vulkan::DeviceInfo& info = workbench.info();
-                       return hasSubgroupSize(info, size) ? runSubgroup(size, info)
+                       return hasSubgroupSize(info, size) ? runSubgroup(size, workbench)
                                                           : skipped(missingSubgroupSize(info));
                      }});
   }

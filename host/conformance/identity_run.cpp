@@ -14,6 +14,7 @@ namespace candela::conformance {
 namespace {
 
 constexpr vulkan::GroupCount kGroups{3, 2, 2};
+constexpr std::uint32_t kCounts = 0;  // binding
 
 /// The outputs and the number of times that each was written.
 struct Identities {
@@ -73,9 +74,9 @@ Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint
   for (std::uint32_t i = 0; i < width * height * depth; ++i) {
     const std::uint32_t x = i % width, y = i / width % height, z = i / width / height;
     const Words expected = expectedIdentity(shape, x, y, z, subgroupSize);
-    mismatches.expect(fmt::format("runs of invocation {},{},{}", x, y, z), 1, found.counts[i]);
+    mismatches.expect(fmt::format("runs of invocation {},{},{}", x, y, z), {kCounts, i}, 1, found.counts[i]);
     for (std::size_t k = 0; k < expected.size(); ++k) {
-      mismatches.expect(fmt::format("invocation {},{},{}, {}", x, y, z, kNames[k]), expected[k],
+      mismatches.expect(fmt::format("invocation {},{},{}, {}", x, y, z, kNames[k]), outputPlace(i, k), expected[k],
                         found.outputs[4 * i + k]);
     }
   }

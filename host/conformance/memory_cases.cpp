@@ -26,7 +26,8 @@ void checkPositions(const MemoryRow& row, Span data, Span outputs, Mismatches& m
     WordList taken;
     for (std::uint32_t i = slot; i < row.invocations; i += row.parameter) taken.push_back(outputs[i]);
     std::ranges::sort(taken);
-    mismatches.expect(fmt::format("counter {}", slot), static_cast<std::uint32_t>(taken.size()), data[slot]);
+    mismatches.expect(fmt::format("counter {}", slot), {kMemoryData, slot}, static_cast<std::uint32_t>(taken.size()),
+                      data[slot]);
     for (std::uint32_t k = 0; k < taken.size(); ++k) {
       mismatches.expect(fmt::format("position {} of counter {}, sorted", k, slot), k, taken[k]);
     }
@@ -45,7 +46,9 @@ void checkBits(const MemoryRow& row, Span data, Span, Mismatches& mismatches) {
     expected[5] += word;
   }
   constexpr std::array kNames{"atomicOr", "atomicAnd", "atomicXor", "atomicMin", "atomicMax", "atomicAdd"};
-  for (std::size_t k = 0; k < expected.size(); ++k) mismatches.expect(kNames[k], expected[k], data[k]);
+  for (std::uint32_t k = 0; k < expected.size(); ++k) {
+    mismatches.expect(kNames[k], {kMemoryData, k}, expected[k], data[k]);
+  }
 }
 
 // What was exchanged and what remains are what was stored, and the first word.
@@ -67,10 +70,10 @@ void checkSwapped(const MemoryRow& row, Span data, Span outputs, Mismatches& mis
   WordList sums(row.parameter, 0);
   for (std::uint32_t i = 0; i < row.invocations; ++i) {
     sums[i % row.parameter] += nextWord(i);
-    mismatches.expect(fmt::format("invocation {} succeeds", i), 1, outputs[i]);
+    mismatches.expect(fmt::format("invocation {} succeeds", i), {kMemoryOutputs, i}, 1, outputs[i]);
   }
   for (std::uint32_t slot = 0; slot < row.parameter; ++slot) {
-    mismatches.expect(fmt::format("sum {}", slot), sums[slot], data[slot]);
+    mismatches.expect(fmt::format("sum {}", slot), {kMemoryData, slot}, sums[slot], data[slot]);
   }
 }
 
@@ -78,7 +81,8 @@ void checkScan(const MemoryRow& row, Span, Span outputs, Mismatches& mismatches)
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < row.invocations; ++i) {
     sum = (i % kGroup == 0 ? 0 : sum) + nextWord(i) / 256;
-    mismatches.expect(fmt::format("prefix sum of invocation {} (local {})", i, i % kGroup), sum, outputs[i]);
+    mismatches.expect(fmt::format("prefix sum of invocation {} (local {})", i, i % kGroup), {kMemoryOutputs, i}, sum,
+                      outputs[i]);
   }
 }
 
@@ -90,8 +94,10 @@ void checkList(const MemoryRow& row, Span, Span outputs, Mismatches& mismatches)
       sum += i;
       ++count;
     }
-    mismatches.expect(fmt::format("sum of the list of workgroup {}", first / kGroup), sum, outputs[first]);
-    mismatches.expect(fmt::format("length of the list of workgroup {}", first / kGroup), count, outputs[first + 1]);
+    mismatches.expect(fmt::format("sum of the list of workgroup {}", first / kGroup), {kMemoryOutputs, first}, sum,
+                      outputs[first]);
+    mismatches.expect(fmt::format("length of the list of workgroup {}", first / kGroup), {kMemoryOutputs, first + 1},
+                      count, outputs[first + 1]);
   }
 }
 
@@ -104,7 +110,8 @@ void checkStorageBarrier(const MemoryRow& row, Span, Span outputs, Mismatches& m
       for (std::uint32_t k = 0; k < kGroup; ++k) words[k] = nextWord(before[k] ^ before[(5 * k + turn) % kGroup]);
     }
     for (std::uint32_t k = 0; k < kGroup; ++k) {
-      mismatches.expect(fmt::format("invocation {} of workgroup {}", k, first / kGroup), words[k], outputs[first + k]);
+      mismatches.expect(fmt::format("invocation {} of workgroup {}", k, first / kGroup), {kMemoryOutputs, first + k},
+                        words[k], outputs[first + k]);
     }
   }
 }
@@ -114,8 +121,10 @@ void checkAliased(const MemoryRow& row, Span data, Span outputs, Mismatches& mis
     const std::uint32_t a = (nextWord(i) >> 20) % 8, b = (nextWord(nextWord(i)) >> 20) % 8;
     const std::uint32_t seen = a == b ? i + 7 : i;
     const std::uint32_t second = a == b ? 3 * seen : i + 7;
-    mismatches.expect(fmt::format("invocation {} with indices {} and {}", i, a, b), second + 5 * seen, outputs[i]);
-    mismatches.expect(fmt::format("word {} of invocation {}", a, i), 3 * seen, data[8 * i + a]);
+    mismatches.expect(fmt::format("invocation {} with indices {} and {}", i, a, b), {kMemoryOutputs, i},
+                      second + 5 * seen, outputs[i]);
+    mismatches.expect(fmt::format("word {} of invocation {}", a, i), {kMemoryData, 8 * i + a}, 3 * seen,
+                      data[8 * i + a]);
   }
 }
 
@@ -150,7 +159,7 @@ Cases memoryCases() {
   add("memory.command.copy", runCopies);
   for (const BoundsRow& row : boundsRows()) {
     cases.push_back({fmt::format("memory.robust.{}", row.name), "memory.robust",
-                     [&row](Workbench& workbench) { return runBounds(row, workbench.info()); }});
+                     [&row](Workbench& workbench) { return runBounds(row, workbench); }});
   }
   return cases;
 }

@@ -11,6 +11,9 @@ namespace candela::conformance {
 
 using WordList = std::vector<std::uint32_t>;
 
+/// The bindings of the shader.
+inline constexpr std::uint32_t kMemoryData = 0, kMemoryOutputs = 1;
+
 /// One case. `check` compares the buffers after the run with what they must contain.
 struct MemoryRow {
   const char* name;

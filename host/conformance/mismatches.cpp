@@ -22,10 +22,28 @@ void Mismatches::expect(const std::string& what, std::uint32_t expected, std::ui
            : fmt::format("{}: expected {} ({:#x}), found {} ({:#x})", what, expected, expected, found, found));
 }
 
-Finding Mismatches::finding() const {
-  if (failed_ == 0) return passed();
+void Mismatches::expect(const std::string& what, capture::Place place, std::uint32_t expected, std::uint32_t found) {
+  require(place, expected);
+  expect(what, expected, found);
+}
+
+void Mismatches::require(capture::Place place, std::uint32_t word) {
+  expected_.push_back({capture::ValueType::word, place, static_cast<double>(word), static_cast<double>(word)});
+}
+
+void Mismatches::require(capture::Place place, double low, double high) {
+  expected_.push_back({capture::ValueType::number, place, low, high});
+}
+
+Finding Mismatches::finding() {
+  Finding finding = failed_ == 0 ? passed() : failed(text());
+  finding.expected = std::move(expected_);
+  return finding;
+}
+
+std::string Mismatches::text() const {
   const std::string more = failed_ > kShown ? fmt::format(", the first {} of them", kShown) : "";
-  return failed(fmt::format("{} of {} values differ{}:\n{}", failed_, compared_, more, first_));
+  return fmt::format("{} of {} values differ{}:\n{}", failed_, compared_, more, first_);
 }
 
 }  // namespace candela::conformance

@@ -70,7 +70,8 @@ class Table {
  public:
   void add(const std::string& path, const std::string& group, const Picture& picture) {
     cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
-                      [picture](Workbench& bench) { return comparePicture(picture, bench); }});
+                      [picture](Workbench& bench) { return comparePicture(picture, bench); },
+                      [picture](const vulkan::DeviceInfo& device) { return capturePicture(picture, device); }});
   }
   Cases take() { return std::move(cases_); }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "host/capture/scene_capture.h"
 #include "host/conformance/identity_run.h"
 #include "host/conformance/scenes.h"
 #include "host/conformance/workbench.h"
@@ -13,6 +14,8 @@
 
 namespace candela::conformance {
 namespace {
+
+constexpr double kShrinkSeconds = 20;
 
 std::string explanationOf(const scene::Scene& scene, const render::RenderSettings& settings,
                           const verify::PixelAgreement& pixels, render::Renderer& device, render::Renderer& reference) {
@@ -46,8 +49,24 @@ Finding comparePicture(const Picture& picture, Workbench& workbench) {
   if (!device::hasWorkgroup(info, workgroup)) return skipped(missingShape(info));
   if (picture.subgroupSize == 0) return compareOn(workbench.renderer(), picture, workbench.reference());
   if (!hasSubgroupSize(info, picture.subgroupSize)) return skipped(missingSubgroupSize(info));
-  vulkan::Device device = vulkan::Device::open(info, {.subgroupSize = picture.subgroupSize});
+  vulkan::Device device = workbench.open({.subgroupSize = picture.subgroupSize});
   return compareOn(*device::makeGpuRenderer(device), picture, workbench.reference());
+}
+
+capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device) {
+  Workbench workbench(device);
+  const scene::Scene& scene = sceneNamed(picture.scene);
+  render::BadSampleTallies ignored;
+  const auto pixels = verify::comparePaths(scene, picture.settings, workbench.renderer(), workbench.reference(),
+                                           kPictureAlpha, {}, ignored);
+  capture::SceneRequest request;
+  request.settings = picture.settings;
+  request.settings.image.sampleCount = 1;
+  request.sample = {pixels->worstX, pixels->worstY, 0};
+  request.device = device;
+  request.subgroupSize = picture.subgroupSize;
+  request.shrinkSeconds = kShrinkSeconds;
+  return capture::captureScene(scene, *capture::primitivesOf(scene), request);
 }
 
 }  // namespace candela::conformance

@@ -22,4 +22,7 @@ struct Picture {
 /// Renderer::prepare() does.
 Finding comparePicture(const Picture& picture, Workbench& workbench);
 
+/// Captures sample 0 of the pixel of the picture that differs most. Throws as capture::captureScene() does.
+capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device);
+
 }  // namespace candela::conformance

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "host/capture/expected_value.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/compute_pipeline.h"
@@ -15,6 +16,9 @@ namespace candela::conformance {
 /// Four 32-bit values, as a uvec4 of a shader.
 using Words = std::array<std::uint32_t, 4>;
 
+/// Invocations in a workgroup of a ShaderRun.
+inline constexpr std::uint32_t kRunGroup = 64;
+
 /// The shader has the bindings 0 (inputs) and 1 (outputs), workgroups of 64 invocations and two push constants, of
 /// which the first is the number of invocations.
 struct ShaderRun {
@@ -23,6 +27,14 @@ struct ShaderRun {
   std::uint32_t parameter = 0;  ///< the second push constant
   std::vector<vulkan::Specialisation> specialisations{};
 };
+
+/// The binding of the outputs.
+inline constexpr std::uint32_t kOutputs = 1;
+
+/// Returns the position of component `k` of the output vector of an invocation.
+constexpr capture::Place outputPlace(std::size_t invocation, std::size_t k) {
+  return {kOutputs, static_cast<std::uint32_t>(4 * invocation + k)};
+}
 
 /// Runs the shader on `inputs` and returns `outputCount` values that it wrote. Outputs are 0xdeadbeef before.
 template <class Output, class Input>
@@ -40,7 +52,8 @@ std::vector<Output> runShader(vulkan::Device& device, const ShaderRun& run, cons
   out.fill(kUnwritten);
   const vulkan::BindingSet bindings(pipeline, {&in, &out});
   device.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = (run.invocations + 63) / 64});
+    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)),
+                      {.x = (run.invocations + kRunGroup - 1) / kRunGroup});
   });
   std::vector<Output> outputs(outputCount);
   out.download(std::as_writable_bytes(std::span(outputs)));

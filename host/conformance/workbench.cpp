@@ -6,11 +6,16 @@
 
 namespace candela::conformance {
 
-Workbench::Workbench(vulkan::DeviceInfo info)
-    : info_(std::move(info)), reference_(reference::makeReferenceRenderer()) {}
+Workbench::Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording)
+    : info_(std::move(info)), recording_(std::move(recording)), reference_(reference::makeReferenceRenderer()) {}
+
+vulkan::Device Workbench::open(vulkan::DeviceOptions options) const {
+  options.recording = recording_;
+  return vulkan::Device::open(info_, options);
+}
 
 vulkan::Device& Workbench::device() {
-  if (!device_) device_ = vulkan::Device::open(info_);
+  if (!device_) device_ = open({});
   return *device_;
 }
 

@@ -10,9 +10,12 @@ namespace candela::conformance {
 
 class Workbench {
  public:
-  explicit Workbench(vulkan::DeviceInfo info);
+  /// `recording` receives everything that the devices of open() are given; null: nothing is recorded.
+  explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {});
 
   const vulkan::DeviceInfo& info() const { return info_; }
+  /// Opens the device with these options.
+  vulkan::Device open(vulkan::DeviceOptions options) const;
   /// Returns the device, which the first call opens without optional features.
   vulkan::Device& device();
   /// Returns the device renderer on device().
@@ -22,6 +25,7 @@ class Workbench {
 
  private:
   vulkan::DeviceInfo info_;
+  std::shared_ptr<vulkan::Recording> recording_;
   std::optional<vulkan::Device> device_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::Renderer> reference_;

@@ -1,0 +1,45 @@
+// A piece of a device's work that another program can repeat, with the results that it must give.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/capture/expected_value.h"
+#include "host/vulkan/recording.h"
+
+namespace candela::capture {
+
+using Content = std::vector<std::byte>;
+
+/// A file for people in the folder of a capture.
+struct TextFile {
+  std::string name;
+  std::string text;
+};
+
+struct Capture {
+  std::string title;              ///< the case, or the scene with the pixel and the sample
+  std::string expectedBy;         ///< who computed the expected values, e.g. "the reference tracer"
+  std::string found;              ///< what differs on the device where it was captured; empty: nothing
+  std::string capturedOn;         ///< name and driver of this device
+  std::size_t differing = 0;      ///< number of values that differ there
+  std::string note;               ///< sentences about what is rendered; may be empty
+  std::vector<TextFile> files;    ///< beside the program, e.g. the scene
+  vulkan::Recording work;         ///< the commands whose results are expected; buffers have no other use
+  std::vector<Content> contents;  ///< of each buffer before the first command; what was never written is 0
+  ExpectedValues expected;        ///< of the buffers of the last dispatch
+};
+
+/// Cuts a recording down to what decides the content of the buffers of its last dispatch. Commands before the first
+/// dispatch become contents; later ones remain. Throws InternalError if there is no dispatch.
+Capture cutDown(const vulkan::Recording& recording);
+
+/// Returns the last dispatch. Throws InternalError if there is none.
+const vulkan::RecordedDispatch& lastDispatch(const vulkan::Recording& recording);
+vulkan::RecordedDispatch& lastDispatch(vulkan::Recording& recording);
+
+/// Returns the index of the buffer that contains a value.
+std::uint32_t bufferOf(const Capture& capture, const Place& place);
+
+}  // namespace candela::capture

@@ -1,0 +1,154 @@
+// Renders with a device that records its work.
+#include "host/capture/sample_trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "host/capture/replay.h"
+#include "host/capture/sample_values.h"
+#include "host/core/errors.h"
+#include "host/device/gpu_renderer.h"
+#include "host/reference/reference_renderer.h"
+#include "shaders/shared/render_data.h"
+
+namespace candela::capture {
+namespace {
+
+using vulkan::RecordedDispatch;
+
+image::Film renderSample(render::Renderer& renderer, const scene::Scene& scene, const Sample& sample) {
+  const std::unique_ptr<render::Session> session = renderer.prepare(scene, sample.settings);
+  session->advance({sample.index, sample.index + 1}, {});
+  return session->film();
+}
+
+std::uint32_t& maxSegmentsOf(RecordedDispatch& dispatch) {
+  return *reinterpret_cast<std::uint32_t*>(&dispatch.pushConstants[offsetof(gpu::DispatchConstants, maxSegments)]);
+}
+
+// The first dispatch with the segments of all of them.
+vulkan::Recording asOneDispatch(const vulkan::Recording& recording) {
+  vulkan::Recording one = recording;
+  std::uint32_t segments = 0;
+  auto first = one.commands.end();
+  for (auto command = one.commands.begin(); command != one.commands.end(); ++command) {
+    auto* const dispatch = std::get_if<RecordedDispatch>(&*command);
+    if (dispatch == nullptr) continue;
+    segments += maxSegmentsOf(*dispatch);
+    if (first == one.commands.end()) first = command;
+  }
+  maxSegmentsOf(std::get<RecordedDispatch>(*first)) = segments;
+  one.commands.erase(first + 1, one.commands.end());
+  return one;
+}
+
+bool givesFilm(const Capture& capture, const vulkan::DeviceInfo& device, const image::Film& film) {
+  const std::vector<Content> contents = replay(capture, device);
+  const Content& found = contents[lastDispatch(capture.work).buffers[kFilmBinding]];
+  const std::span wanted = std::as_bytes(std::span(film.pixels()));
+  return std::equal(wanted.begin(), wanted.end(), found.begin());
+}
+
+// The pixels that are in one workgroup with this one, if the image is divided into workgroups from its corner on.
+render::Window workgroupOf(const render::PixelSample& sample, const render::Extent& group, const render::Extent& size) {
+  const std::uint32_t x = sample.x / group.width * group.width, y = sample.y / group.height * group.height;
+  return {x, y, std::min(group.width, size.width - x), std::min(group.height, size.height - y)};
+}
+
+void takeFewestSegments(SampleTrial& trial, const scene::Scene& scene, Sample& sample) {
+  Sample shorter = sample;
+  for (std::uint32_t depth = 1; depth < sample.settings.image.maxDepth; ++depth) {
+    shorter.settings.image.maxDepth = depth;
+    if (!trial.fails(scene, shorter)) continue;
+    sample = shorter;
+    return;
+  }
+}
+
+}  // namespace
+
+SampleTrial::SampleTrial(const vulkan::DeviceInfo& device, std::uint32_t subgroupSize,
+                         const std::optional<vulkan::DeviceInfo>& other)
+    : info_(device),
+      recording_(std::make_shared<vulkan::Recording>()),
+      device_(device::makeGpuRenderer(
+          vulkan::Device::open(device, {.subgroupSize = subgroupSize, .recording = recording_}))),
+      expected_(other ? device::makeGpuRenderer(vulkan::Device::open(*other)) : reference::makeReferenceRenderer()),
+      expectsBits_(other.has_value()) {}
+
+image::Film SampleTrial::render(const scene::Scene& scene, const Sample& sample) {
+  recording_->commands.clear();
+  return renderSample(*device_, scene, sample);
+}
+
+ExpectedValues SampleTrial::expectedOf(const scene::Scene& scene, const Sample& sample) {
+  return expectsBits_ ? bitsOf(renderSample(*expected_, scene, sample))
+                      : expectedFilm(scene, sample.settings, sample.index, *expected_);
+}
+
+std::size_t SampleTrial::differing(const scene::Scene& scene, const Sample& sample) {
+  const ExpectedValues expected = expectedOf(scene, sample);
+  return expected.empty() ? 0 : differingCount(render(scene, sample), expected);
+}
+
+bool SampleTrial::fails(const scene::Scene& scene, const Sample& sample) {
+  try {
+    return differing(scene, sample) > 0;
+  } catch (const UsageError&) {
+    return false;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+Capture SampleTrial::capture(const scene::Scene& scene, const Sample& sample) {
+  const image::Film film = render(scene, sample);
+  Capture all = cutDown(*recording_);
+  if (all.work.shaders.size() == 1) {
+    Capture one = cutDown(asOneDispatch(*recording_));
+    if (givesFilm(one, info_, film)) all = std::move(one);
+  }
+  all.expected = expectedOf(scene, sample);
+  return all;
+}
+
+Sample smallestSample(SampleTrial& trial, const scene::Scene& scene, const render::RenderSettings& settings,
+                      const render::PixelSample& sample) {
+  const render::Extent group = settings.execution.workgroupInUse();
+  const render::Window pixel{sample.x, sample.y, 1, 1};
+  struct Choice {
+    render::Window window;
+    render::Extent workgroup;
+  };
+  const std::array choices{Choice{pixel, {1, 1}}, Choice{pixel, group},
+                           Choice{workgroupOf(sample, group, settings.image.size), group}};
+  std::optional<Sample> first;
+  for (const Choice& choice : choices) {
+    Sample smaller{settings, sample.index};
+    smaller.settings.image.crop = choice.window;
+    smaller.settings.execution.workgroup = choice.workgroup;
+    if (!first) first = smaller;
+    if (!trial.fails(scene, smaller)) continue;
+    takeFewestSegments(trial, scene, smaller);
+    return smaller;
+  }
+  return *first;
+}
+
+Subset smallestScene(SampleTrial& trial, const SceneParts& parts, const Sample& sample,
+                     const std::function<bool()>& stop) {
+  return smallestSubset(
+      parts.count(),
+      [&](const Subset& kept) {
+        try {
+          return trial.fails(parts.with(kept), sample);
+        } catch (const Error&) {
+          return false;
+        }
+      },
+      stop);
+}
+
+}  // namespace candela::capture

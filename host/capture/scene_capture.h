@@ -1,0 +1,26 @@
+// Captures one sample of a scene, with as little of the scene as possible.
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "host/capture/capture.h"
+#include "host/capture/sample_trial.h"
+
+namespace candela::capture {
+
+struct SceneRequest {
+  render::RenderSettings settings;
+  render::PixelSample sample;
+  vulkan::DeviceInfo device;
+  std::optional<vulkan::DeviceInfo> expect;  ///< whose bits are expected; absent: the reference's values
+  std::uint32_t subgroupSize = 0;            ///< that pipelines on `device` require; 0: as the driver chooses
+  double shrinkSeconds = 60;                 ///< time for leaving parts of the scene out; 0: the scene stays as it is
+  const std::atomic<bool>* stop = nullptr;   ///< polled
+};
+
+/// Renders the sample and returns its work. If the device fails, region, workgroup, path and scene are shrunk while it
+/// still does. Throws UsageError if single precision cannot decide the sample, InterruptedError if `stop` became true,
+/// and as Renderer::prepare() does.
+Capture captureScene(const scene::Scene& scene, const SceneParts& parts, const SceneRequest& request);
+
+}  // namespace candela::capture

@@ -1,0 +1,136 @@
+// `candela capture`: writes a program that repeats one dispatch without Candela.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+
+#include "host/capture/folder.h"
+#include "host/capture/replay.h"
+#include "host/capture/scene_capture.h"
+#include "host/cli/commands.h"
+#include "host/cli/did_you_mean.h"
+#include "host/cli/render_job.h"
+#include "host/cli/requirements.h"
+#include "host/conformance/capture_case.h"
+#include "host/conformance/case_tables.h"
+#include "host/core/interrupt.h"
+#include "host/scene/nff_loader.h"
+#include "host/scene/read_file.h"
+#include "host/vulkan/device_info.h"
+
+namespace candela::cli {
+namespace {
+
+using capture::Capture;
+using conformance::Case;
+using conformance::Cases;
+
+std::optional<vulkan::DeviceInfo> otherDevice(const Arguments& arguments, const vulkan::DeviceInfo& device) {
+  if (arguments.capture.expect.empty()) return std::nullopt;
+  const vulkan::DeviceInfo other = vulkan::selectDevice(arguments.capture.expect);
+  if (other.index != device.index) return other;
+  throw UsageError(
+      fmt::format("--expect {}: {} cannot be compared with itself; choose another device (see candela "
+                  "devices)",
+                  arguments.capture.expect, device.name));
+}
+
+// Options of renders have no meaning for cases.
+void refuseSceneOptions(const Arguments& arguments) {
+  for (const std::string& option : arguments.given) {
+    static constexpr std::array kOfCases{"--output", "--expect", "--device", "--quiet", "--verbose"};
+    if (std::ranges::find(kOfCases, option) != kOfCases.end()) continue;
+    throw UsageError(fmt::format("{} has no meaning for the case {}", option, arguments.files.front()));
+  }
+}
+
+Capture captureOfCase(const Case& question, const Arguments& arguments) {
+  refuseSceneOptions(arguments);
+  const vulkan::DeviceInfo device = vulkan::selectDevice(arguments.device);
+  const std::optional<vulkan::DeviceInfo> other = otherDevice(arguments, device);
+  Capture capture = conformance::captureCase(question, device);
+  if (!other) return capture;
+  expectBitsOf(capture, *other);
+  check(capture, device);
+  return capture;
+}
+
+// The text of NFF and P3F can be divided into statements; other scenes are divided into primitives.
+std::unique_ptr<capture::SceneParts> partsOf(const RenderJob& job) {
+  const std::filesystem::path file = job.arguments.files.front();
+  const std::string text = scene::readFile(file);
+  if (!scene::nffLoader().recognises(text)) return capture::primitivesOf(job.scene);
+  return capture::statementsOf(text, file.string(), scene::folderOrCurrent(file.parent_path()).string(),
+                               job.arguments.loadOptions);
+}
+
+Capture captureOfScene(const Arguments& arguments, const Log& log) {
+  if (!arguments.pixel) {
+    throw UsageError("--pixel X,Y is missing: `candela explain SCENE` names the pixel that differs most");
+  }
+  const RenderJob job = loadJob(arguments, log);
+  capture::SceneRequest request;
+  request.sample = sampleAskedFor(job);
+  request.settings = job.settings;
+  request.device = vulkan::selectDevice(arguments.device);
+  request.expect = otherDevice(arguments, request.device);
+  request.shrinkSeconds = arguments.capture.shrinkSeconds;
+  request.stop = &watchInterrupts();
+  return captureScene(job.scene, *partsOf(job), request);
+}
+
+bool looksLikeCase(const std::string& word) {
+  std::error_code ignored;
+  return word.find('/') == std::string::npos && !std::filesystem::exists(word, ignored);
+}
+
+[[noreturn]] void refuseUnknown(const std::string& word, const Cases& cases) {
+  std::vector<std::string> names;
+  for (const Case& one : cases) names.push_back(one.name);
+  throw UsageError(
+      fmt::format("{}: there is no such scene file, and no case has this name{}; `candela conformance "
+                  "--list` prints the names of cases",
+                  word, didYouMean(word, names)));
+}
+
+Capture captureOf(const Arguments& arguments, const Log& log) {
+  const std::string& word = arguments.files.front();
+  const Cases cases = conformance::allCases();
+  const auto found = std::ranges::find(cases, word, &Case::name);
+  if (found != cases.end()) return captureOfCase(*found, arguments);
+  if (looksLikeCase(word)) refuseUnknown(word, cases);
+  return captureOfScene(arguments, log);
+}
+
+void report(const Capture& capture, const Arguments& arguments) {
+  if (arguments.quiet) return;
+  const std::string folder = shellQuoted(arguments.capture.folder.string());
+  std::cout << capture.title << "\n"
+            << (capture.note.empty() ? "" : capture.note + "\n")
+            << (capture.found.empty() ? fmt::format("{} gives the expected values.\n", capture.capturedOn)
+                                      : fmt::format("{} gives other values: {}\n", capture.capturedOn, capture.found))
+            << fmt::format("To repeat it: cd {} && cc -std=c99 -o reproduce reproduce.c -lvulkan && ./reproduce\n",
+                           folder)
+            << std::flush;
+}
+
+}  // namespace
+
+ExitCode runCapture(const Arguments& arguments, const Log& log) {
+  if (arguments.device == "cpu") {
+    throw UsageError(
+        "--device cpu: the reference tracer does not run on a Vulkan driver; choose a Vulkan device (see candela "
+        "devices)");
+  }
+  if (arguments.capture.folder.empty()) throw UsageError("no output given: name a new folder with -o FOLDER");
+  capture::requireNewFolder(arguments.capture.folder);
+  const std::atomic<bool>& interrupted = watchInterrupts();
+  const Capture capture = captureOf(arguments, log);
+  if (interrupted) throw InterruptedError("interrupted; nothing was written");
+  capture::writeFolder(capture, arguments.capture.folder);
+  report(capture, arguments);
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

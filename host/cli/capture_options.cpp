@@ -1,0 +1,25 @@
+// Options of `candela capture`.
+#include "host/cli/option_groups.h"
+#include "host/cli/option_kinds.h"
+
+namespace candela::cli {
+
+// NOLINTBEGIN: each option is one row of any length.
+// clang-format off
+std::vector<Option> captureOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::capture;
+  return {
+    path({"-o,--output", kCapture, kGroup, "new folder with the program and its data"}, "FOLDER",
+         [](auto& a) -> auto& { return a.capture.folder; }),
+    valued({"--pixel", kCapture, kGroup, "for a scene: pixel whose sample is captured; 0,0 is the top left"},
+           orAbsent(pixelPlace(kMaxSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
+    valued({"--expect", kCapture, kGroup, "expect the bits that another device computes, named as by --device; without this option, what the host computes is expected, with a tolerance for each value"},
+           text("DEVICE", "a device"), [](auto& a) -> auto& { return a.capture.expect; }),
+    valued({"--shrink-time", kCapture, kGroup, "if the device is wrong: time for leaving parts of the scene out that do not matter; 0s: none"},
+           duration(0), [](auto& a) -> auto& { return a.capture.shrinkSeconds; }),
+  };
+}
+// clang-format on
+// NOLINTEND
+
+}  // namespace candela::cli

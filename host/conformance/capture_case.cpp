@@ -1,0 +1,54 @@
+// Records the work of a case.
+#include "host/conformance/capture_case.h"
+
+#include <fmt/format.h>
+
+#include "host/capture/lanes.h"
+#include "host/capture/replay.h"
+#include "host/conformance/shader_run.h"
+#include "host/conformance/workbench.h"
+#include "host/core/errors.h"
+
+namespace candela::conformance {
+namespace {
+
+void requireCapturable(const Case& question, const Finding& finding, const vulkan::DeviceInfo& device) {
+  if (finding.outcome == Outcome::skip) {
+    throw UsageError(fmt::format("{}: {} lacks {}", question.name, device.name, finding.text));
+  }
+  if (finding.expected.empty()) {
+    throw UsageError(fmt::format("{}: this case states no values of a buffer, and cannot be captured", question.name));
+  }
+}
+
+// The text of the case names what differs better than the words of buffers.
+capture::Capture captureOf(const vulkan::Recording& recording, const Finding& finding,
+                           const vulkan::DeviceInfo& device) {
+  capture::Capture capture = capture::cutDown(recording);
+  capture.expected = finding.expected;
+  check(capture, device);
+  if (finding.isPerInvocation) takeFewestInvocations(capture, device, kRunGroup);
+  if (capture.differing > 0) capture.found = finding.text;
+  return capture;
+}
+
+}  // namespace
+
+capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device) {
+  capture::Capture capture;
+  if (question.capture) {
+    capture = question.capture(device);
+  } else {
+    const auto recording = std::make_shared<vulkan::Recording>();
+    Workbench workbench(device, recording);
+    const Finding finding = question.run(workbench);
+    requireCapturable(question, finding, device);
+    capture = captureOf(*recording, finding, device);
+    capture.expectedBy = "the host";
+    capture.capturedOn = fmt::format("{} ({})", device.name, device.driver);
+  }
+  capture.title = question.name;
+  return capture;
+}
+
+}  // namespace candela::conformance

@@ -1,0 +1,13 @@
+// Turns a case into a program that asks the same question without Candela.
+#pragma once
+#include "host/capture/capture.h"
+#include "host/conformance/case.h"
+#include "host/vulkan/device_info.h"
+
+namespace candela::conformance {
+
+/// Runs a case on the device and returns its last dispatch, whose results the case states. Capture::found has what
+/// differs. Throws UsageError if the case states no result of a single dispatch, or if the device lacks what it needs.
+capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device);
+
+}  // namespace candela::conformance

@@ -1,0 +1,67 @@
+// interesting.sh, and what spirv-reduce makes of a planted fault with it.
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "tests/capture/reproducer.h"
+
+namespace candela {
+namespace {
+
+// Variables of the script. The layer changes the second execution.
+std::vector<std::string> secondWith(const std::string& change) {
+  std::string variables = "ENV_B=";
+  for (const std::string& one : miscompiled(change)) variables += one + " ";
+  return {variables};
+}
+
+std::size_t instructionsIn(const std::string& folder, const std::string& module) {
+  std::istringstream lines(runIn(folder, {}, "spirv-dis --no-header " + module).out);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) count += contains(line, "OpName") ? 0u : 1u;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("interesting.sh accepts a module in which two executions disagree, and no other") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"});
+  compileReproducer(output);
+  const std::string script = "./interesting.sh module_0.spv";
+  CHECK(runIn(output, secondWith(kBorrowsInsteadOfCarrying), script).exitCode == 0);
+  CHECK(runIn(output, {}, script).exitCode == 1);
+  CHECK(runIn(output, secondWith("131:all:129"), script).exitCode == 1);  // it has no OpFSub
+  CHECK(runIn(output, secondWith(kBorrowsInsteadOfCarrying), "MIN=100000 " + script).exitCode == 1);
+  CHECK(runIn(output, secondWith(kBorrowsInsteadOfCarrying),
+              "head -c 400 module_0.spv > cut.spv; ./interesting.sh cut.spv")
+            .exitCode == 1);
+}
+
+TEST_CASE("interesting.sh accepts a module that a command makes different") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"});
+  compileReproducer(output);
+  const std::string mutate =
+      "printf '#!/bin/sh\\nspirv-dis --raw-id \"$1\" | sed s/OpIAddCarry/OpISubBorrow/ | spirv-as --target-env "
+      "vulkan1.2 - -o "
+      "\"$2\"\\n' > mutate.sh; chmod +x mutate.sh; ";
+  CHECK(runIn(output, {"MUTATE=./mutate.sh"}, mutate + "./interesting.sh module_0.spv").exitCode == 0);
+  CHECK(runIn(output, {"MUTATE=cp"}, "./interesting.sh module_0.spv").exitCode == 1);
+}
+
+TEST_CASE("spirv-reduce takes a leaf case with a planted fault to less than 100 instructions", "[slow]") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"}, miscompiled(kBorrowsInsteadOfCarrying));
+  compileReproducer(output);
+  const ProgramResult result = runIn(output, secondWith(kBorrowsInsteadOfCarrying),
+                                     "spirv-reduce module_0.spv -o reduced.spv -- ./interesting.sh");
+  INFO(result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(instructionsIn(output, "reduced.spv") < 100);
+  CHECK(runIn(output, secondWith(kBorrowsInsteadOfCarrying), "./interesting.sh reduced.spv").exitCode == 0);
+}
+
+}  // namespace candela
