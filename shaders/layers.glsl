@@ -42,8 +42,11 @@ struct LayerSums {
   PartialSums position;
   PartialSums unscattered;
   PartialSums scatteredOnce;
+  PartialSums rootRadiance;
+  PartialSums albedoSquared;
 };
-LayerSums gathered = LayerSums(0u, 0u, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums);
+LayerSums gathered =
+    LayerSums(0u, 0u, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums, kNoSums);
 
 uint layerHeader(uint pixelIndex) { return dispatch.bandPixels * kFilmRows + pixelIndex * kLayerRows; }
 
@@ -123,6 +126,11 @@ void gatherLayers(vec3 radiance) {
   vec3 kept = keptRadiance(radiance);
   if (kSumsUnscattered) addParts(gathered.unscattered, partOf(kept, hit ? pending.unscattered : radiance));
   if (kSumsScatteredOnce) addParts(gathered.scatteredOnce, partOf(kept, scattered ? pending.scatteredOnce : radiance));
+  if (kSumsRootRadiance) addParts(gathered.rootRadiance, sqrt(kept));
+  if (kSumsAlbedoSquared) {
+    vec3 squared = vec3(dot(pending.albedo, pending.albedo), 0.0, 0.0);
+    addParts(gathered.albedoSquared, hit ? layerValue(squared, bad) : vec3(0.0));
+  }
   gathered.hits += hit ? 1u : 0u;
   gathered.outOfRange += hit && bad ? 1u : 0u;
   pending.stored = 0u;
@@ -160,6 +168,11 @@ void storeLayers(uint pixelIndex) {
   }
   if (kSumsUnscattered) storeChannels(header + kUnscatteredSumRow, gathered.unscattered, pending.unscattered);
   if (kSumsScatteredOnce) storeChannels(header + kScatteredOnceSumRow, gathered.scatteredOnce, pending.scatteredOnce);
+  if (kSumsRootRadiance) storeChannels(header + kRootRadianceSumRow, gathered.rootRadiance, vec3(0.0));
+  if (kSumsAlbedoSquared) {
+    PartialSums squared = gathered.albedoSquared;
+    storeChannel(header + kAlbedoSquaredSumRow, squared.high.x, squared.middle.x, squared.low.x, 0.0);
+  }
 }
 
 #else

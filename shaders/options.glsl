@@ -59,7 +59,9 @@ const uint kPositionSumRow = kDepthSumRow + (kSumsDepth ? 1u : 0u);
 const uint kTexCoordSumRow = kPositionSumRow + (kSumsPosition ? 3u : 0u);
 const uint kUnscatteredSumRow = kTexCoordSumRow + (kSumsTexCoord ? 2u : 0u);
 const uint kScatteredOnceSumRow = kUnscatteredSumRow + (kSumsUnscattered ? 3u : 0u);
-const uint kLayerRows = kScatteredOnceSumRow + (kSumsScatteredOnce ? 3u : 0u);
+const uint kRootRadianceSumRow = kScatteredOnceSumRow + (kSumsScatteredOnce ? 3u : 0u);
+const uint kAlbedoSquaredSumRow = kRootRadianceSumRow + (kSumsRootRadiance ? 3u : 0u);
+const uint kLayerRows = kAlbedoSquaredSumRow + (kSumsAlbedoSquared ? 1u : 0u);
 const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
 
 const bool kCountsHits = kBackdrop == kBackdropNone;

@@ -31,6 +31,7 @@ enum class Command : unsigned {
   merge = 4096,
   conformance = 8192,
   capture = 16384,
+  denoise = 32768,
   report = 131072
 };
 
@@ -83,6 +84,7 @@ struct Arguments {
   bool untuned = false;  ///< `auto` has its built-in meaning
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
+  bool denoise = false;  ///< of a render: its images are denoised, and its films have what that needs
   image::DisplayTransform display;
   std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
 

@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 16> table{{
+  static const std::array<CommandInfo, 17> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
@@ -36,6 +36,8 @@ std::span<const CommandInfo> commandTable() {
       {Command::boxes, "boxes", "boxes SCENE", "write the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
       {Command::film, "film", "film FILE", "describe a film file, or make pictures of it without rendering",
        "film file", 1, 1, runFilm},
+      {Command::denoise, "denoise", "denoise FILE -o FILE", "make denoised pictures of a film file", "film file", 1, 1,
+       runDenoise},
       {Command::merge, "merge", "merge FILM... -o FILE", "add films of parts of a render", "film file", 1, kAnyNumber,
        runMerge},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",

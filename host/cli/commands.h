@@ -42,6 +42,7 @@ ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< s
 ExitCode runBenchCompare(const Arguments& arguments, const Log& log);     ///< `compare`
 ExitCode runTune(const Arguments& arguments, const Log& log);
 ExitCode runFilm(const Arguments& arguments, const Log& log);
+ExitCode runDenoise(const Arguments& arguments, const Log& log);
 ExitCode runMerge(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runReport(const Arguments& arguments, const Log& log);

@@ -15,10 +15,15 @@ std::string toleranceText(const ImageVerdict& verdict) {
                      *verdict.tolerance);
 }
 
+// Whether the image has what the test needs, or lost it because its light was changed on purpose.
+bool isMeasurement(const image::Image& image) {
+  return verify::carriesVariance(image) || image.metadata.contains(verify::kBiasMetadata);
+}
+
 // Adds the result of the test, or the reason why there is none.
 void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image& a, const image::Image& reference) {
   const bool asked = arguments.given.contains("--alpha");
-  if (!asked && (verdict.tolerance || !verify::carriesVariance(a) || !verify::carriesVariance(reference))) return;
+  if (!asked && (verdict.tolerance || !isMeasurement(a) || !isMeasurement(reference))) return;
   const std::optional<std::string> obstacle = verify::whyNotTestable(a, reference);
   if (asked && obstacle) throw UsageError("--alpha: " + *obstacle);
   if (obstacle) {

@@ -21,6 +21,7 @@ inline constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 inline constexpr unsigned kFilm = static_cast<unsigned>(Command::film);
 inline constexpr unsigned kMerge = static_cast<unsigned>(Command::merge);
 inline constexpr unsigned kConformance = static_cast<unsigned>(Command::conformance);
+inline constexpr unsigned kDenoise = static_cast<unsigned>(Command::denoise);
 inline constexpr unsigned kReport = static_cast<unsigned>(Command::report);
 inline constexpr unsigned kCapture = static_cast<unsigned>(Command::capture);
 inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain | kCapture;
@@ -28,7 +29,7 @@ inline constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 inline constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 inline constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune |
                                        kDoctor | kFilm | kMerge | kConformance;
-inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport | kCapture;
+inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport | kCapture | kDenoise;
 
 inline constexpr std::uint32_t kMaxSamples = 1u << 30;
 inline constexpr std::uint32_t kMaxSide = 65535;

@@ -7,6 +7,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
+#include "host/cli/denoise_film.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_images.h"
@@ -29,26 +30,40 @@ void summarise(const RenderReport& report, const Log& log) {
                        report.totalSeconds, report.result.statistics.device));
 }
 
+// With --denoise, an image that was interrupted before any pixel had two samples stays as it is.
+image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
+  image::Image image = pictureOf(result.film, job.settings.image.hasAlpha(), metadataOf(job, result));
+  if (!job.arguments.denoise) return image;
+  try {
+    denoiseImage(image, result.film, job.arguments, log);
+  } catch (const UsageError& error) {
+    if (!result.interrupted) throw;
+    log.warning(fmt::format("--denoise: {}", error.what()));
+  }
+  return image;
+}
+
 }  // namespace
 
 ExitCode runRender(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireLayerFile(arguments);
+  requireDenoisable(arguments);
   requireWritableReport(arguments.json);
   requireCheckpoint(arguments);
   // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
   // render.
   std::atomic<bool>* const writeRequested = arguments.checkpoint.empty() ? nullptr : &watchWriteRequests();
-  const RenderJob job = loadJob(arguments, log);
+  const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
+  requireDenoisable(job);
   const TraceControl control{watchInterrupts(), writeRequested};
   const TracedFilm traced = traceFilm(job, start, control, log);
   const render::RenderResult& result = traced.result;
 
   const double writeStart = monotonicSeconds();
   if (!arguments.outputs.empty()) {
-    const bool hasAlpha = job.settings.image.hasAlpha();
-    writeImages(pictureOf(result.film, hasAlpha, metadataOf(job, result)), job.arguments, log);
+    writeImages(imageOf(job, result, log), job.arguments, log);
   }
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};

@@ -1,6 +1,8 @@
 // Computes the channels of layers from the sums of a film: docs/layers.md.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "host/image/image.h"
@@ -47,6 +49,18 @@ double lightOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
   return quotient(part, pixel.sampleCount());
 }
 
+// The mean of the square roots of a channel, or the total variance of the albedo or of the normal of one sample.
+double momentOf(const PixelSums& pixel, std::size_t channel) {
+  const std::uint32_t count = pixel.sampleCount();
+  if (channel < 3) return quotient(pixel.sum(LayerSum::rootRadiance, channel), count);
+  if (count < 2) return 0;
+  const LayerSum sum = channel == 3 ? LayerSum::albedo : LayerSum::normal;
+  const double second = channel == 3 ? toSignedDouble(pixel.sum(LayerSum::albedoSquared, 0)) : pixel.hitCount();
+  double squaredSum = 0;
+  for (std::size_t i = 0; i < 3; ++i) squaredSum += std::pow(toSignedDouble(pixel.sum(sum, i)), 2);
+  return std::max(0.0, second - squaredSum / count) / (count - 1);
+}
+
 double valueOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
   switch (layer) {
     case Layer::normal:
@@ -59,6 +73,8 @@ double valueOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
       return quotient(pixel.sum(LayerSum::position, channel), pixel.hitCount());
     case Layer::uv:
       return quotient(pixel.sum(LayerSum::texCoord, channel), pixel.hitCount());
+    case Layer::moments:
+      return momentOf(pixel, channel);
     default:
       return lightOf(pixel, layer, channel);
   }
@@ -70,14 +86,16 @@ struct LayerChannels {
 };
 
 const std::vector<LayerChannels>& allChannels() {
-  static const std::vector<LayerChannels> channels{{Layer::normal, {"N.X", "N.Y", "N.Z"}},
-                                                   {Layer::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
-                                                   {Layer::depth, {"Z"}},
-                                                   {Layer::position, {"P.X", "P.Y", "P.Z"}},
-                                                   {Layer::uv, {"uv.U", "uv.V"}},
-                                                   {Layer::direct, {"direct.R", "direct.G", "direct.B"}},
-                                                   {Layer::indirect, {"indirect.R", "indirect.G", "indirect.B"}},
-                                                   {Layer::emission, {"emission.R", "emission.G", "emission.B"}}};
+  static const std::vector<LayerChannels> channels{
+      {Layer::normal, {"N.X", "N.Y", "N.Z"}},
+      {Layer::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
+      {Layer::depth, {"Z"}},
+      {Layer::position, {"P.X", "P.Y", "P.Z"}},
+      {Layer::uv, {"uv.U", "uv.V"}},
+      {Layer::direct, {"direct.R", "direct.G", "direct.B"}},
+      {Layer::indirect, {"indirect.R", "indirect.G", "indirect.B"}},
+      {Layer::emission, {"emission.R", "emission.G", "emission.B"}},
+      {Layer::moments, {"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"}}};
   return channels;
 }
 

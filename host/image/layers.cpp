@@ -9,8 +9,8 @@
 namespace candela::image {
 namespace {
 
-constexpr std::array<std::string_view, 10> kLayerNames{"normal", "albedo",   "depth",    "position", "uv",
-                                                       "direct", "indirect", "emission", "variance", "samples"};
+constexpr std::array<std::string_view, 11> kLayerNames{
+    "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments"};
 
 struct SumSpan {
   LayerSum sum;
@@ -33,6 +33,8 @@ std::string_view lettersOf(LayerSum sum) {
       return "XYZ";
     case LayerSum::depth:
       return "Z";
+    case LayerSum::albedoSquared:
+      return "Y";
     case LayerSum::texCoord:
       return "UV";
     default:
@@ -58,6 +60,9 @@ std::uint32_t sumsOf(Layer layer) {
       return bitOf(LayerSum::scatteredOnce);
     case Layer::emission:
       return bitOf(LayerSum::unscattered);
+    case Layer::moments:
+      return bitOf(LayerSum::normal) | bitOf(LayerSum::albedo) | bitOf(LayerSum::rootRadiance) |
+             bitOf(LayerSum::albedoSquared);
     case Layer::variance:
     case Layer::samples:
       break;
@@ -76,9 +81,12 @@ FixedSum toSignedFixed(double value, bool& bad) {
   return value < 0 ? negated(magnitude) : magnitude;
 }
 
+// Returns what the film adds for a channel of a sample.
+double keptOf(double whole) { return std::isfinite(whole) && whole >= 0 ? std::min(whole, kFilmMaximum) : 0; }
+
 // Returns a part of the radiance, limited to what the film adds for the whole.
 double partOf(double whole, double part) {
-  const double kept = std::isfinite(whole) && whole >= 0 ? std::min(whole, kFilmMaximum) : 0;
+  const double kept = keptOf(whole);
   return part >= 0 ? std::min(part, kept) : 0;  // 0 also where it is not a number
 }
 
@@ -175,9 +183,11 @@ void addLayerSample(std::span<LayerRow> rows, std::uint32_t sums, const LayerSam
     adder.add(LayerSum::depth, glm::dvec1(sample.hit->depth));
     adder.add(LayerSum::position, sample.hit->position);
     adder.add(LayerSum::texCoord, sample.hit->texCoord);
+    adder.add(LayerSum::albedoSquared, glm::dvec1(dot(sample.hit->albedo, sample.hit->albedo)));
   }
   adder.add(LayerSum::unscattered, partOf(radiance, sample.unscattered.value_or(radiance)));
   adder.add(LayerSum::scatteredOnce, partOf(radiance, sample.scatteredOnce.value_or(radiance)));
+  adder.add(LayerSum::rootRadiance, sqrt(glm::dvec3(keptOf(radiance.x), keptOf(radiance.y), keptOf(radiance.z))));
   rows[0].words[0] += sample.hit ? 1 : 0;
   rows[0].words[1] += adder.foundBad() ? 1 : 0;
 }

@@ -15,7 +15,19 @@
 
 namespace candela::image {
 
-enum class Layer : std::uint32_t { normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples };
+enum class Layer : std::uint32_t {
+  normal,
+  albedo,
+  depth,
+  position,
+  uv,
+  direct,
+  indirect,
+  emission,
+  variance,
+  samples,
+  moments  ///< what `candela denoise` needs; has the sums of normal and albedo, too
+};
 
 /// A set of layers.
 struct LayerSet {

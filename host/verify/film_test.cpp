@@ -49,14 +49,14 @@ bool isUsable(const image::Image& image, std::size_t pixel) {
 }
 
 std::optional<std::string> whyNotTestable(const std::string& name, const image::Image& image) {
+  if (const auto bias = image.metadata.find(kBiasMetadata); bias != image.metadata.end()) {
+    return fmt::format("{} is biased on purpose ({}: {})", name, kBiasMetadata, bias->second);
+  }
   if (!carriesVariance(image))
     return name + " has no variances and sample counts; EXR files of candela render have them";
   if (!image.metadata.contains(kSeedMetadata)) {
     return fmt::format("{} does not state its seed ({}), and the test requires images of different seeds", name,
                        kSeedMetadata);
-  }
-  if (const auto bias = image.metadata.find(kBiasMetadata); bias != image.metadata.end()) {
-    return fmt::format("{} is biased on purpose ({}: {})", name, kBiasMetadata, bias->second);
   }
   for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
     if (image.sampleCounts[pixel] < 2)

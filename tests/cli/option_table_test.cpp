@@ -80,6 +80,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--checkpoint-every", "TIME", "60s"},
       {"--resume", "FILE", ""},
       {"--resume-anyway", "", ""},
+      {"--denoise", "", ""},
       {"--time-limit", "TIME", "none", Command::render},
       {"--samples", "A:B", "all"},
       {"--crop", "X,Y,W,H", "the image"},

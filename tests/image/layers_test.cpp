@@ -107,3 +107,23 @@ TEST_CASE("films with layers add up, and refuse films with other layers") {
   a.clear();
   CHECK(a.layerRows() == Film(1, 1, depth).layerRows());
 }
+
+TEST_CASE("moments are means of square roots, and variances of albedo and normal, of two samples by hand") {
+  Film film(2, 1, setOf({Layer::moments}));
+  const auto add = [&](const glm::dvec3& radiance, const LayerSample& sample) {
+    film.addSample(0, 0, radiance, 0);
+    film.addLayers(0, 0, sample, radiance);
+  };
+  add({4, 9, -1}, {LayerSample::FirstHit{.normal = {0, 0, 1}, .albedo = {0.5, 0, 0}}, {}, {}});
+  add({16, 9, 4e6}, {LayerSample::FirstHit{.normal = {1, 0, 0}, .albedo = {0, 0.25, 0}}, {}, {}});
+  Image image = toImage(film);
+  addLayers(image, film);
+  const std::vector<std::string> names{"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"};
+  REQUIRE(image.channels.size() == names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(image.channels[i].name == names[i]);
+  CHECK(image.channels[0].values == std::vector<float>{3, 0});
+  CHECK(image.channels[1].values == std::vector<float>{3, 0});
+  CHECK(image.channels[2].values == std::vector<float>{512, 0});  // what is negative adds 0, and 2^20 is the maximum
+  CHECK(image.channels[3].values == std::vector<float>{0.15625f, 0});  // half of 0.5^2 + 0.25^2
+  CHECK(image.channels[4].values == std::vector<float>{1, 0});
+}

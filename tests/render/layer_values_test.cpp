@@ -57,6 +57,20 @@ TEST_CASE("both tracers have the same layers at one sample") {
   }
 }
 
+TEST_CASE("the mean square root of one sample is that of its radiance") {
+  const scene::Scene scene = loadTestScene("sky.p3f");
+  onBothTracers([&](const RenderFunction& render) {
+    const image::Film film = render(scene, layerSettings(16, 1)).film;
+    const Channels channels(film);
+    for (std::uint32_t y = 0; y < 16; ++y) {
+      for (std::uint32_t x = 0; x < 16; ++x) {
+        const dvec3 difference = channels.vectorAt("sqrt", "RGB", x, y) - sqrt(film.mean(x, y));
+        REQUIRE(length(difference) < 1e-5 * (1 + length(film.mean(x, y))));
+      }
+    }
+  });
+}
+
 TEST_CASE("normals, distances and positions of a ball have their closed form") {
   constexpr std::uint32_t kSide = 24;
   onBothTracers([&](const RenderFunction& render) {

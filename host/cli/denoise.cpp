@@ -1,0 +1,39 @@
+// `candela denoise`: makes denoised pictures of a film file.
+#include <fmt/format.h>
+
+#include "host/cli/commands.h"
+#include "host/cli/denoise_film.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_images.h"
+#include "host/core/progress.h"
+#include "host/denoise/pixel_statistics.h"
+#include "host/film/film_file.h"
+
+namespace candela::cli {
+namespace {
+
+// Throws FileError, which names the file, if the film cannot be denoised.
+void requireStatisticsOf(const film::FilmReader& reader, const image::Film& film) try {
+  denoise::requireStatistics(film);
+} catch (const UsageError& error) {
+  throw FileError(fmt::format("{}: {}", reader.file().string(), error.what()));
+}
+
+}  // namespace
+
+ExitCode runDenoise(const Arguments& arguments, const Log& log) {
+  if (arguments.outputs.empty()) throw UsageError("candela denoise: state the image to write with -o FILE");
+  for (const auto& file : arguments.outputs) requireWritableImage(file);
+  film::FilmReader reader(arguments.files.front());
+  const image::Film film = film::readFilm(reader);
+  requireStatisticsOf(reader, film);
+  const film::FilmHeader& header = reader.header();
+  image::Image image = pictureOf(film, header.hasAlpha(), metadataOf(header, film));
+  const double start = monotonicSeconds();
+  denoiseImage(image, film, arguments, log);
+  log.note(fmt::format("{}x{} pixels denoised in {:.2f} s", film.width(), film.height(), monotonicSeconds() - start));
+  writeImages(std::move(image), withIntegrator(arguments, header), log);
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

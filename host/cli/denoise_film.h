@@ -1,0 +1,21 @@
+// Denoises the image of a film by the tracer's device, for `candela denoise` and `candela render --denoise`.
+#pragma once
+#include "host/cli/render_job.h"
+#include "host/core/log.h"
+#include "host/image/image.h"
+
+namespace candela::cli {
+
+/// Throws UsageError if --denoise is given for a render whose film has no statistics of light: before the scene is
+/// read, by its integrator, and afterwards, by its number of samples.
+void requireDenoisable(const Arguments& arguments);
+void requireDenoisable(const RenderJob& job);
+
+/// Returns `arguments` with the layers that --denoise needs.
+Arguments withDenoiseLayers(Arguments arguments);
+
+/// Denoises the image of a film: by the reference with --device cpu, else by a Vulkan device. Throws UsageError if the
+/// film lacks statistics, and as opening and running the device does.
+void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log);
+
+}  // namespace candela::cli
