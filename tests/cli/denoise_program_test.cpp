@@ -81,8 +81,9 @@ TEST_CASE("a denoised render that was stopped is denoised, or stays as it is if 
   const std::string image = folder.path("a.exr");
   const ProgramResult result = renderSmall(folder, {"--spp", "100000", "--time-limit", "0s", "--denoise", "-o", image});
   CHECK(result.exitCode == 7);
-  CHECK_THAT(result.err, Contains("--denoise: denoising needs at least two samples per pixel"));
-  CHECK_FALSE(image::readImage(image).metadata.contains("candela.denoised"));
+  // How many samples there are until the limit is noticed depends on the machine.
+  const bool isNoisy = contains(result.err, "--denoise: denoising needs at least two samples per pixel");
+  CHECK(isNoisy != image::readImage(image).metadata.contains("candela.denoised"));
 }
 
 }  // namespace candela
