@@ -1,6 +1,8 @@
 // Chooses the filter by --device.
 #include "host/cli/denoise_film.h"
 
+#include <fmt/format.h>
+
 #include "host/cli/cached_device.h"
 #include "host/core/errors.h"
 #include "host/denoise/denoise.h"
@@ -15,6 +17,23 @@ namespace {
 void noteBias(image::Image& image) {
   std::string& bias = image.metadata[verify::kBiasMetadata];
   bias += (bias.empty() ? "" : "; ") + std::string("denoised: neighbours are averaged");
+}
+
+// A finished render is not lost with its device: the host goes on.
+std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
+                                      const Log& log) {
+  const auto filterOnHost = [&](const Error& error) {
+    log.warning(fmt::format("{}; the host denoises the image instead", error.what()));
+    return filterByReference(statistics);
+  };
+  CachedDevice cached(arguments, log);
+  try {
+    return denoise::filterOnDevice(cached.device(), statistics);
+  } catch (const DeviceLostError& error) {
+    return filterOnHost(error);
+  } catch (const OutOfMemoryError& error) {
+    return filterOnHost(error);
+  }
 }
 
 }  // namespace
@@ -35,15 +54,9 @@ Arguments withDenoiseLayers(Arguments arguments) {
 }
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
-  denoise::requireStatistics(film);
-  if (arguments.device == "cpu") {
-    denoise::denoise(image, film, denoise::filterByReference);
-  } else {
-    CachedDevice cached(arguments, log);
-    denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
-      return denoise::filterOnDevice(cached.device(), statistics);
-    });
-  }
+  denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
+    return arguments.device == "cpu" ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
+  });
   noteBias(image);
 }
 

@@ -14,8 +14,8 @@ void requireDenoisable(const RenderJob& job);
 /// Returns `arguments` with the layers that --denoise needs.
 Arguments withDenoiseLayers(Arguments arguments);
 
-/// Denoises the image of a film: by the reference with --device cpu, else by a Vulkan device. Throws UsageError if the
-/// film lacks statistics, and as opening and running the device does.
+/// Denoises the image of a film: by the reference with --device cpu, else by a Vulkan device; if that is lost or runs
+/// out of memory, by the reference, with a warning. Throws UsageError if the film lacks statistics, and NoDeviceError.
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

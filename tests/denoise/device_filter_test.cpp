@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstring>
+#include <cmath>
 
 #include "host/denoise/reference_filter.h"
 #include "tests/denoise/made_films.h"

@@ -1,8 +1,8 @@
 // Prints, as JSON, the errors of a film's image before and after denoising and after a plain joint bilateral filter,
 // compared with the image of a film of many samples:
 //   measure_denoising FILM REFERENCE_FILM
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // Properties of the filter: what stays, and what is averaged.
 #include "host/denoise/reference_filter.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "host/denoise/denoise.h"

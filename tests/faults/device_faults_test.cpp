@@ -47,6 +47,22 @@ std::string fault(const std::string& function, int call, const std::string& resu
 
 }  // namespace
 
+TEST_CASE("an image whose device fails while it is denoised is denoised by the host") {
+  const Render render;
+  render.film("film.exr", "", {"--denoise"});
+  const std::string film = render.folder.path("film.exr"), a = render.folder.path("a.exr");
+  REQUIRE(runCandela({"denoise", film, "-o", a, "--device", "cpu"}).exitCode == 0);
+  for (const std::string& faults : {fault("vkWaitForFences", 1, "DEVICE_LOST", kEveryFrom),
+                                    fault("vkAllocateMemory", 1, "OUT_OF_DEVICE_MEMORY", kEveryFrom)}) {
+    INFO(faults);
+    const std::string b = render.folder.path("b.exr");
+    const ProgramResult result = runCandela({"denoise", film, "-o", b}, withFaults(faults));
+    CHECK(result.exitCode == 0);
+    CHECK(contains(result.err, "; the host denoises the image instead"));
+    CHECK(readFile(a) == readFile(b));
+  }
+}
+
 TEST_CASE("a render whose device fails once ends with the bytes of one that did not") {
   const Render render;
   const std::string whole = render.film("whole.exr");
