@@ -12,6 +12,7 @@
 #include "host/render/settings.h"
 #include "host/scene/load.h"
 #include "host/verify/light_test.h"
+#include "host/view/view_state.h"
 
 namespace candela::cli {
 
@@ -32,6 +33,7 @@ enum class Command : unsigned {
   conformance = 8192,
   capture = 16384,
   denoise = 32768,
+  view = 65536,
   report = 131072
 };
 
@@ -121,6 +123,8 @@ struct Arguments {
   double threshold = 0.05;          ///< fraction of its speed that a row may lose
   std::string markdown;             ///< like `json`
   std::string svg;                  ///< like `json`
+
+  view::Mode viewMode = view::Mode::device;  ///< for `view`
 
   bool dryRun = false;  ///< for `tune`: store nothing
 

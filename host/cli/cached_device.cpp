@@ -9,9 +9,10 @@
 
 namespace candela::cli {
 
-CachedDevice::CachedDevice(const Arguments& arguments, const Log& log)
+CachedDevice::CachedDevice(const Arguments& arguments, const Log& log, const std::vector<std::string>& windowExtensions)
     : log_(log),
-      device_(vulkan::Device::open(arguments.device, {.hangTimeout = arguments.hangTimeout})),
+      device_(vulkan::Device::open(arguments.device,
+                                   {.hangTimeout = arguments.hangTimeout, .windowExtensions = windowExtensions})),
       key_(cache::keyOf(device_.info())) {
   const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (arguments.noCache || !folder) return;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "host/cache/device_key.h"
@@ -16,7 +17,7 @@ namespace candela::cli {
 /// reading or writing is a detail in the log, and the file is left or replaced. Throws NoDeviceError.
 class CachedDevice {
  public:
-  CachedDevice(const Arguments& arguments, const Log& log);
+  CachedDevice(const Arguments& arguments, const Log& log, const std::vector<std::string>& windowExtensions = {});
   CachedDevice(const CachedDevice&) = delete;
   CachedDevice& operator=(const CachedDevice&) = delete;
   ~CachedDevice();

@@ -11,6 +11,8 @@ std::span<const CommandInfo> commandTable() {
   static const std::array<CommandInfo, 17> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
+      {Command::view, "view", "view SCENE",
+       "show a scene in a window, while it is rendered by a device, the reference or both", "scene", 1, 1, runView},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
       {Command::doctor, "doctor", "doctor",
        "say whether renders work on this machine, what is wrong with it, and how to fix it", "", 0, 0, runDoctor},

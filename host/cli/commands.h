@@ -46,6 +46,7 @@ ExitCode runDenoise(const Arguments& arguments, const Log& log);
 ExitCode runMerge(const Arguments& arguments, const Log& log);
 ExitCode runGenerate(const Arguments& arguments, const Log& log);
 ExitCode runReport(const Arguments& arguments, const Log& log);
+ExitCode runView(const Arguments& arguments, const Log& log);
 ExitCode runBoxes(const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

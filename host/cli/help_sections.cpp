@@ -21,6 +21,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
     GroupTitle{OptionGroup::tuning, "Tuning"},
     GroupTitle{OptionGroup::generation, "Writing scenes"},
+    GroupTitle{OptionGroup::viewing, "The window of view"},
     GroupTitle{OptionGroup::general, "General"},
 };
 

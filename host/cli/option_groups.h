@@ -24,11 +24,12 @@ inline constexpr unsigned kConformance = static_cast<unsigned>(Command::conforma
 inline constexpr unsigned kDenoise = static_cast<unsigned>(Command::denoise);
 inline constexpr unsigned kReport = static_cast<unsigned>(Command::report);
 inline constexpr unsigned kCapture = static_cast<unsigned>(Command::capture);
-inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain | kCapture;
+inline constexpr unsigned kView = static_cast<unsigned>(Command::view);
+inline constexpr unsigned kTracing = kRender | kCompare | kBench | kVerify | kExplain | kCapture | kView;
 inline constexpr unsigned kReadingScenes = kTracing | kCheck | kBoxes | kTune;
 inline constexpr unsigned kSurrounding = kTracing | kCheck | kTune;
 inline constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | kBench | kVerify | kExplain | kTune |
-                                       kDoctor | kFilm | kMerge | kConformance;
+                                       kDoctor | kFilm | kMerge | kConformance | kView;
 inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport | kCapture | kDenoise;
 
 inline constexpr std::uint32_t kMaxSamples = 1u << 30;
@@ -48,6 +49,7 @@ std::vector<Option> explanationOptions();
 std::vector<Option> benchmarkOptions();
 std::vector<Option> tuningOptions();
 std::vector<Option> generationOptions();
+std::vector<Option> viewingOptions();
 std::vector<Option> generalOptions();
 
 }  // namespace candela::cli

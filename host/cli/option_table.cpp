@@ -11,7 +11,7 @@ const std::vector<Option>& optionTable() {
     for (const auto& part :
          {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(), comparisonOptions(),
           verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(), benchmarkOptions(),
-          tuningOptions(), generationOptions(), generalOptions()}) {
+          tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -23,6 +23,7 @@ enum class OptionGroup {
   benchmark,
   tuning,
   generation,
+  viewing,
   general
 };
 

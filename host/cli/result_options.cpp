@@ -23,13 +23,13 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--aov", kRender, kGroup, fmt::format("layers that EXR files and films get beside the image, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
+    valued({"--aov", kRender | kView, kGroup, fmt::format("layers that EXR files and films get beside the image, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.settings.image.layers; }),
     flag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels; a film of --checkpoint is not denoised, and gets what `candela denoise` needs"},
          [](auto& a) -> auto& { return a.denoise; }),
-    valued({"--tonemap", kRender | kCompare | kFilm | kDenoise, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
+    valued({"--tonemap", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare | kFilm | kDenoise, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
+    valued({"--exposure", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
            orAbsent(realNumber<float>("STOPS", -64, 64), "auto"), [](auto& a) -> auto& { return a.exposure; }),
   };
 }

@@ -6,6 +6,10 @@ namespace candela::cli {
 namespace {
 
 constexpr std::uint32_t kMaxRepeats = 1000;
+const std::vector<std::pair<std::string, view::Mode>> kModes{{"device", view::Mode::device},
+                                                             {"reference", view::Mode::reference},
+                                                             {"split", view::Mode::split},
+                                                             {"difference", view::Mode::difference}};
 
 }  // namespace
 
@@ -47,6 +51,16 @@ std::vector<Option> generationOptions() {
            orAbsent(wholeNumber(0, kAnySize), "the kind's"), [](auto& a) -> auto& { return a.generatedSize; }),
     valued({"--depth", kBoxes, kGroup, "draw one level of the BVH, and the leaves above it; the root is level 0"},
            orAbsent(wholeNumber(0, kAnySize), "all"), [](auto& a) -> auto& { return a.boxDepth; }),
+  };
+}
+
+std::vector<Option> viewingOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::viewing;
+  return {
+    valued({"--spp", kView, kGroup, "samples per pixel after which the picture is finished; 0: one ray through the centre of each pixel"},
+           orAbsent(wholeNumber(0, kMaxSamples), "4096"), [](auto& a) -> auto& { return a.sampleCount; }),
+    valued({"--show", kView, kGroup, "what the window shows first: a tracer, both with a divider, or their difference"},
+           choice(kModes), [](auto& a) -> auto& { return a.viewMode; }),
   };
 }
 

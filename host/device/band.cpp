@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <span>
 
 #include "host/core/errors.h"
@@ -55,6 +56,8 @@ std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + 
 GovernorOptions governorOptions(const render::RenderSettings& settings, const LoopBudget& budget,
                                 std::uint64_t pixels) {
   GovernorOptions options;
+  options.limitSeconds *= settings.execution.dispatchSeconds / options.targetSeconds;
+  options.targetSeconds = settings.execution.dispatchSeconds;
   options.maxSegments = std::min(options.maxSegments, budget.maxSegments);
   options.totalPixels = pixels;
   options.workgroupPixels = settings.execution.workgroupInUse().width * settings.execution.workgroupInUse().height;
@@ -106,11 +109,18 @@ Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::Com
       pipelines_(std::move(pipelines)),
       settings_(settings),
       width_(settings.image.window().width),
-      states_(device, std::uint64_t{kernel.stateBytes} * width_ * maxHeight, vulkan::Usage::storage),
-      film_(device, filmBytesPerPixel(settings) * width_ * maxHeight, vulkan::Usage::storage),
-      results_(device, resultBytes(kernel, settings, std::uint64_t{width_} * maxHeight), resultUsage(kernel)),
+      maxPixels_(std::uint64_t{width_} * maxHeight),
+      states_(device, kernel.stateBytes * maxPixels_, vulkan::Usage::storage),
+      film_(device, filmBytesPerPixel(settings) * maxPixels_, vulkan::Usage::storage),
+      results_(device, resultBytes(kernel, settings, maxPixels_), resultUsage(kernel)),
       counters_(device, sizeof(gpu::Counters), vulkan::Usage::readback),
       bindings_(pipelines_.front(), {&scene.rows(), &states_, &film_, &results_, &scene.texels(), &scene.uniforms()}) {}
+
+std::uint32_t Band::setWidth(std::uint32_t width) {
+  width_ = width;
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(maxPixels_ / width, std::numeric_limits<std::uint32_t>::max()));
+}
 
 void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
                 std::uint32_t firstSample) {
@@ -121,8 +131,8 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span
   cursor_.reset();
   governor_.reset();
   device_.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.fillBuffer(states_, 0);
-    recorder.fillBuffer(film_, 0);
+    recorder.fillBuffer(states_, 0, 0, kernel_.stateBytes * pixels());
+    recorder.fillBuffer(film_, 0, 0, filmBytesPerPixel(settings_) * pixels());
     recorder.fillBuffer(results_, 0);
     recorder.fillBuffer(counters_, 0);
   });

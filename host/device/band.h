@@ -44,6 +44,10 @@ class Band {
   /// first sample that their pixel lacks.
   void load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
             std::uint32_t firstSample);
+  /// Changes the width of the image, and returns the number of its rows that fit into the buffers. load() follows.
+  std::uint32_t setWidth(std::uint32_t width);
+  /// The film of the rows: FilmRows for each pixel, row by row, then the records of layers.
+  const vulkan::Buffer& film() const { return film_; }
   /// The rows of the last call of load().
   BandRows rows() const { return rows_; }
 
@@ -83,6 +87,7 @@ class Band {
   std::vector<vulkan::ComputePipeline> pipelines_;
   const render::RenderSettings& settings_;
   std::uint32_t width_;
+  std::uint64_t maxPixels_;  ///< for which the buffers have room
   BandRows rows_;
   std::uint32_t samplesSeen_ = 0;         ///< last value of the wrapping counter
   std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels

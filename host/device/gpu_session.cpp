@@ -149,6 +149,35 @@ void GpuSession::setCamera(const scene::Camera& camera) {
   empty();
 }
 
+// Keeps the buffers of the band if the image fits into them.
+void GpuSession::fitBand() {
+  const render::Extent size = settings_.image.size;
+  if (band_ && band_->setWidth(size.width) >= size.height) {
+    bandHeight_ = size.height;
+    return;
+  }
+  const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
+  band_.reset();
+  prepared_.deviceBytes -= bytesBefore - context_->device.memoryUse().currentBytes;
+  bandHeight_ = bandHeight(context_->device.info(), kernel_, settings_,
+                           std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+}
+
+void GpuSession::setView(const scene::Camera& camera, const render::Extent& size) {
+  if (settings_.image.crop) throw UsageError("a session that renders a crop has one size");
+  settings_.image.size = size;
+  cameraRecords_.constants.imageWidth = size.width;
+  cameraRecords_.constants.imageHeight = size.height;
+  resident_.reset();
+  film_ = image::Film(size.width, size.height, settings_.image.layers);
+  fitBand();
+  setCamera(camera);
+}
+
+const vulkan::Buffer* GpuSession::residentFilm() const {
+  return resident_ && bandCount() == 1 ? &band_->film() : nullptr;
+}
+
 void GpuSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);

@@ -24,11 +24,17 @@ class GpuSession final : public render::Session {
   image::Film film() override;
   void reset(std::uint32_t seed) override;
   void setCamera(const scene::Camera& camera) override;
+  void setView(const scene::Camera& camera, const render::Extent& size) override;
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
   render::Salvage salvage() override;
   render::PathRecords paths() override;
   render::Replay replay(const render::PixelSample& sample) override;
+
+  /// Returns the film in device memory, or null if it is not all there: no sample was traced since the film was emptied
+  /// or loaded, or the image has several bands. It may be called while advance() reports progress.
+  const vulkan::Buffer* residentFilm() const;
+  render::Extent filmSize() const { return {film_.width(), film_.height()}; }
 
  private:
   void describe();
@@ -43,6 +49,7 @@ class GpuSession final : public render::Session {
   void countSamples(render::RenderStatistics& statistics) const;
   std::unique_ptr<Band> tryBand();
   void makeBand();
+  void fitBand();
   void makeResident(std::uint32_t index);
   void fetchFilm();
   std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);

@@ -39,6 +39,8 @@ class PixelTracer {
   void setSeed(std::uint32_t seed);
   /// Moves the camera. Must not be called while samples are traced.
   virtual void setCamera(const scene::Camera& camera);
+  /// Sets the image's size for the next call of setCamera().
+  void setSize(const render::Extent& size) { image_.size = size; }
 
   /// Returns the radiance of one sample of a pixel.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,

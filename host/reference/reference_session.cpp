@@ -105,6 +105,14 @@ void ReferenceSession::setCamera(const scene::Camera& camera) {
   empty();
 }
 
+void ReferenceSession::setView(const scene::Camera& camera, const render::Extent& size) {
+  if (settings_.image.crop) throw UsageError("a session that renders a crop has one size");
+  settings_.image.size = size;
+  film_ = guarded([&] { return image::Film(size.width, size.height, settings_.image.layers); });
+  tracer_->setSize(size);
+  setCamera(camera);
+}
+
 void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);

@@ -17,6 +17,7 @@ class ReferenceSession final : public render::Session {
   image::Film film() override { return film_; }
   void reset(std::uint32_t seed) override;
   void setCamera(const scene::Camera& camera) override;
+  void setView(const scene::Camera& camera, const render::Extent& size) override;
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
   render::PathRecords paths() override { return paths_; }

@@ -5,7 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "host/core/errors.h"
 #include "host/image/film.h"
+#include "host/render/extent.h"
 #include "host/render/path_record.h"
 #include "host/render/path_trace.h"
 #include "host/render/replicas.h"
@@ -63,6 +65,9 @@ class Session {
   /// Empties the film and moves the camera. Only what depends on the camera is computed again. The image size stays the
   /// same; the film then equals that of a session prepared with this camera.
   virtual void setCamera(const scene::Camera& camera) = 0;
+  /// Empties the film, moves the camera and changes the size of the image, each side in [1, 65535]. The film then
+  /// equals that of a session prepared with this camera and size. Throws UsageError if the session renders a crop.
+  virtual void setView(const scene::Camera&, const Extent&) { throw InternalError("the session has one size"); }
   /// Continues from a film of the same scene, settings and seed whose pixels each contain the samples first, first + 1,
   /// ..., sampleCount of them. Throws UsageError if its size or its layers differ, or if a pixel would have samples
   /// beyond ImageSettings::sampleCount.

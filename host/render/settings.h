@@ -116,7 +116,9 @@ struct ExecutionSettings {
   AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
-  std::uint32_t threads = 0;                         ///< of the reference; 0: one per core
+  /// Duration of a dispatch at which the governor aims, in seconds, > 0. Short ones make a session stop soon.
+  double dispatchSeconds = 0.1;
+  std::uint32_t threads = 0;   ///< of the reference; 0: one per core
   std::uint32_t replicas = 0;  ///< of each sample, by the reference alone: see host/render/replicas.h
   /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows anyhow.
   std::uint64_t maxBandBytes = std::numeric_limits<std::uint64_t>::max();

@@ -67,12 +67,10 @@ Buffer::Impl::Impl(std::shared_ptr<Device::Impl> owner, std::uint64_t bytes, Usa
     index = static_cast<std::uint32_t>(device->options.recording->buffers.size());
     device->options.recording->buffers.push_back({bytes, usage});
   }
-  MemoryUse& use = device->memoryUse;
-  use.currentBytes += raw.bytes;
-  use.peakBytes = std::max(use.peakBytes, use.currentBytes);
+  device->countMemory(static_cast<std::int64_t>(raw.bytes));
 }
 
-Buffer::Impl::~Impl() { device->memoryUse.currentBytes -= raw.bytes; }
+Buffer::Impl::~Impl() { device->countMemory(-static_cast<std::int64_t>(raw.bytes)); }
 
 void Buffer::Impl::requireRange(std::uint64_t offset, std::uint64_t size) const {
   const bool isInside = offset <= raw.bytes && size <= raw.bytes - offset;
@@ -86,6 +84,7 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, Usage usage)
 }
 
 std::uint64_t Buffer::bytes() const { return impl_->raw.bytes; }
+bool Buffer::isOn(const Device& device) const { return impl_->device == device.impl(); }
 bool Buffer::isMapped() const { return impl_->raw.mapped != nullptr; }
 
 std::span<std::byte> Buffer::mapped() const {

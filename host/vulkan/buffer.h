@@ -34,6 +34,8 @@ class Buffer {
   Buffer(Device& device, std::uint64_t bytes, Usage usage);
 
   std::uint64_t bytes() const;
+  /// Returns whether the buffer belongs to this device.
+  bool isOn(const Device& device) const;
   /// Returns whether the host accesses the memory directly, without staging.
   bool isMapped() const;
   /// Returns the whole content; only for Usage::readback. It contains everything written up to the last Device::run,

@@ -39,18 +39,18 @@ RecordedDispatch recordedDispatch(const ComputePipeline& pipeline, const Binding
 
 void CommandRecorder::Impl::makeVisibleToNext() const {
   const vk::MemoryBarrier barrier(kWrites, kReads | kWrites);
-  device.commands.pipelineBarrier(kDeviceStages, kDeviceStages, {}, barrier, {}, {});
+  commands.pipelineBarrier(kDeviceStages, kDeviceStages, {}, barrier, {}, {});
 }
 
 void CommandRecorder::Impl::makeVisibleToHost() const {
   const vk::MemoryBarrier barrier(kWrites, Access::eHostRead);
-  device.commands.pipelineBarrier(kDeviceStages, Stage::eHost, {}, barrier, {}, {});
+  commands.pipelineBarrier(kDeviceStages, Stage::eHost, {}, barrier, {}, {});
 }
 
 void CommandRecorder::Impl::copy(vk::Buffer from, std::uint64_t fromOffset, vk::Buffer to, std::uint64_t toOffset,
                                  std::uint64_t bytes) const {
   makeVisibleToNext();
-  device.commands.copyBuffer(from, to, vk::BufferCopy(fromOffset, toOffset, bytes));
+  commands.copyBuffer(from, to, vk::BufferCopy(fromOffset, toOffset, bytes));
 }
 
 void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const BindingSet& bindings,
@@ -60,7 +60,7 @@ void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const Bin
     throw InternalError(fmt::format("{} bytes of push constants for a pipeline created with {}", pushConstants.size(),
                                     shader.pushConstantBytes));
   }
-  const vk::raii::CommandBuffer& commands = impl_.device.commands;
+  const vk::raii::CommandBuffer& commands = impl_.commands;
   impl_.makeVisibleToNext();
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *shader.handle);
   commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *shader.layout, 0, *bindings.impl()->handle, {});
@@ -74,7 +74,7 @@ void CommandRecorder::dispatch(const ComputePipeline& pipeline, const BindingSet
   requireGroups(impl_.device.limits, groups);
   impl_.device.note([&] { return recordedDispatch(pipeline, bindings, pushConstants, groups); });
   prepareDispatch(pipeline, bindings, pushConstants);
-  impl_.device.commands.dispatch(groups.x, groups.y, groups.z);
+  impl_.commands.dispatch(groups.x, groups.y, groups.z);
 }
 
 void CommandRecorder::dispatchIndirect(const ComputePipeline& pipeline, const BindingSet& bindings,
@@ -87,7 +87,7 @@ void CommandRecorder::dispatchIndirect(const ComputePipeline& pipeline, const Bi
     return dispatch;
   });
   prepareDispatch(pipeline, bindings, pushConstants);
-  impl_.device.commands.dispatchIndirect(*groups.impl()->raw.handle, offset);
+  impl_.commands.dispatchIndirect(*groups.impl()->raw.handle, offset);
 }
 
 void CommandRecorder::updateBuffer(const Buffer& buffer, std::uint64_t offset, std::span<const std::byte> data) {
@@ -96,7 +96,7 @@ void CommandRecorder::updateBuffer(const Buffer& buffer, std::uint64_t offset, s
   impl_.device.note([&] { return RecordedWrite{buffer.impl()->index, offset, {data.begin(), data.end()}}; });
   impl_.makeVisibleToNext();
   const vk::ArrayProxy<const std::byte> bytes(static_cast<std::uint32_t>(data.size()), data.data());
-  impl_.device.commands.updateBuffer<std::byte>(*buffer.impl()->raw.handle, offset, bytes);
+  impl_.commands.updateBuffer<std::byte>(*buffer.impl()->raw.handle, offset, bytes);
 }
 
 void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word, std::uint64_t offset, std::uint64_t bytes) {
@@ -104,7 +104,7 @@ void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word, std::
   if (bytes == 0) return;
   impl_.device.note([&] { return RecordedFill{buffer.impl()->index, offset, bytes, word}; });
   impl_.makeVisibleToNext();
-  impl_.device.commands.fillBuffer(*buffer.impl()->raw.handle, offset, bytes, word);
+  impl_.commands.fillBuffer(*buffer.impl()->raw.handle, offset, bytes, word);
 }
 
 void CommandRecorder::fillBuffer(const Buffer& buffer, std::uint32_t word) {

@@ -7,6 +7,7 @@ namespace candela::vulkan {
 
 struct CommandRecorder::Impl {
   Device::Impl& device;
+  const vk::raii::CommandBuffer& commands;
 
   /// Makes the writes of earlier commands, in this submission and before it, visible to the next. Called before every
   /// command.

@@ -21,12 +21,20 @@ namespace {
 // beta header.
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
 
+// Whether the queue draws, too, and the device has swapchains.
+bool presents(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily, const DeviceOptions& options) {
+  if (options.windowExtensions.empty()) return false;
+  const vk::QueueFlags flags = physicalDevice.getQueueFamilyProperties()[queueFamily].queueFlags;
+  return (flags & vk::QueueFlagBits::eGraphics) && hasExtension(physicalDevice, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+}
+
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily,
-                              const DeviceOptions& options) {
+                              const DeviceOptions& options, bool presents) {
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
   std::vector<const char*> extensions;
   if (hasExtension(physicalDevice, kPortabilitySubset)) extensions.push_back(kPortabilitySubset);
+  if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   vk::PhysicalDeviceFeatures features;
   features.robustBufferAccess = options.robustBufferAccess;
   vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT sizeControl(VK_TRUE);
@@ -48,8 +56,9 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
       physicalDevice(std::move(device)),
       limits(physicalDevice.getProperties().limits),
       memoryProperties(physicalDevice.getMemoryProperties()) {
-  const std::uint32_t queueFamily = findComputeQueue(physicalDevice).value();
-  handle = createDevice(physicalDevice, queueFamily, options);
+  queueFamily = findComputeQueue(physicalDevice).value();
+  canPresent = presents(physicalDevice, queueFamily, options);
+  handle = createDevice(physicalDevice, queueFamily, options, canPresent);
   queue = handle.getQueue(queueFamily, 0);
   pipelineCache = handle.createPipelineCache({});
   commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});
@@ -68,7 +77,7 @@ double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>
     commandPool.reset();
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
   });
-  const CommandRecorder::Impl recorder{*this};
+  const CommandRecorder::Impl recorder{*this, commands};
   record(recorder);
   recorder.makeVisibleToHost();
   return guarded("run commands on the device", [&] {
@@ -87,6 +96,7 @@ void Device::Impl::keepEverything() {
 // specification has a lost device use no resources.
 void Device::Impl::settle() {
   hasFailed = true;
+  const std::scoped_lock lock(queueMutex);
   try {
     handle.waitIdle();
   } catch (const vk::DeviceLostError&) {
@@ -109,7 +119,10 @@ double Device::Impl::submitAndWait(Patience patience) {
   const vk::SubmitInfo submission({}, {}, *commands);
   const auto start = std::chrono::steady_clock::now();
   try {
-    queue.submit(submission, *fence);
+    {
+      const std::scoped_lock lock(queueMutex);
+      queue.submit(submission, *fence);
+    }
     waitForFence(patience);
   } catch (const vk::SystemError&) {
     settle();
@@ -121,7 +134,7 @@ double Device::Impl::submitAndWait(Patience patience) {
 }
 
 Device Device::open(const std::string& selector, const DeviceOptions& options) {
-  std::optional<Instance> instance = openInstance();
+  std::optional<Instance> instance = openInstance(options.windowExtensions);
   std::vector<vk::raii::PhysicalDevice> devices;
   if (instance) devices = instance->physicalDevices();
   const std::vector<DeviceInfo> infos = describeAll(devices);
@@ -142,7 +155,12 @@ Device Device::open(const DeviceInfo& info, const DeviceOptions& options) {
 
 const DeviceInfo& Device::info() const { return impl_->info; }
 bool Device::hasFailed() const { return impl_->hasFailed; }
-MemoryUse Device::memoryUse() const { return impl_->memoryUse; }
+bool Device::canPresent() const { return impl_->canPresent; }
+
+MemoryUse Device::memoryUse() const {
+  const std::scoped_lock lock(impl_->memoryMutex);
+  return impl_->memoryUse;
+}
 
 void Device::loadPipelines(std::span<const std::byte> data) {
   guarded("load compiled pipelines", [&] {

@@ -37,6 +37,9 @@ struct DeviceOptions {
   std::uint32_t subgroupSize = 0;
   /// Receives everything that the device is given from its opening on; null: nothing is recorded.
   std::shared_ptr<Recording> recording{};
+  /// Instance extensions of a window system. If there are any, the device can present to its windows, provided that it
+  /// has VK_KHR_swapchain: see Device::canPresent().
+  std::vector<std::string> windowExtensions{};
 };
 
 /// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.
@@ -46,9 +49,10 @@ enum class Patience {
 };
 
 /// A device, its compute queue and the state that buffers and pipelines need. Vulkan 1.2 core, no optional feature. It
-/// is a cheap handle: buffers and pipelines share ownership, so that the order of their destruction is irrelevant. All
-/// objects of one device are used by one thread at a time. Every member may throw DeviceLostError, OutOfMemoryError, or
-/// InternalError with the name of the Vulkan result.
+/// is a cheap handle: buffers and pipelines share ownership, so that the order of their destruction is irrelevant. Runs
+/// and transfers belong to one thread at a time. Objects may be created and destroyed by several threads, and another
+/// thread may present frames (host/window). Every member may throw DeviceLostError, OutOfMemoryError, or InternalError
+/// with the name of the Vulkan result.
 ///
 /// After a run that failed, every further run throws DeviceLostError. Objects of the device may be destroyed at any
 /// time: those that the device may still be using are kept until the end of the process (see unfinished_work.h).
@@ -68,6 +72,9 @@ class Device {
   /// (steady clock). All writes of the commands are then visible to the host and to later runs. Calls must not be
   /// nested. Throws DeviceHungError if the commands do not end in time.
   double run(const std::function<void(CommandRecorder&)>& record, Patience patience = Patience::normal);
+
+  /// Returns whether DeviceOptions::windowExtensions were given, and the device and its queue can draw and present.
+  bool canPresent() const;
 
   /// Whether a run failed, so that the device cannot be used any more.
   bool hasFailed() const;

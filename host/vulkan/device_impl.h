@@ -1,6 +1,8 @@
 // The Vulkan handles behind a Device, and raw buffers, which Buffer and staging share.
 #pragma once
+#include <atomic>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -33,16 +35,20 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   vk::PhysicalDeviceLimits limits;
   vk::PhysicalDeviceMemoryProperties memoryProperties;
   vk::raii::Device handle{nullptr};
+  std::uint32_t queueFamily = 0;
   vk::raii::Queue queue{nullptr};
+  std::mutex queueMutex;  ///< held whenever the queue is used
+  bool canPresent = false;
   vk::raii::PipelineCache pipelineCache{nullptr};
   vk::raii::CommandPool commandPool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
   vk::raii::Fence fence{nullptr};
   std::optional<RawBuffer> stagingBuffer;  ///< created when it is first needed
   MemoryUse memoryUse;
-  Residents residents;  ///< buffers, pipelines and bindings of this device
+  std::mutex memoryMutex;  ///< held whenever memoryUse is used
+  Residents residents;     ///< buffers, pipelines and bindings of this device
   HangLimit hangLimit;
-  bool hasFailed = false;  ///< work was submitted whose end is not known to have been regular
+  std::atomic<bool> hasFailed = false;  ///< work was submitted whose end is not known to have been regular
 
   Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
        const DeviceOptions& deviceOptions);
@@ -50,6 +56,8 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
   RawBuffer allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference);
   RawBuffer& staging();
+  /// Adds to memoryUse; removes if `bytes` is negative.
+  void countMemory(std::int64_t bytes);
 
   /// Adds a command to the recording, if there is one. `make` returns the command.
   template <class Make>

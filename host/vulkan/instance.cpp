@@ -46,7 +46,8 @@ void requireValidationLayer(const vk::raii::Context& context) {
                       ", which is not installed; on Debian: apt-get install vulkan-validationlayers");
 }
 
-vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation) {
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validation,
+                                  const std::vector<std::string>& windowExtensions) {
   const vk::ApplicationInfo application("candela", 0, "candela", 0, VK_API_VERSION_1_2);
   const vk::ValidationFeaturesEXT features(kValidationFeatures);
   vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
@@ -54,6 +55,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& context, bool validat
 
   vk::InstanceCreateInfo info({}, &application);
   std::vector<const char*> extensions;
+  for (const std::string& extension : windowExtensions) extensions.push_back(extension.c_str());
   std::vector<const char*> layers;
   if (validation) {
     layers.push_back(kValidationLayer);
@@ -96,14 +98,14 @@ std::vector<vk::raii::PhysicalDevice> Instance::physicalDevices() const {
   }
 }
 
-std::optional<Instance> openInstance() {
+std::optional<Instance> openInstance(const std::vector<std::string>& windowExtensions) {
   std::optional<vk::raii::Context> context = openLoader();
   if (!context) return std::nullopt;
   const bool validation = validationRequested();
   try {
     if (validation) requireValidationLayer(*context);
     Instance instance{std::move(*context)};
-    instance.handle = createInstance(instance.context, validation);
+    instance.handle = createInstance(instance.context, validation, windowExtensions);
     if (validation) instance.messenger = instance.handle.createDebugUtilsMessengerEXT(messengerInfo());
     return instance;
   } catch (const vk::IncompatibleDriverError&) {  // a loader without any driver

@@ -1,6 +1,7 @@
 // A Vulkan instance, with the validation layer if the environment requests it.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -21,8 +22,8 @@ std::optional<vk::raii::Context> openLoader();
 /// Returns whether the Khronos validation layer is installed.
 bool hasValidationLayer(const vk::raii::Context& context);
 
-/// Returns nothing if there is no Vulkan loader or no driver. Throws NoDeviceError if validation is requested but not
-/// installed.
-std::optional<Instance> openInstance();
+/// Returns nothing if there is no Vulkan loader or no driver. Enables `windowExtensions`, which the loader must have.
+/// Throws NoDeviceError if validation is requested but not installed.
+std::optional<Instance> openInstance(const std::vector<std::string>& windowExtensions = {});
 
 }  // namespace candela::vulkan

@@ -82,6 +82,12 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
                                      memoryUse.currentBytes, info.memoryBytes));
 }
 
+void Device::Impl::countMemory(std::int64_t bytes) {
+  const std::scoped_lock lock(memoryMutex);
+  memoryUse.currentBytes += static_cast<std::uint64_t>(bytes);
+  memoryUse.peakBytes = std::max(memoryUse.peakBytes, memoryUse.currentBytes);
+}
+
 RawBuffer& Device::Impl::staging() {
   if (!stagingBuffer) {
     const auto usage = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;

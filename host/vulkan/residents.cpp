@@ -13,6 +13,7 @@ std::atomic<bool> unfinished{false};
 }  // namespace
 
 void Residents::add(const std::shared_ptr<void>& object) {
+  const std::scoped_lock lock(mutex_);
   if (objects_.size() == objects_.capacity()) {
     std::erase_if(objects_, [](const std::weak_ptr<void>& other) { return other.expired(); });
   }
@@ -21,6 +22,7 @@ void Residents::add(const std::shared_ptr<void>& object) {
 
 void Residents::keepAll() {
   static auto& kept = *new std::vector<std::shared_ptr<void>>;
+  const std::scoped_lock lock(mutex_);
   for (const std::weak_ptr<void>& object : objects_) {
     if (std::shared_ptr<void> alive = object.lock()) kept.push_back(std::move(alive));
   }

@@ -11,6 +11,7 @@
 #define CANDELA_END }
 namespace candela::gpu {
 using uint = std::uint32_t;
+using vec2 = glm::vec2;
 using vec3 = glm::vec3;
 using vec4 = glm::vec4;
 using uvec2 = glm::uvec2;

@@ -1,0 +1,162 @@
+// `candela view`: a scene in a window.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/cached_device.h"
+#include "host/cli/commands.h"
+#include "host/cli/json_output.h"
+#include "host/cli/output_check.h"
+#include "host/cli/render_images.h"
+#include "host/cli/render_job.h"
+#include "host/cli/tuned.h"
+#include "host/core/progress.h"
+#include "host/device/gpu_renderer.h"
+#include "host/reference/reference_renderer.h"
+#include "host/window/viewer.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr std::uint32_t kDefaultSamples = 4096;
+constexpr double kDispatchSeconds = 0.015;  // so that input is answered soon
+constexpr render::Extent kWarmUpSize{8, 8};
+
+Arguments withChoice(Arguments arguments, const view::Choice& choice) {
+  arguments.device = choice.device;
+  arguments.settings.image.integrator = choice.integrator;
+  arguments.settings.execution.dispatchSeconds = kDispatchSeconds;
+  if (!arguments.sampleCount) arguments.sampleCount = kDefaultSamples;
+  return arguments;
+}
+
+/// What the engine asks of the program: scenes, sessions and image files.
+class ViewedScene {
+ public:
+  ViewedScene(const Arguments& arguments, const Log& log) : arguments_(arguments), log_(log) {}
+
+  /// The job of the next sessions, read from the file again if `reads`.
+  RenderJob job(const view::Choice& choice, bool reads) {
+    const Arguments arguments = withChoice(arguments_, choice);
+    const std::scoped_lock lock(mutex_);
+    if (reads || !scene_) scene_ = std::make_shared<const scene::Scene>(readScene(arguments, log_));
+    return jobOf(arguments, scene_, log_);
+  }
+
+  view::Sessions load(const view::Choice& choice, bool reads) {
+    const RenderJob job = this->job(choice, reads);
+    view::Sessions sessions;
+    sessions.scene = job.sharedScene;
+    sessions.settings = job.settings;
+    sessions.referenceRenderer = reference::makeReferenceRenderer();
+    sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
+    return sessions;
+  }
+
+  /// Opens the device of a choice, or returns the one that is open.
+  vulkan::Device open(const view::Choice& choice, const std::vector<std::string>& windowExtensions = {}) {
+    std::unique_ptr<CachedDevice>& device = devices_[choice.device];
+    Arguments arguments = withChoice(arguments_, choice);
+    if (!device) device = std::make_unique<CachedDevice>(arguments, log_, windowExtensions);
+    return device->device();
+  }
+
+  // Runs of one device must not overlap, and preparations that are not wanted any more may still be under way.
+  void addDevice(const view::Choice& choice, view::Sessions& sessions) {
+    const std::scoped_lock lock(deviceMutex_);
+    const vulkan::Device device = open(choice);
+    render::RenderSettings settings = sessions.settings;
+    settings.execution.automatic = automaticChoices(arguments_, device.info(), log_);
+    sessions.deviceRenderer = device::makeGpuRenderer(device);
+    sessions.device = sessions.deviceRenderer->prepare(*sessions.scene, settings);
+    sessions.device->setView(*sessions.scene->camera, kWarmUpSize);
+    sessions.device->advance({0, 1}, {});
+    sessions.deviceName = device.info().name;
+  }
+
+  void save(const std::filesystem::path& file, const view::Sessions& sessions, const image::Film& film,
+            const render::RenderStatistics& statistics, const view::Choice& choice,
+            const image::DisplayTransform& display) {
+    image::checkImageFormat(file);
+    requireComplete(statistics);
+    const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
+    const image::Image image = pictureOf(film, job.settings.image.hasAlpha(),
+                                         metadataOf(job, {film, statistics, true, {}}));
+    writeImage(file, image, display);
+  }
+
+ private:
+  const Arguments& arguments_;
+  const Log& log_;
+  std::mutex mutex_;
+  std::shared_ptr<const scene::Scene> scene_;
+  std::mutex deviceMutex_;
+  std::map<std::string, std::unique_ptr<CachedDevice>> devices_;
+};
+
+view::EngineHooks hooksOf(ViewedScene& scene) {
+  view::EngineHooks hooks;
+  hooks.load = [&scene](const view::Choice& choice, bool reads) { return scene.load(choice, reads); };
+  hooks.addDevice = [&scene](const view::Choice& choice, view::Sessions& sessions) {
+    scene.addDevice(choice, sessions);
+  };
+  hooks.save = [&scene](auto&&... what) { scene.save(what...); };
+  return hooks;
+}
+
+std::vector<std::string> deviceNames() {
+  std::vector<std::string> names;
+  for (const vulkan::DeviceInfo& info : vulkan::listDevices()) names.push_back(info.name);
+  return names;
+}
+
+nlohmann::ordered_json toJson(const window::ViewerReport& report) {
+  std::vector<double> sorted = report.responses;
+  std::ranges::sort(sorted);
+  const auto quantile = [&](double part) {
+    return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+  };
+  nlohmann::ordered_json json;
+  json["firstPictureSeconds"] = report.firstPicture;
+  json["responses"] = {{"count", sorted.size()},
+                       {"medianSeconds", quantile(0.5)},
+                       {"p90Seconds", quantile(0.9)},
+                       {"maxSeconds", quantile(1)}};
+  json["frames"] = report.frames;
+  json["presentsFromDevice"] = report.presentsFromDevice;
+  json["device"] = report.last.deviceName;
+  json["deviceSamples"] = report.last.sides[0].samples;
+  json["referenceSamples"] = report.last.sides[1].samples;
+  return json;
+}
+
+}  // namespace
+
+ExitCode runView(const Arguments& arguments, const Log& log) {
+  const double start = monotonicSeconds();
+  requireWritableReport(arguments.json);
+  ViewedScene scene(arguments, log);
+  const view::Choice choice{arguments.device, arguments.settings.image.integrator};
+  const RenderJob first = scene.job(choice, true);
+  image::DisplayTransform display = arguments.display;
+  display.exposure = arguments.exposure.value_or(0);
+  const window::ViewerReport report = window::runViewer(
+      {.hooks = hooksOf(scene),
+       .choice = choice,
+       .devices = deviceNames(),
+       .scene = arguments.files.front(),
+       .size = first.settings.image.size,
+       .mode = arguments.viewMode,
+       .display = display,
+       .openDevice =
+           [&](const auto& extensions) {
+             return scene.open({choice.device == "cpu" ? "" : choice.device, choice.integrator}, extensions);
+           },
+       .start = start});
+  writeJson(arguments.json, toJson(report));
+  return ExitCode::done;
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,48 @@
+// Runs film_means.comp on the film of a session.
+#include "host/device/film_means.h"
+
+#include <span>
+
+#include "host/device/gpu_session.h"
+#include "host/vulkan/binding_set.h"
+#include "spirv/film_means.h"
+
+namespace candela::device {
+namespace {
+
+constexpr std::uint32_t kGroupSide = 8;
+constexpr std::uint64_t kPixelBytes = 16;
+
+struct PushConstants {
+  render::Extent film;
+  render::Extent picture;
+};
+
+std::uint32_t groups(std::uint32_t pixels) { return (pixels + kGroupSide - 1) / kGroupSide; }
+
+}  // namespace
+
+FilmMeans::FilmMeans(vulkan::Device device, const render::Extent& size)
+    : device_(std::move(device)),
+      size_(size),
+      buffer_(device_, kPixelBytes * size.width * size.height, vulkan::Usage::storage),
+      pipeline_(device_, spirv::film_means,
+                {.bindings = {vulkan::BindingKind::storageBuffer, vulkan::BindingKind::storageBuffer},
+                 .pushConstantBytes = sizeof(PushConstants)}) {
+  buffer_.fill(0);
+}
+
+bool FilmMeans::update(render::Session& session) {
+  const auto* const source = dynamic_cast<const GpuSession*>(&session);
+  const vulkan::Buffer* const film = source != nullptr ? source->residentFilm() : nullptr;
+  if (film == nullptr || !film->isOn(device_)) return false;
+  const vulkan::BindingSet bindings(pipeline_, {film, &buffer_});
+  const PushConstants push{source->filmSize(), size_};
+  device_.run([&](vulkan::CommandRecorder& recorder) {
+    recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&push, 1)),
+                      {groups(size_.width), groups(size_.height), 1});
+  });
+  return true;
+}
+
+}  // namespace candela::device

@@ -1,0 +1,342 @@
+// The loop of the worker: take requests, decide on the next step, run it, show its result.
+#include "host/view/engine.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "host/core/errors.h"
+#include "host/core/progress.h"
+#include "host/explain/explanation.h"
+#include "host/image/false_colour.h"
+#include "host/view/camera_text.h"
+
+namespace candela::view {
+namespace {
+
+constexpr double kFirstSeconds = 0.05;   // for which requests leave the first picture of a view in peace
+constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
+constexpr std::chrono::milliseconds kIdle{50};
+
+bool isReady(const std::future<Sessions>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
+    : hooks_(std::move(hooks)), choice_(std::move(choice)), mode_(mode) {
+  adopt(hooks_.load(choice_, false));
+  startDevice();
+  publish();
+  thread_ = std::thread([this] { loop(); });
+}
+
+Engine::~Engine() {
+  request([this](Requests&) { ended_ = true; });
+  thread_.join();
+}
+
+EngineView Engine::view() const {
+  const std::scoped_lock lock(mutex_);
+  return published_;
+}
+
+void Engine::request(const std::function<void(Requests&)>& set) {
+  {
+    const std::scoped_lock lock(mutex_);
+    set(requests_);
+    interrupted_ = true;
+  }
+  changed_.notify_one();
+}
+
+std::uint64_t Engine::setCamera(const scene::Camera& camera) {
+  std::uint64_t serial = 0;
+  request([&](Requests& requests) {
+    requests.camera = camera;
+    serial = ++requests.viewSerial;
+  });
+  return serial;
+}
+
+void Engine::setMode(Mode mode, bool isPaused) {
+  request([&](Requests& requests) { requests.mode = {mode, isPaused}; });
+}
+
+void Engine::setChoice(const Choice& choice) {
+  request([&](Requests& requests) { requests.load = choice; });
+}
+
+void Engine::reload() {
+  const Choice current = view().choice;
+  request([&](Requests& requests) {
+    if (!requests.load) requests.load = current;
+    requests.reads = true;
+  });
+}
+
+void Engine::save(const std::filesystem::path& file, const image::DisplayTransform& display) {
+  request([&](Requests& requests) { requests.save = {file, display}; });
+}
+
+void Engine::explain(const render::PixelSample& sample) {
+  request([&](Requests& requests) { requests.sample = sample; });
+}
+
+void Engine::loop() {
+  while (!ended_) guarded([this] { iterate(); });
+}
+
+void Engine::iterate() {
+  adoptDevice();
+  const std::optional<Step> step = isPaused_ ? std::nullopt : schedule_->next();
+  if (const std::optional<Requests> requests = takeRequests(!step)) {
+    apply(*requests);
+  } else if (step) {
+    run(*step);
+  }
+}
+
+// Waits for a moment if there is nothing else to do.
+std::optional<Engine::Requests> Engine::takeRequests(bool mayWait) {
+  std::unique_lock lock(mutex_);
+  if (mayWait) changed_.wait_for(lock, kIdle, [this] { return requests_.hasAny() || ended_; });
+  interrupted_ = false;
+  if (!requests_.hasAny()) return std::nullopt;
+  Requests taken = requests_;
+  requests_ = Requests{};
+  requests_.viewSerial = taken.viewSerial;
+  return taken;
+}
+
+void Engine::apply(const Requests& requests) {
+  if (requests.load) guarded([&] { load(*requests.load, requests.reads); });
+  if (requests.mode) setMode(*requests.mode);
+  if (requests.camera) {
+    camera_ = *requests.camera;
+    next_.viewSerial = requests.viewSerial;
+    restart();
+  }
+  if (requests.save) guarded([&] { saveNow(*requests.save); });
+  if (requests.sample) guarded([&] { explainNow(*requests.sample); });
+}
+
+void Engine::load(const Choice& choice, bool reads) {
+  Sessions sessions = hooks_.load(choice, reads);
+  choice_ = choice;
+  adopt(std::move(sessions));
+  startDevice();
+  say("", false);
+}
+
+void Engine::adopt(Sessions sessions) {
+  const bool keepsCamera = sessions_.scene &&
+                           cameraText(*sessions_.scene->camera) == cameraText(*sessions.scene->camera);
+  sessions_ = std::move(sessions);
+  if (!keepsCamera) camera_ = *sessions_.scene->camera;
+  schedule_.emplace(sessions_.settings.image.size, sessions_.settings.image.sampleCount);
+  next_.scene = sessions_.scene;
+  next_.choice = choice_;
+  next_.size = sessions_.settings.image.size;
+  next_.sampleCount = sessions_.settings.image.sampleCount;
+  next_.explanation.clear();
+  for (auto& picture : pictures_) picture = std::make_shared<Picture>(next_.size);
+  next_.sides = {};
+  want();
+  restart();
+}
+
+void Engine::startDevice() {
+  if (coming_.valid()) abandoned_.push_back(std::move(coming_));
+  std::erase_if(abandoned_, isReady);
+  next_.isPreparing = choice_.device != "cpu";
+  if (!next_.isPreparing) return;
+  coming_ = std::async(std::launch::async, [add = hooks_.addDevice, choice = choice_, scene = sessions_.scene,
+                                            settings = sessions_.settings] {
+    Sessions made;
+    made.scene = scene;
+    made.settings = settings;
+    add(choice, made);
+    return made;
+  });
+}
+
+void Engine::adoptDevice() {
+  if (!isReady(coming_)) return;
+  next_.isPreparing = false;
+  Sessions made = coming_.get();
+  sessions_.deviceRenderer = std::move(made.deviceRenderer);
+  sessions_.device = std::move(made.device);
+  next_.deviceName = made.deviceName;
+  preparedScale_[indexOf(Side::device)] = 0;
+  want();
+  if (comparesSides(mode_)) restart();
+}
+
+void Engine::setMode(const Requests::NewMode& mode) {
+  const bool startsComparing = comparesSides(mode.mode) && !comparesSides(mode_);
+  mode_ = mode.mode;
+  isPaused_ = mode.isPaused;
+  want();
+  if (startsComparing && !schedule_->isLevel()) restart();
+  publish();
+}
+
+// Without a device, the reference is shown in all modes.
+void Engine::want() {
+  const bool hasDevice = sessions_.device != nullptr;
+  schedule_->setWanted(Side::device, hasDevice && wants(mode_, Side::device));
+  schedule_->setWanted(Side::reference, !hasDevice || wants(mode_, Side::reference));
+  next_.sides[indexOf(Side::device)].hasSession = hasDevice;
+  next_.sides[indexOf(Side::reference)].hasSession = true;
+}
+
+void Engine::restart() {
+  schedule_->restart();
+  preparedScale_ = {};
+  for (SideView& side : next_.sides) side.seconds = 0;
+  next_.difference.reset();
+}
+
+void Engine::run(const Step& step) {
+  const double start = monotonicSeconds();
+  render::Session& session = *sessions_.session(step.side);
+  std::uint32_t& prepared = preparedScale_[indexOf(step.side)];
+  if (prepared != step.scale) {
+    session.setView(camera_, scaled(sessions_.settings.image.size, step.scale));
+    prepared = step.scale;
+  }
+  if (trace(step, start)) finish(step, monotonicSeconds() - start);
+}
+
+// Returns false if a request came. Unfinished pictures are shown unless they are compared.
+bool Engine::trace(const Step& step, double start) {
+  render::Session& session = *sessions_.session(step.side);
+  const bool showsPartial = step.scale == 1 && (!comparesSides(mode_) || step.sampleEnd == 1);
+  const bool isFirst = schedule_->scale(step.side) == 0;
+  double shown = start;
+  std::atomic<bool> stop{false};
+  const auto watch = [&](double, std::uint64_t) {
+    const double now = monotonicSeconds();
+    if (interrupted_ && (!isFirst || ended_ || now - start > kFirstSeconds)) stop = true;
+    if (showsPartial && now - shown > kPartialSeconds) stop = true;
+  };
+  while (!session.advance({0, step.sampleEnd}, {&stop, watch})) {
+    if (interrupted_) return false;
+    stop = false;
+    show(step.side);
+    publish();
+    shown = monotonicSeconds();
+  }
+  return true;
+}
+
+void Engine::finish(const Step& step, double seconds) {
+  schedule_->finish(step, seconds);
+  SideView& side = next_.sides[indexOf(step.side)];
+  side.seconds += seconds;
+  if (!comparesSides(mode_) || step.scale > 1 || step.sampleEnd == 1) {
+    show(step.side);
+  } else if (schedule_->isLevel()) {
+    show(Side::device);
+    show(Side::reference);
+  }
+  if (schedule_->isLevel()) compareSides();
+  measureFalseColours();
+  publish();
+}
+
+// Copies the film of a side to its picture.
+void Engine::show(Side side) {
+  SideView& view = next_.sides[indexOf(side)];
+  render::Session& session = *sessions_.session(side);
+  view.isOnDevice = side == Side::device && hooks_.showOnDevice(session, next_.size);
+  view.scale = std::max(schedule_->scale(side), 1u);
+  view.samples = schedule_->samples(side);
+  if (view.isOnDevice) {
+    view.picture = nullptr;
+    return;
+  }
+  auto picture = std::make_shared<Picture>(*pictures_[indexOf(side)]);
+  view::show(session.film(), *picture);
+  pictures_[indexOf(side)] = picture;
+  view.picture = std::move(picture);
+}
+
+void Engine::measureFalseColours() {
+  const bool isDepth = choice_.integrator == render::Integrator::depth;
+  if (!isDepth && choice_.integrator != render::Integrator::cost) return;
+  const Side side = wants(mode_, Side::device) && sessions_.device ? Side::device : Side::reference;
+  const image::ToneMap toneMap = isDepth ? image::ToneMap::depth : image::ToneMap::heat;
+  next_.falseColourScale = falseColourScale(toImage(sessions_.session(side)->film()), toneMap);
+}
+
+void Engine::compareSides() {
+  Picture device(next_.size);
+  view::show(sessions_.device->film(), device);
+  next_.difference = compare(device, *pictures_[indexOf(Side::reference)]);
+}
+
+void Engine::saveNow(const SaveRequest& request) {
+  const Side side = mode_ == Mode::reference || !sessions_.device ? Side::reference : Side::device;
+  render::Session& session = *sessions_.session(side);
+  hooks_.save(request.file, sessions_, session.film(), session.statistics(), choice_, request.display);
+  say(fmt::format("{}: {} samples per pixel", request.file.string(), schedule_->samples(side)), false);
+}
+
+void Engine::explainNow(const render::PixelSample& sample) {
+  explain::requirePaths(sessions_.settings.image.integrator);
+  if (!sessions_.device) throw UsageError("a path is explained by a device and the reference; there is no device yet");
+  for (const Side side : {Side::device, Side::reference}) {
+    if (preparedScale_[indexOf(side)] == 1) continue;
+    sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
+    preparedScale_[indexOf(side)] = 0;
+  }
+  next_.explanation = toText(explain::explainReplays(*sessions_.scene, sessions_.settings, sample,
+                                                     sessions_.device->replay(sample),
+                                                     sessions_.reference->replay(sample)));
+  publish();
+}
+
+void Engine::publish() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ++next_.serial;
+    published_ = next_;
+  }
+  hooks_.wake();
+}
+
+void Engine::say(const std::string& message, bool isError) {
+  next_.message = message;
+  next_.isError = isError;
+  publish();
+}
+
+// A device that fails is not used any more. Any other error pauses the render, so that it does not happen over and
+// over.
+void Engine::guarded(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const DeviceLostError& error) {
+    dropDevice(error.what());
+  } catch (const OutOfMemoryError& error) {
+    dropDevice(error.what());
+  } catch (const std::exception& error) {
+    isPaused_ = true;
+    next_.isPreparing = coming_.valid();
+    say(error.what(), true);
+  }
+}
+
+void Engine::dropDevice(const std::string& reason) {
+  isPaused_ = sessions_.device == nullptr;  // it was the reference that failed
+  sessions_.device.reset();
+  sessions_.deviceRenderer.reset();
+  want();
+  next_.isPreparing = coming_.valid();
+  say(reason + "; the reference goes on", true);
+}
+
+}  // namespace candela::view

@@ -1,0 +1,19 @@
+// The keys and buttons of GLFW, and Dear ImGui's view of them.
+#pragma once
+#include <optional>
+
+#include "host/view/navigation.h"
+#include "host/window/window.h"
+
+namespace candela::window {
+
+view::Button buttonOf(int glfwButton);
+/// Returns nothing for a key without a meaning.
+std::optional<view::Key> keyOf(int glfwKey);
+
+/// Tells Dear ImGui, whose context exists, which keys edit text.
+void prepareKeys();
+/// Passes an event to Dear ImGui.
+void passToGui(const Event& event);
+
+}  // namespace candela::window

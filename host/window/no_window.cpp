@@ -1,0 +1,13 @@
+// Stands for the window where the libraries for it were not found.
+#include "host/core/errors.h"
+#include "host/window/viewer.h"
+
+namespace candela::window {
+
+ViewerReport runViewer(const ViewerOptions&) {
+  throw NoDeviceError(
+      "this candela was built without its viewer; install what it needs (Debian: apt-get install libglfw3-dev "
+      "libimgui-dev) and build it again");
+}
+
+}  // namespace candela::window

@@ -1,0 +1,55 @@
+// Draws the pictures of both sides with the display transform, on the device.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "host/view/engine.h"
+#include "host/view/view_state.h"
+#include "host/vulkan/binding_set.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/compute_pipeline.h"
+#include "host/vulkan/device.h"
+#include "shaders/shared/window_data.h"
+
+namespace candela::window {
+
+/// Everything that a frame shows of the pictures.
+struct PaintedView {
+  render::Extent picture;
+  std::array<std::shared_ptr<const view::Picture>, view::kSideCount> pictures;  ///< null: see `onDevice`
+  std::optional<vulkan::Buffer> onDevice;  ///< device::FilmMeans::buffer(), of the device's side
+  view::Mode mode;
+  const view::ViewState& state;
+};
+
+/// Converts pictures to 8-bit pixels of a window, within 1/255 of image::toDisplay().
+class PicturePainter {
+ public:
+  explicit PicturePainter(vulkan::Device device);
+
+  /// Makes room for a window, and takes the pictures. No submission that uses the painter may be under way.
+  void prepare(const render::Extent& window, const PaintedView& view);
+  /// Records the commands that fill pixels().
+  void record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst) const;
+  /// The pixels of the window, 4 bytes each, row by row from the top.
+  const vulkan::Buffer& pixels() const { return *pixels_; }
+  /// The values below the pointer, as the last finished submission found them.
+  gpu::PointedValues pointed() const;
+
+ private:
+  void upload(std::size_t side, const PaintedView& view);
+
+  vulkan::Device device_;
+  vulkan::ComputePipeline pipeline_;
+  render::Extent window_;
+  render::Extent picture_;
+  std::optional<vulkan::Buffer> pixels_;
+  vulkan::Buffer pointed_;
+  std::array<std::optional<vulkan::Buffer>, view::kSideCount> uploads_;
+  std::array<std::shared_ptr<const view::Picture>, view::kSideCount> uploaded_;
+  std::optional<vulkan::Buffer> shown_;  ///< the device's picture that `bindings_` have
+  std::optional<vulkan::BindingSet> bindings_;
+};
+
+}  // namespace candela::window

@@ -1,0 +1,77 @@
+// Frames of a window: the swapchain, and the submission of each frame.
+#pragma once
+#include <functional>
+#include <memory>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "host/render/extent.h"
+#include "host/vulkan/buffer.h"
+#include "host/vulkan/command_recorder_impl.h"
+
+namespace candela::window {
+
+/// Presents frames on the queue that the device renders with, from the thread of the window. One frame is under way at
+/// a time. Vulkan's errors are thrown as host/vulkan throws them.
+class Presenter {
+ public:
+  /// The commands of a frame: `recorder` records compute commands and copies, `commands` all others.
+  struct Frame {
+    vulkan::CommandRecorder::Impl recorder;
+    const vk::raii::CommandBuffer& commands;
+    vk::Image image;
+    vk::Framebuffer framebuffer;
+    vk::Extent2D size;
+  };
+
+  /// The device must be able to present (Device::canPresent). Throws NoDeviceError if it cannot present to this
+  /// surface.
+  Presenter(vulkan::Device device, vk::raii::SurfaceKHR surface, const render::Extent& size);
+  ~Presenter();
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+
+  /// Makes the following frames have this size, if the surface leaves the choice.
+  void resize(const render::Extent& size);
+  /// Size of the frames; 0 x 0 while the window is minimised.
+  render::Extent size() const { return {extent_.width, extent_.height}; }
+  bool isBlueFirst() const { return format_ == vk::Format::eB8G8R8A8Unorm; }
+  /// Into which `Frame::framebuffer` is drawn: one colour attachment, which preserves its content and is in the layout
+  /// eColorAttachmentOptimal before.
+  vk::RenderPass renderPass() const { return *renderPass_; }
+  vulkan::Device& device() { return device_; }
+
+  /// Waits until the last frame is finished: what it read may then be written.
+  void waitForLastFrame();
+  /// Records and presents a frame. Returns false if the window has no room for one, or has changed its size.
+  bool draw(const std::function<void(const Frame&)>& record);
+
+ private:
+  void chooseFormat();
+  void makeRenderPass();
+  void makeSwapchain();
+  void makeTargets();
+  void submit(std::uint32_t image);
+  bool present(std::uint32_t image);
+
+  vulkan::Device device_;
+  vk::raii::SurfaceKHR surface_;
+  render::Extent wanted_;
+  vk::Format format_{};
+  vk::ColorSpaceKHR colourSpace_{};
+  vk::Extent2D extent_;
+  vk::raii::RenderPass renderPass_{nullptr};
+  vk::raii::SwapchainKHR swapchain_{nullptr};
+  std::vector<vk::Image> images_;
+  std::vector<vk::raii::ImageView> views_;
+  std::vector<vk::raii::Framebuffer> framebuffers_;
+  std::vector<vk::raii::Semaphore> drawn_;  ///< one for each image
+  vk::raii::Semaphore acquired_{nullptr};
+  vk::raii::CommandPool pool_{nullptr};
+  vk::raii::CommandBuffer commands_{nullptr};
+  vk::raii::Fence fence_{nullptr};
+};
+
+/// Records the copy of pixels to the frame's image, which is then in the layout eColorAttachmentOptimal.
+void copyToImage(const Presenter::Frame& frame, const vulkan::Buffer& pixels);
+
+}  // namespace candela::window

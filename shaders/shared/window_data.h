@@ -1,0 +1,48 @@
+// Data that the host and the kernel of a window exchange.
+#ifndef CANDELA_SHARED_WINDOW_DATA_H
+#define CANDELA_SHARED_WINDOW_DATA_H
+#include "language.h"
+CANDELA_BEGIN
+
+// Display transforms, in the order of image::ToneMap.
+CANDELA_CONST uint kToneNone = 0u;
+CANDELA_CONST uint kToneSrgb = 1u;
+CANDELA_CONST uint kToneAces = 2u;
+CANDELA_CONST uint kToneAcesHill = 3u;
+CANDELA_CONST uint kToneAgx = 4u;
+CANDELA_CONST uint kToneNeutral = 5u;
+CANDELA_CONST uint kToneDepth = 6u;
+CANDELA_CONST uint kToneHeat = 7u;
+
+// What a window shows, in the order of view::Mode.
+CANDELA_CONST uint kShowDevice = 0u;
+CANDELA_CONST uint kShowReference = 1u;
+CANDELA_CONST uint kShowSplit = 2u;
+CANDELA_CONST uint kShowDifference = 3u;
+
+CANDELA_CONST uint kNoPixel = 0xffffffffu;
+
+// Push constants. Positions are in pixels: pixel p of the picture is at origin + zoom p in the window.
+struct WindowConstants {
+  uvec2 windowSize;
+  uvec2 pictureSize;
+  vec2 origin;
+  float zoom;
+  uint mode;
+  float divider;  // in pixels of the picture
+  uint toneMap;
+  float gain;              // 2^exposure
+  float falseColourScale;  // value of v = 1: image::DisplayTransform
+  float differenceGain;
+  uint isBlueFirst;  // bytes of a pixel in the window: blue, green, red instead of red, green, blue
+  uvec2 pointer;     // pixel of the picture whose values are stored; kNoPixel: none
+};
+
+// Values of the picture at WindowConstants::pointer: red, green, blue, samples.
+struct PointedValues {
+  vec4 device;
+  vec4 reference;
+};
+
+CANDELA_END
+#endif
