@@ -26,5 +26,6 @@ void main() {
   uint samples = pixel.red.w;
   if (samples == 0u) return;
   vec3 mean = vec3(valueOf(pixel.red.xyz), valueOf(pixel.green.xyz), valueOf(pixel.blue.xyz)) / float(samples);
-  picture[at.y * push.pictureSize.x + at.x] = vec4(mean, float(samples));
+  uint scale = (push.pictureSize.x + push.filmSize.x - 1u) / push.filmSize.x;
+  picture[at.y * push.pictureSize.x + at.x] = vec4(mean, scale == 1u ? float(samples) : -float(scale));
 }

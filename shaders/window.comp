@@ -10,6 +10,8 @@ layout(std430, set = 0, binding = 1) readonly buffer ReferencePicture { vec4 ref
 layout(std430, set = 0, binding = 2) writeonly buffer WindowPixels { uint windowPixels[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Pointed { PointedValues pointed; };
 
+layout(constant_id = kSpecWindowMode) const uint kMode = kShowDevice;
+layout(constant_id = kSpecWindowToneMap) const uint kToneMap = kToneSrgb;
 layout(push_constant) uniform Push { WindowConstants window; };
 
 const vec3 kSurroundings = vec3(0.11, 0.12, 0.13);  // sRGB signals of what is beside the picture
@@ -19,7 +21,7 @@ const float kPictureBelowDifference = 0.15;  // brightness of the picture below 
 float luminanceOf(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 vec3 shown(vec4 value) {
-  return value.w == 0.0 ? kSurroundings : displaySignal(value.xyz * window.gain, window.toneMap, window.falseColourScale);
+  return value.w == 0.0 ? kSurroundings : displaySignal(value.xyz * window.gain, kToneMap, window.falseColourScale);
 }
 
 // Blue where the reference is brighter, orange where the device is, hatched where the two cannot be compared.
@@ -37,9 +39,9 @@ vec3 pictureSignal(uvec2 pixel, vec2 place) {
   uint index = pixel.y * window.pictureSize.x + pixel.x;
   vec4 device = devicePicture[index];
   vec4 reference = referencePicture[index];
-  if (window.mode == kShowDevice) return shown(device);
-  if (window.mode == kShowReference) return shown(reference);
-  if (window.mode == kShowDifference) return differenceSignal(device, reference, pixel);
+  if (kMode == kShowDevice) return shown(device);
+  if (kMode == kShowReference) return shown(reference);
+  if (kMode == kShowDifference) return differenceSignal(device, reference, pixel);
   if (abs(place.x - window.divider) * window.zoom < 1.0) return kDividerColour;
   return shown(place.x < window.divider ? device : reference);
 }

@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 17> table{{
+  static const std::array<CommandInfo, 18> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::view, "view", "view SCENE",

@@ -15,6 +15,7 @@
 #include "host/core/progress.h"
 #include "host/device/gpu_renderer.h"
 #include "host/reference/reference_renderer.h"
+#include "host/render/film_coverage.h"
 #include "host/window/viewer.h"
 
 namespace candela::cli {
@@ -30,6 +31,11 @@ Arguments withChoice(Arguments arguments, const view::Choice& choice) {
   arguments.settings.execution.dispatchSeconds = kDispatchSeconds;
   if (!arguments.sampleCount) arguments.sampleCount = kDefaultSamples;
   return arguments;
+}
+
+// Whether a pixel lacks samples.
+bool isPartial(const image::Film& film, const RenderJob& job) {
+  return render::minSampleCount(film.pixels()) < job.settings.image.sampleCount;
 }
 
 /// What the engine asks of the program: scenes, sessions and image files.
@@ -83,7 +89,7 @@ class ViewedScene {
     requireComplete(statistics);
     const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
     const image::Image image = pictureOf(film, job.settings.image.hasAlpha(),
-                                         metadataOf(job, {film, statistics, true, {}}));
+                                         metadataOf(job, {film, statistics, isPartial(film, job), {}}));
     writeImage(file, image, display);
   }
 

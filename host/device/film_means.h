@@ -10,7 +10,7 @@
 namespace candela::device {
 
 /// A picture in device memory: for each pixel, row by row from the top, red, green, blue and the number of samples as
-/// four floats. 0 samples: nothing is known.
+/// four floats, as view::Picture has them.
 class FilmMeans {
  public:
   FilmMeans(vulkan::Device device, const render::Extent& size);

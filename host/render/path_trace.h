@@ -15,6 +15,8 @@ struct PixelSample {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
   std::uint32_t index = 0;
+
+  bool operator==(const PixelSample&) const = default;
 };
 
 /// The point at which the ray hit a surface. Unit normals on the ray's side.

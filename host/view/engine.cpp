@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "host/core/errors.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kFirstSeconds = 0.05;   // for which requests leave the first picture of a view in peace
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
+constexpr std::uint32_t kSearchedSamples = 64;
 constexpr std::chrono::milliseconds kIdle{50};
 
 bool isReady(const std::future<Sessions>& future) {
@@ -80,8 +82,11 @@ void Engine::save(const std::filesystem::path& file, const image::DisplayTransfo
   request([&](Requests& requests) { requests.save = {file, display}; });
 }
 
-void Engine::explain(const render::PixelSample& sample) {
-  request([&](Requests& requests) { requests.sample = sample; });
+void Engine::explain(const render::PixelSample& sample, bool searches) {
+  request([&](Requests& requests) {
+    requests.sample = sample;
+    requests.searches = searches;
+  });
 }
 
 void Engine::loop() {
@@ -119,7 +124,7 @@ void Engine::apply(const Requests& requests) {
     restart();
   }
   if (requests.save) guarded([&] { saveNow(*requests.save); });
-  if (requests.sample) guarded([&] { explainNow(*requests.sample); });
+  if (requests.sample) guarded([&] { explainNow(*requests.sample, requests.searches); });
 }
 
 void Engine::load(const Choice& choice, bool reads) {
@@ -285,7 +290,21 @@ void Engine::saveNow(const SaveRequest& request) {
   say(fmt::format("{}: {} samples per pixel", request.file.string(), schedule_->samples(side)), false);
 }
 
-void Engine::explainNow(const render::PixelSample& sample) {
+std::uint32_t Engine::worstSample(render::PixelSample sample) {
+  double worst = -1;
+  std::uint32_t found = 0;
+  const std::uint32_t count = std::clamp(schedule_->samples(Side::device), 1u, kSearchedSamples);
+  for (sample.index = 0; sample.index < count; ++sample.index) {
+    const glm::dvec3 device = sessions_.device->replay(sample).path.radiance;
+    const double apart = glm::distance(device, sessions_.reference->replay(sample).path.radiance);
+    if (apart <= worst) continue;
+    worst = apart;
+    found = sample.index;
+  }
+  return found;
+}
+
+void Engine::explainNow(render::PixelSample sample, bool searches) {
   explain::requirePaths(sessions_.settings.image.integrator);
   if (!sessions_.device) throw UsageError("a path is explained by a device and the reference; there is no device yet");
   for (const Side side : {Side::device, Side::reference}) {
@@ -293,6 +312,8 @@ void Engine::explainNow(const render::PixelSample& sample) {
     sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
     preparedScale_[indexOf(side)] = 0;
   }
+  if (searches) sample.index = worstSample(sample);
+  next_.explained = sample;
   next_.explanation = toText(explain::explainReplays(*sessions_.scene, sessions_.settings, sample,
                                                      sessions_.device->replay(sample),
                                                      sessions_.reference->replay(sample)));

@@ -78,6 +78,7 @@ struct EngineView {
   float falseColourScale = 1;                 ///< image::falseColourScale() of the integrators `depth` and `cost`
   std::string message;                        ///< about the last save, reload or failure; empty: none
   bool isError = false;                       ///< of `message`
+  render::PixelSample explained;              ///< by `explanation`
   std::string explanation;                    ///< text of `candela explain`
   std::shared_ptr<const scene::Scene> scene;  ///< changes when a file was read again
 };
@@ -99,8 +100,9 @@ class Engine {
   /// Reads the scene again. An error leaves what is shown.
   void reload();
   void save(const std::filesystem::path& file, const image::DisplayTransform& display);
-  /// Explains a sample of a pixel; the text appears in EngineView::explanation.
-  void explain(const render::PixelSample& sample);
+  /// Explains a sample of a pixel; the text appears in EngineView::explanation. With `searches`, it is the one of the
+  /// pixel's first samples whose values on the two sides are furthest apart.
+  void explain(const render::PixelSample& sample, bool searches);
 
  private:
   struct SaveRequest {
@@ -114,6 +116,7 @@ class Engine {
     bool reads = false;  ///< the file, before `load`
     std::optional<SaveRequest> save;
     std::optional<render::PixelSample> sample;
+    bool searches = false;  ///< for the `sample` that differs most
     struct NewMode {
       Mode mode;
       bool isPaused;
@@ -141,7 +144,8 @@ class Engine {
   void show(Side side);
   void compareSides();
   void saveNow(const SaveRequest& request);
-  void explainNow(const render::PixelSample& sample);
+  void explainNow(render::PixelSample sample, bool searches);
+  std::uint32_t worstSample(render::PixelSample sample);
   void publish();
   void say(const std::string& message, bool isError);
   void guarded(const std::function<void()>& work);

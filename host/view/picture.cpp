@@ -20,13 +20,15 @@ bool isEqual(const glm::vec4& a, const glm::vec4& b) {
 }  // namespace
 
 void show(const image::Film& film, Picture& picture) {
+  const std::uint32_t scale = (picture.size.width + film.width() - 1) / film.width();
   for (std::uint32_t y = 0; y < picture.size.height; ++y) {
     const std::uint32_t filmY = static_cast<std::uint32_t>(std::uint64_t{y} * film.height() / picture.size.height);
     for (std::uint32_t x = 0; x < picture.size.width; ++x) {
       const std::uint32_t filmX = static_cast<std::uint32_t>(std::uint64_t{x} * film.width() / picture.size.width);
       const std::uint32_t samples = film.at(filmX, filmY).sampleCount;
       if (samples == 0) continue;
-      picture.pixels[std::size_t{y} * picture.size.width + x] = glm::vec4(glm::vec3(film.mean(filmX, filmY)), samples);
+      picture.pixels[std::size_t{y} * picture.size.width + x] = glm::vec4(glm::vec3(film.mean(filmX, filmY)),
+                                                                          scale == 1 ? 1.0 * samples : -1.0 * scale);
     }
   }
 }
@@ -36,7 +38,7 @@ PictureDifference compare(const Picture& a, const Picture& b) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const glm::vec4& left = a.pixels[i];
     const glm::vec4& right = b.pixels[i];
-    if (left.w == 0 || left.w != right.w) continue;
+    if (left.w <= 0 || left.w != right.w) continue;
     ++result.pixels;
     result.meanA += luminanceOf(left);
     result.meanB += luminanceOf(right);

@@ -9,7 +9,8 @@
 
 namespace candela::view {
 
-/// Means of pixels, row by row from the top: red, green, blue, and the number of samples; 0: nothing is known.
+/// Means of pixels, row by row from the top: red, green, blue, and the number of samples. 0 samples: nothing is known;
+/// -N: one sample of a picture whose sides are divided by N.
 struct Picture {
   render::Extent size;
   std::vector<glm::vec4> pixels;

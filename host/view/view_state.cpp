@@ -14,12 +14,13 @@ void Placement::zoomAt(const glm::dvec2& pivot, double newZoom) {
   origin = pivot - zoom * kept;
 }
 
-Placement placed(const render::Extent& picture, const render::Extent& window) {
-  const double fitting = std::min(1.0 * window.width / picture.width, 1.0 * window.height / picture.height);
+Placement placed(const render::Extent& picture, const render::Extent& window, std::uint32_t margin) {
+  const render::Extent room{window.width - std::min(margin, window.width - 1), window.height};
+  const double fitting = std::min(1.0 * room.width / picture.width, 1.0 * room.height / picture.height);
   const double zoom = std::clamp(fitting >= 1 ? std::floor(fitting) : fitting, ViewState::kMinZoom,
                                  ViewState::kMaxZoom);
-  const glm::dvec2 free = glm::dvec2(window.width, window.height) - zoom * glm::dvec2(picture.width, picture.height);
-  return {glm::floor(free / 2.0), zoom};
+  const glm::dvec2 free = glm::dvec2(room.width, room.height) - zoom * glm::dvec2(picture.width, picture.height);
+  return {glm::floor(free / 2.0) + glm::dvec2(window.width - room.width, 0), zoom};
 }
 
 std::optional<glm::uvec2> pixelAt(const ViewState& state, const render::Extent& picture, const glm::dvec2& window) {

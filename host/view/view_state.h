@@ -28,9 +28,9 @@ struct Placement {
   void zoomAt(const glm::dvec2& pivot, double newZoom);
 };
 
-/// Returns the placement in which the whole picture is as large as possible, in the middle; a picture that fits is not
-/// magnified by a fraction.
-Placement placed(const render::Extent& picture, const render::Extent& window);
+/// Returns the placement in which the whole picture is as large as possible, in the middle of a window without its left
+/// `margin` pixels; a picture that fits is not magnified by a fraction.
+Placement placed(const render::Extent& picture, const render::Extent& window, std::uint32_t margin = 0);
 
 struct ViewState {
   static constexpr float kMaxExposure = 32;
@@ -44,7 +44,7 @@ struct ViewState {
   bool arePanelsShown = true;
   bool isPaused = false;
   Placement placement{};
-  glm::dvec2 pointer{-1, -1};           ///< in the window
+  glm::dvec2 pointer{-1, -1};             ///< in the window
   std::optional<glm::uvec2> inspected{};  ///< pixel whose path is shown
   std::uint32_t inspectedSample = 0;
 };

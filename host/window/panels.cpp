@@ -41,7 +41,8 @@ std::string sideText(const char* name, const view::SideView& side, const view::E
 
 std::string valueText(const char* name, const glm::vec4& value) {
   if (value.w == 0) return fmt::format("{}: -", name);
-  return fmt::format("{}: {:.5g} {:.5g} {:.5g}  ({:.0f})", name, value.x, value.y, value.z, value.w);
+  const std::string known = value.w > 0 ? fmt::format("{:.0f}", value.w) : fmt::format("1/{:.0f}", -value.w);
+  return fmt::format("{}: {:.5g} {:.5g} {:.5g}  ({})", name, value.x, value.y, value.z, known);
 }
 
 // Whether the device's name in the list is the one in use.
@@ -75,8 +76,9 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
   text(sideText("device", engine.sides[0], engine));
   text(sideText("reference", engine.sides[1], engine));
   if (engine.isPreparing) text("the driver compiles; preview by the reference");
-  text(fmt::format("{} pixels; input answered in {:.0f} ms{}", extentText(engine.size), 1e3 * input.response,
-                   input.presentsFromDevice ? "; no read back" : ""));
+  text(fmt::format("{} pixels{}", extentText(engine.size),
+                   input.presentsFromDevice ? ", shown without a read back" : ""));
+  text(fmt::format("input answered in {:.0f} ms", 1e3 * input.response));
 }
 
 void Panels::drawView(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
@@ -107,10 +109,7 @@ void Panels::drawDifference(view::ViewState& state, const PanelInput& input, Pan
   text(fmt::format("{} of {} pixels differ by more than 1e-4", difference.unequal, difference.pixels));
   text(fmt::format("most: {:+.3g} at {},{}", difference.worstDifference, difference.worst.x, difference.worst.y));
   ImGui::SameLine();
-  if (ImGui::SmallButton("explain")) {
-    state.inspected = difference.worst;
-    choice.inspect = true;
-  }
+  choice.inspectWorst = ImGui::SmallButton("explain");
 }
 
 void Panels::drawPixel(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
@@ -139,8 +138,11 @@ void Panels::drawSave(const PanelInput& input, PanelChoice& choice) {
 }
 
 void Panels::drawPath(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
-  ImGui::SetNextWindowPos(ImVec2(8, 430), ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize(ImVec2(760, 300), ImGuiCond_FirstUseEver);
+  constexpr float kLeft = 352, kBorder = 8;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float height = std::max(window.y / 2, 180.0f);
+  ImGui::SetNextWindowPos(ImVec2(kLeft, window.y - height - kBorder), ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(ImVec2(std::max(window.x - kLeft - kBorder, 300.0f), height), ImGuiCond_FirstUseEver);
   bool isOpen = true;
   if (ImGui::Begin("path", &isOpen, ImGuiWindowFlags_HorizontalScrollbar)) {
     int sample = static_cast<int>(state.inspectedSample);

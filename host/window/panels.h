@@ -28,7 +28,8 @@ struct PanelChoice {
   std::optional<std::string> file;  ///< to save
   bool reload = false;
   bool copyCamera = false;
-  bool inspect = false;  ///< the inspected pixel or sample changed
+  bool inspect = false;       ///< the inspected sample changed
+  bool inspectWorst = false;  ///< the pixel that differs most is inspected
 };
 
 class Panels {

@@ -28,9 +28,7 @@ gpu::WindowConstants constantsOf(const PaintedView& view, const render::Extent& 
           .pictureSize = {view.picture.width, view.picture.height},
           .origin = glm::vec2(state.placement.origin),
           .zoom = static_cast<float>(state.placement.zoom),
-          .mode = static_cast<gpu::uint>(view.mode),
           .divider = static_cast<float>(state.divider * view.picture.width),
-          .toneMap = static_cast<gpu::uint>(state.display.toneMap),
           .gain = std::exp2(state.display.exposure),
           .falseColourScale = state.display.scale,
           .differenceGain = std::exp2(static_cast<float>(state.differenceStops)),
@@ -41,12 +39,18 @@ gpu::WindowConstants constantsOf(const PaintedView& view, const render::Extent& 
 }  // namespace
 
 PicturePainter::PicturePainter(vulkan::Device device)
-    : device_(std::move(device)),
-      pipeline_(
-          device_, spirv::window,
-          {.bindings = std::vector(4, BindingKind::storageBuffer), .pushConstantBytes = sizeof(gpu::WindowConstants)}),
-      pointed_(device_, sizeof(gpu::PointedValues), Usage::storage | Usage::readback) {
+    : device_(std::move(device)), pointed_(device_, sizeof(gpu::PointedValues), Usage::storage | Usage::readback) {
   std::ranges::fill(pointed_.mapped(), std::byte{0});
+}
+
+const vulkan::ComputePipeline& PicturePainter::pipeline(const Variant& variant) {
+  if (const auto found = pipelines_.find(variant); found != pipelines_.end()) return found->second;
+  const vulkan::PipelineOptions options{
+      .bindings = std::vector(4, BindingKind::storageBuffer),
+      .pushConstantBytes = sizeof(gpu::WindowConstants),
+      .specialisations = {{gpu::kSpecWindowMode, static_cast<std::uint32_t>(variant.first)},
+                          {gpu::kSpecWindowToneMap, static_cast<std::uint32_t>(variant.second)}}};
+  return pipelines_.try_emplace(variant, device_, spirv::window, options).first->second;
 }
 
 void PicturePainter::upload(std::size_t side, const PaintedView& view) {
@@ -75,12 +79,14 @@ void PicturePainter::prepare(const render::Extent& window, const PaintedView& vi
   const vulkan::Buffer& device = view.onDevice ? *view.onDevice : *uploads_[0];
   if (!resized && !replaced && shown_ && shown_->impl() == device.impl()) return;
   shown_ = device;
-  bindings_.emplace(pipeline_, std::vector<const vulkan::Buffer*>{&*shown_, &*uploads_[1], &*pixels_, &pointed_});
+  bindings_.emplace(pipeline({view.mode, view.state.display.toneMap}),
+                    std::vector<const vulkan::Buffer*>{&*shown_, &*uploads_[1], &*pixels_, &pointed_});
 }
 
-void PicturePainter::record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst) const {
+void PicturePainter::record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst) {
   const gpu::WindowConstants constants = constantsOf(view, window_, isBlueFirst);
-  recorder.dispatch(pipeline_, *bindings_, std::as_bytes(std::span(&constants, 1)),
+  recorder.dispatch(pipeline({view.mode, view.state.display.toneMap}), *bindings_,
+                    std::as_bytes(std::span(&constants, 1)),
                     {groupsOver(window_.width), groupsOver(window_.height), 1});
 }
 

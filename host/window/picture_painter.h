@@ -1,8 +1,10 @@
 // Draws the pictures of both sides with the display transform, on the device.
 #pragma once
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "host/view/engine.h"
 #include "host/view/view_state.h"
@@ -31,17 +33,21 @@ class PicturePainter {
   /// Makes room for a window, and takes the pictures. No submission that uses the painter may be under way.
   void prepare(const render::Extent& window, const PaintedView& view);
   /// Records the commands that fill pixels().
-  void record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst) const;
+  void record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst);
   /// The pixels of the window, 4 bytes each, row by row from the top.
   const vulkan::Buffer& pixels() const { return *pixels_; }
   /// The values below the pointer, as the last finished submission found them.
   gpu::PointedValues pointed() const;
 
  private:
+  /// What a pipeline is compiled for.
+  using Variant = std::pair<view::Mode, image::ToneMap>;
+
   void upload(std::size_t side, const PaintedView& view);
+  const vulkan::ComputePipeline& pipeline(const Variant& variant);
 
   vulkan::Device device_;
-  vulkan::ComputePipeline pipeline_;
+  std::map<Variant, vulkan::ComputePipeline> pipelines_;
   render::Extent window_;
   render::Extent picture_;
   std::optional<vulkan::Buffer> pixels_;

@@ -29,7 +29,8 @@ constexpr double kIdleSeconds = 0.1;
 constexpr double kFlyingSeconds = 0.008;
 constexpr double kMaxFlightSeconds = 0.05;  // of one step
 constexpr double kWatchSeconds = 0.25;      // between two looks at the scene's file
-constexpr render::Extent kMinWindow{640, 480};
+constexpr std::uint32_t kPanelWidth = 352;  // of the panels, beside which the picture is placed
+constexpr render::Extent kMinWindow{640, 460};
 
 // The picture that the engine fills on the device, and the window reads.
 class DevicePicture {
@@ -102,7 +103,9 @@ class Viewer {
   PaintedView painted() const;
   void draw();
   void measure();
+  std::string title() const;
   void resize();
+  void place();
 
   const ViewerOptions& options_;
   const Glfw& glfw_;
@@ -120,6 +123,7 @@ class Viewer {
   view::CameraControl camera_;
   view::Navigation navigation_;
   view::FileWatch file_;
+  render::PixelSample explained_;
   std::shared_ptr<const scene::Scene> scene_;
   render::Extent pictureSize_;
   std::optional<render::Integrator> integrator_;
@@ -137,13 +141,14 @@ class Viewer {
   bool isClosed_ = false;
   double response_ = 0;
   int framesToDraw_ = 2;
+  std::string title_;
   ViewerReport report_;
 };
 
 std::string proposedFile(const std::filesystem::path& scene) { return scene.stem().string() + ".png"; }
 
 render::Extent windowSizeFor(const render::Extent& picture) {
-  return {std::max(picture.width, kMinWindow.width), std::max(picture.height, kMinWindow.height)};
+  return {std::max(picture.width + kPanelWidth, kMinWindow.width), std::max(picture.height, kMinWindow.height)};
 }
 
 Viewer::Viewer(const ViewerOptions& options)
@@ -164,7 +169,13 @@ Viewer::Viewer(const ViewerOptions& options)
       file_(options.scene),
       scene_(shown_.scene),
       pictureSize_(shown_.size) {
-  state_.placement = view::placed(pictureSize_, presenter_.size());
+  place();
+}
+
+// Puts the whole picture beside the panels.
+void Viewer::place() {
+  const render::Extent window = presenter_.size();
+  state_.placement = view::placed(pictureSize_, window, std::min(kPanelWidth, window.width * 3 / 5));
 }
 
 view::EngineHooks Viewer::hooks() {
@@ -245,18 +256,19 @@ void Viewer::apply(const PanelChoice& choice) {
   if (choice.reload) apply(view::Action::reload);
   if (choice.copyCamera) apply(view::Action::copyCamera);
   if (choice.inspect) inspect();
+  if (choice.inspectWorst) showWorst();
 }
 
 void Viewer::save(const std::string& file) { engine_.save(file, state_.display); }
 
 void Viewer::inspect() {
-  if (state_.inspected) engine_.explain({state_.inspected->x, state_.inspected->y, state_.inspectedSample});
+  if (state_.inspected) engine_.explain({state_.inspected->x, state_.inspected->y, state_.inspectedSample}, false);
 }
 
 void Viewer::showWorst() {
   if (!shown_.difference) return;
   state_.inspected = shown_.difference->worst;
-  inspect();
+  engine_.explain({state_.inspected->x, state_.inspected->y, 0}, true);
 }
 
 void Viewer::chooseNextIntegrator() {
@@ -286,13 +298,16 @@ void Viewer::followIntegrator() {
 // A scene that was read again keeps the user's camera unless the file has another one.
 void Viewer::followScene() {
   followIntegrator();
+  if (explained_ != shown_.explained) state_.inspectedSample = shown_.explained.index;
+  explained_ = shown_.explained;
   if (shown_.scene == scene_) return;
-  if (view::cameraText(*shown_.scene->camera) != view::cameraText(*scene_->camera)) camera_.restart(*shown_.scene->camera);
+  if (view::cameraText(*shown_.scene->camera) != view::cameraText(*scene_->camera))
+    camera_.restart(*shown_.scene->camera);
   scene_ = shown_.scene;
   state_.inspected.reset();
   if (shown_.size == pictureSize_) return;
   pictureSize_ = shown_.size;
-  state_.placement = view::placed(pictureSize_, presenter_.size());
+  place();
 }
 
 void Viewer::watchFile() {
@@ -313,7 +328,19 @@ PaintedView Viewer::painted() const {
           .state = state_};
 }
 
+// The number of samples that the picture has, which is that of both sides where they are compared.
+std::string Viewer::title() const {
+  const view::SideView& device = shown_.sides[0];
+  const view::SideView& reference = shown_.sides[1];
+  const bool isReference = painted().mode == view::Mode::reference;
+  std::uint32_t samples = isReference ? reference.samples : device.samples;
+  if (comparesSides(state_.mode)) samples = std::min(samples, reference.samples);
+  const std::string name = options_.scene.filename().string();
+  return fmt::format("{}: {} of {} samples - candela", name, samples, shown_.sampleCount);
+}
+
 void Viewer::draw() {
+  if (std::string now = title(); now != title_) window_.setTitle(title_ = std::move(now));
   presenter_.waitForLastFrame();
   const render::Extent size = presenter_.size();
   if (size.width == 0 || size.height == 0) return;
@@ -356,7 +383,7 @@ void Viewer::measure() {
 void Viewer::resize() {
   const render::Extent before = presenter_.size();
   presenter_.resize(window_.framebuffer());
-  if (presenter_.size() != before) state_.placement = view::placed(pictureSize_, presenter_.size());
+  if (presenter_.size() != before) place();
 }
 
 // A frame is drawn whenever something may have changed, and once more for what Dear ImGui does a frame late.

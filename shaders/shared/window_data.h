@@ -22,15 +22,17 @@ CANDELA_CONST uint kShowDifference = 3u;
 
 CANDELA_CONST uint kNoPixel = 0xffffffffu;
 
+// Specialisation constants, so that software devices do not compute all display transforms for each pixel.
+CANDELA_CONST uint kSpecWindowMode = 0u;
+CANDELA_CONST uint kSpecWindowToneMap = 1u;
+
 // Push constants. Positions are in pixels: pixel p of the picture is at origin + zoom p in the window.
 struct WindowConstants {
   uvec2 windowSize;
   uvec2 pictureSize;
   vec2 origin;
   float zoom;
-  uint mode;
-  float divider;  // in pixels of the picture
-  uint toneMap;
+  float divider;           // in pixels of the picture
   float gain;              // 2^exposure
   float falseColourScale;  // value of v = 1: image::DisplayTransform
   float differenceGain;

@@ -249,3 +249,34 @@ TEST_CASE("a scene that prefers no structure gets a BVH if the device needs one"
   REQUIRE(statistics.warnings.size() == 1);
   CHECK(statistics.warnings.front().find("600 primitives") != std::string::npos);
 }
+
+TEST_CASE("a film after a change of the view equals that of a session prepared with it") {
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    const render::RenderSettings settings = sessionSettings();
+    const render::SampleRange all{0, settings.image.sampleCount};
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+    CHECK(session->advance({0, 3}, {}));
+    for (const render::Extent size : {render::Extent{11, 7}, {40, 40}, {64, 33}, {5, 50}}) {
+      scene::Scene moved = scene;
+      moved.camera = movedCamera(scene);
+      render::RenderSettings expected = settings;
+      expected.image.size = size;
+      session->setView(*moved.camera, size);
+      CHECK(session->advance(all, {}));
+      const image::Film film = session->film();
+      CHECK(film.width() == size.width);
+      CHECK(film.hash() == renderer.render(moved, expected, {}).film.hash());
+    }
+  });
+}
+
+TEST_CASE("a session that renders a crop refuses another view") {
+  const scene::Scene scene = loadTestScene("primitives.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    render::RenderSettings settings = sessionSettings();
+    settings.image.crop = render::Window{1, 2, 3, 4};
+    const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+    CHECK_THROWS_AS(session->setView(*scene.camera, {8, 8}), UsageError);
+  });
+}
