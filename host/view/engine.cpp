@@ -90,7 +90,9 @@ void Engine::explain(const render::PixelSample& sample, bool searches) {
 }
 
 void Engine::loop() {
-  while (!ended_) guarded([this] { iterate(); });
+  while (!ended_) {
+    if (!guarded([this] { iterate(); })) isPaused_ = true;  // or it would fail over and over
+  }
 }
 
 void Engine::iterate() {
@@ -335,19 +337,21 @@ void Engine::say(const std::string& message, bool isError) {
   publish();
 }
 
-// A device that fails is not used any more. Any other error pauses the render, so that it does not happen over and
-// over.
-void Engine::guarded(const std::function<void()>& work) {
+// A device that fails is not used any more. Returns false for any other error.
+bool Engine::guarded(const std::function<void()>& work) {
   try {
     work();
+    return true;
   } catch (const DeviceLostError& error) {
     dropDevice(error.what());
+    return true;
   } catch (const OutOfMemoryError& error) {
     dropDevice(error.what());
+    return true;
   } catch (const std::exception& error) {
-    isPaused_ = true;
     next_.isPreparing = coming_.valid();
     say(error.what(), true);
+    return false;
   }
 }
 

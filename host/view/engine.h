@@ -148,7 +148,7 @@ class Engine {
   std::uint32_t worstSample(render::PixelSample sample);
   void publish();
   void say(const std::string& message, bool isError);
-  void guarded(const std::function<void()>& work);
+  bool guarded(const std::function<void()>& work);
   void dropDevice(const std::string& reason);
 
   EngineHooks hooks_;

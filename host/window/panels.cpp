@@ -42,7 +42,7 @@ std::string sideText(const char* name, const view::SideView& side, const view::E
 std::string valueText(const char* name, const glm::vec4& value) {
   if (value.w == 0) return fmt::format("{}: -", name);
   const std::string known = value.w > 0 ? fmt::format("{:.0f}", value.w) : fmt::format("1/{:.0f}", -value.w);
-  return fmt::format("{}: {:.5g} {:.5g} {:.5g}  ({})", name, value.x, value.y, value.z, known);
+  return fmt::format("{}: {:.4g} {:.4g} {:.4g} ({})", name, value.x, value.y, value.z, known);
 }
 
 // Whether the device's name in the list is the one in use.

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
 #include "host/device/film_means.h"
@@ -84,6 +85,9 @@ class Gui {
 class Viewer {
  public:
   explicit Viewer(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
   ViewerReport run();
 
  private:
@@ -170,6 +174,14 @@ Viewer::Viewer(const ViewerOptions& options)
       scene_(shown_.scene),
       pictureSize_(shown_.size) {
   place();
+}
+
+// What the last frame uses must outlive it.
+Viewer::~Viewer() {
+  try {
+    presenter_.waitForLastFrame();
+  } catch (const Error&) {  // the device is lost, and uses nothing any more
+  }
 }
 
 // Puts the whole picture beside the panels.
@@ -332,10 +344,11 @@ PaintedView Viewer::painted() const {
 std::string Viewer::title() const {
   const view::SideView& device = shown_.sides[0];
   const view::SideView& reference = shown_.sides[1];
+  const std::string name = options_.scene.filename().string();
+  if (shown_.isPreparing) return name + ": preview - candela";
   const bool isReference = painted().mode == view::Mode::reference;
   std::uint32_t samples = isReference ? reference.samples : device.samples;
   if (comparesSides(state_.mode)) samples = std::min(samples, reference.samples);
-  const std::string name = options_.scene.filename().string();
   return fmt::format("{}: {} of {} samples - candela", name, samples, shown_.sampleCount);
 }
 
@@ -415,6 +428,9 @@ ViewerReport Viewer::run() {
 
 }  // namespace
 
-ViewerReport runViewer(const ViewerOptions& options) { return Viewer(options).run(); }
+ViewerReport runViewer(const ViewerOptions& options) {
+  watchInterrupts();  // from here on, a signal closes the window
+  return Viewer(options).run();
+}
 
 }  // namespace candela::window

@@ -45,7 +45,7 @@ class Display:
     def __init__(self, folder):
         self.folder = folder
         reader, writer = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x768x24", "-fbdir", folder, "-nolisten", "tcp"],
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x768x24", "-fbdir", folder, "-nolisten", "tcp", "-noreset"],
                                        pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as pipe:
@@ -119,11 +119,15 @@ class Viewer:
             time.sleep(0.02)
         self.display.tool("mouseup", button)
 
-    def copied_camera(self):
-        before = "no camera yet"
-        subprocess.run(["xclip", "-selection", "clipboard"], env=self.display.environment, input=before, text=True, check=True)
+    def copied_camera(self, previous=""):
+        """The text of the camera, which must differ from the previous one."""
         self.key("c")
-        return wait_for(lambda: (lambda text: text if text != before else None)(self.display.clipboard()), "the camera in the clipboard")
+
+        def copied():
+            text = self.display.clipboard()
+            return text if text not in ("", previous) else None
+
+        return wait_for(copied, "the camera in the clipboard")
 
     def close(self):
         """Ends the viewer by a key, and returns its report."""
