@@ -126,7 +126,6 @@ Action Navigation::press(Key key, Modifiers modifiers) {
       cycleToneMap(state_);
       return Action::none;
     case Key::h:
-    case Key::tab:
       state_.arePanelsShown = !state_.arePanelsShown;
       return Action::none;
     case Key::space:

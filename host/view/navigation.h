@@ -14,19 +14,16 @@ enum class Key {
   c,
   d,
   e,
-  f,
   h,
   i,
   l,
   n,
-  o,
   p,
   q,
   r,
   s,
   t,
   w,
-  x,
   one,
   two,
   three,
@@ -36,8 +33,7 @@ enum class Key {
   bracketLeft,
   bracketRight,
   comma,
-  period,
-  tab
+  period
 };
 struct Modifiers {
   bool shift = false;
