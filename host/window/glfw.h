@@ -6,19 +6,15 @@
 
 namespace candela::window {
 
-#define CANDELA_GLFW_FUNCTIONS(F)                                                                               \
-  F(CreateWindow)                                                                                               \
-  F(CreateWindowSurface)                                                                                        \
-  F(DestroyWindow)                                                                                              \
-  F(GetError)                                                                                                   \
-  F(GetFramebufferSize)                                                                                         \
-  F(GetKeyName)                                                                                                 \
-  F(GetRequiredInstanceExtensions)                                                                              \
-  F(GetWindowSize)                                                                                              \
-  F(GetWindowUserPointer) F(Init) F(PostEmptyEvent) F(PollEvents) F(SetCharCallback) F(SetClipboardString)      \
-      F(SetCursorPosCallback) F(SetFramebufferSizeCallback) F(SetKeyCallback) F(SetMouseButtonCallback)         \
-          F(SetScrollCallback) F(SetWindowFocusCallback) F(SetWindowTitle) F(SetWindowUserPointer) F(Terminate) \
-              F(WaitEventsTimeout) F(WindowHint) F(WindowShouldClose)
+// clang-format off
+#define CANDELA_GLFW_FUNCTIONS(F) \
+  F(CreateWindow) F(CreateWindowSurface) F(DestroyWindow) F(GetError) F(GetFramebufferSize) \
+  F(GetRequiredInstanceExtensions) F(GetWindowSize) F(GetWindowUserPointer) F(Init) \
+  F(PostEmptyEvent) F(PollEvents) F(SetCharCallback) F(SetClipboardString) F(SetCursorPosCallback) \
+  F(SetFramebufferSizeCallback) F(SetKeyCallback) F(SetMouseButtonCallback) F(SetScrollCallback) \
+  F(SetWindowFocusCallback) F(SetWindowTitle) F(SetWindowUserPointer) F(Terminate) \
+  F(WaitEventsTimeout) F(WindowHint) F(WindowShouldClose)
+// clang-format on
 
 /// The functions of the library, without its prefix.
 struct Glfw {

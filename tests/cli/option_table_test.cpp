@@ -125,6 +125,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"-o,--output", "FILE", "-", Command::generate},
       {"--size", "N", "the kind's", Command::generate},
       {"--depth", "N", "all", Command::boxes},
+      {"--spp", "N", "4096", Command::view},
+      {"--show", "device|reference|split|difference", "device"},
       {"--stats", "", ""},
       {"--json", "FILE", ""},
       {"--strict", "", ""},
