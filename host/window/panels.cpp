@@ -10,6 +10,7 @@
 namespace candela::window {
 namespace {
 
+constexpr float kMaxPanelWidth = 340;  // beside the picture
 constexpr std::array kModes{"device", "reference", "split", "difference"};
 constexpr std::array kToneMaps{"none", "srgb", "aces", "aces-hill", "agx", "neutral", "depth", "heat"};
 constexpr std::array kIntegrators{"path", "whitted", "ao", "normal", "albedo", "depth", "id", "cost"};
@@ -162,6 +163,7 @@ PanelChoice Panels::draw(view::ViewState& state, const PanelInput& input) {
   if (!state.arePanelsShown) return choice;
   ImGui::SetNextWindowPos(ImVec2(8, 8), ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowBgAlpha(0.8f);
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(kMaxPanelWidth, ImGui::GetIO().DisplaySize.y));
   if (ImGui::Begin("candela", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::PushItemWidth(230);
     drawRender(input, choice);
