@@ -13,7 +13,7 @@ name=candela-$version-linux-$(uname -m)
 
 sh "$here/build_libraries.sh" "$work/libraries"
 cmake -S "$source" -B "$work/program" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
-  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DBUILD_TESTING=OFF -DCANDELA_PYTHON_MODULE=OFF -DCANDELA_STATIC_LIBRARIES=ON \
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DBUILD_TESTING=OFF -DCANDELA_PYTHON_MODULE=OFF -DCANDELA_VIEWER=OFF -DCANDELA_STATIC_LIBRARIES=ON \
   -DCMAKE_PREFIX_PATH="$work/libraries/root"
 cmake --build "$work/program" --target candela
 
