@@ -144,6 +144,7 @@ class WindowTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="candela-view-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.renders = 0
         self.scene = self.folder / "room.p3f"
         shutil.copy(SOURCE / "scenes/cornell.p3f", self.scene)
         self.display = Display(folder.name)
@@ -156,6 +157,7 @@ class WindowTest(unittest.TestCase):
 
     def render(self, *words, scene=None, size=SIZE, kind="png"):
         """The pixels of `candela render`; of a PNG file as they are shown, of a PFM file as they are."""
-        file = self.folder / f"expected.{kind}"
+        self.renders += 1
+        file = self.folder / f"expected_{self.renders}.{kind}"  # OpenImageIO remembers what a file of this name had
         subprocess.run([PROGRAM, "render", scene or self.scene, "--size", size, "-o", file, "--quiet", *map(str, words)], check=True)
         return read_pfm(file) if kind == "pfm" else OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.UINT8).astype(int)
