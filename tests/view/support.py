@@ -156,8 +156,9 @@ class WindowTest(unittest.TestCase):
         return viewer
 
     def render(self, *words, scene=None, size=SIZE, kind="png"):
-        """The pixels of `candela render`; of a PNG file as they are shown, of a PFM file as they are."""
+        """The pixels of `candela render`; of a PNG file as they are shown, of a PFM file as they are. The file is `rendered`."""
         self.renders += 1
         file = self.folder / f"expected_{self.renders}.{kind}"  # OpenImageIO remembers what a file of this name had
+        self.rendered = file
         subprocess.run([PROGRAM, "render", scene or self.scene, "--size", size, "-o", file, "--quiet", *map(str, words)], check=True)
         return read_pfm(file) if kind == "pfm" else OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.UINT8).astype(int)

@@ -17,7 +17,7 @@ class Files(support.WindowTest):
         saved = self.folder / "room.png"
         support.wait_for(saved.exists, "the saved image")
         self.render(*OPTIONS)
-        self.assertEqual(saved.read_bytes(), (self.folder / "expected.png").read_bytes())
+        self.assertEqual(saved.read_bytes(), self.rendered.read_bytes())
         viewer.close()
 
     def test_the_scene_is_read_again_when_its_file_changes(self):
