@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Renders the pictures of docs/gallery.md, and writes the page.
+
+    /usr/bin/python3 docs/gallery/make.py [--program build/release/candela] [--only NAME] [--scale S]
+
+Each picture is one scene and one command, which the page shows with the time, the device and the noise, before and after
+denoising. --scale S multiplies the number of samples, for drafts. It needs NumPy and
+python3-openimageio.
+"""
+import argparse
+import json
+import shlex
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy
+import OpenImageIO
+
+ROOT = Path(__file__).resolve().parents[2]
+PICTURES = ROOT / "docs/images/gallery"
+PAGE = ROOT / "docs/gallery.md"
+AUTOMATIC = ["--exposure", "auto", "--tonemap", "agx"]
+
+
+@dataclass
+class Picture:
+    name: str
+    title: str
+    text: str
+    scene: str  # a file of the repository, or the words after `candela generate`
+    samples: int
+    size: str = "480x320"
+    options: list = field(default_factory=list)
+    display: list = field(default_factory=lambda: AUTOMATIC)
+
+
+PICTURES_OF_PAGE = [
+    Picture("still_life", "A still life in the afternoon",
+            "Metal, coat, glass and textures under a computed sky, which is sampled as a light.",
+            "still-life", 64, options=["--env", "sun:18,215,3"]),
+    Picture("marbles", "Marbles through a wide lens",
+            "The thin lens blurs what is not at the distance of the large marbles; glass focuses both lamps on the floor.",
+            "docs/gallery/marbles.p3f", 96, size="480x300"),
+    Picture("cornell", "Mirror and glass in a box",
+            "The caustic under the glass ball comes from paths that reach the light by chance.",
+            "cornell", 96, size="320x320", display=["--tonemap", "agx"]),
+    Picture("materials", "A table of materials",
+            "Six roughnesses from left to right: gold, copper, plastics, rough glass, coats.",
+            "material-table --size 48", 48, size="400x480", options=["--env", "sun:40,200,4"]),
+    Picture("mountain", "Glass balls on a mountain",
+            "131,072 triangles and four dielectric spheres.",
+            "mount --size 8", 32, options=["--env", "sun:25,60,3", "--background", "colour"]),
+    Picture("terrain", "A million triangles",
+            "A height field with the sun near the horizon.",
+            "terrain", 16, options=["--env", "sun:12,100,3"]),
+    Picture("sphereflake", "A sphereflake",
+            "66,430 spheres; light reaches the gaps between them after many reflections.",
+            "balls --size 5", 32),
+    Picture("tetrahedron", "Sierpinski's tetrahedron", "16,384 triangles that touch each other at corners only.",
+            "tetra --size 7", 24, size="400x400", options=["--env", "sun:30,150,3", "--background", "colour"]),
+    Picture("gears", "Gears", "Concave polygons of 144 corners, some of them of glass.",
+            "gears", 24),
+    Picture("tree", "A tree with seven lights", "Cones and spheres; every light casts a shadow of all branches.",
+            "tree --size 13", 24),
+    Picture("rings", "Interlocked rings", "Spheres and cylinders, 8,402 primitives.", "rings", 64, size="400x400"),
+    Picture("teapot", "Newell's teapot", "Triangles with shading normals, which neither darken nor brighten.",
+            "teapot --size 20", 32, options=["--env", "sun:30,60,3", "--background", "colour"]),
+]
+
+
+def is_generated(picture):
+    return not (ROOT / picture.scene).exists()
+
+
+def suffix_of(picture):
+    return ".gltf" if picture.scene.startswith(("material", "still")) else ".p3f"
+
+
+def run(words):
+    subprocess.run(words, check=True, cwd=ROOT)
+
+
+def command_of(picture, scene, samples):
+    return [scene, *picture.options, *picture.display, "--size", picture.size, "--spp", str(samples)]
+
+
+def channels_of(file, names):
+    """Returns an array of shape (height, width, len(names))."""
+    source = OpenImageIO.ImageBuf(str(file))
+    listed = list(source.spec().channelnames)
+    pixels = source.get_pixels(OpenImageIO.FLOAT)
+    return numpy.stack([pixels[..., listed.index(name)] for name in names], axis=-1)
+
+
+def noise_of(file, samples):
+    """Returns the median standard error of a pixel's luminance, relative to it, over the pixels whose samples differ."""
+    red, green, blue, variance = numpy.moveaxis(channels_of(file, ["R", "G", "B", "variance.Y"]), -1, 0)
+    luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    noisy = (variance > 0) & (luminance > 0)
+    return float(numpy.median(numpy.sqrt(variance[noisy] / samples) / luminance[noisy]))
+
+
+def render(picture, program, scale, folder):
+    """Renders one picture and its denoised version; returns the lines of the page about it."""
+    scene = picture.scene
+    lines = [f"## {picture.title}", ""]
+    if is_generated(picture):
+        scene = str(Path(folder) / (picture.name + suffix_of(picture)))
+        run([program, "generate", *picture.scene.split(), "-o", scene, "-q"])
+    samples = max(1, round(picture.samples * scale))
+    linear, report = Path(folder) / f"{picture.name}.exr", Path(folder) / f"{picture.name}.json"
+    words = command_of(picture, scene, samples)
+    film = Path(folder) / f"{picture.name}.film.exr"
+    run([program, *words, "--aov", "moments", "--checkpoint", str(film), "-o", str(PICTURES / f"{picture.name}.png"), "-o",
+         str(linear), "--json", str(report), "-q"])
+    figures = json.loads(report.read_text())
+    images = f"![{picture.title}](images/gallery/{picture.name}.png)"
+    run([program, "denoise", str(film), *picture.display, "-o", str(PICTURES / f"{picture.name}_denoised.png"), "-q"])
+    images += f" ![{picture.title}, denoised](images/gallery/{picture.name}_denoised.png)"
+    lines += [images, "", picture.text, ""]
+    shown = picture.name + suffix_of(picture) if is_generated(picture) else picture.scene
+    if is_generated(picture):
+        lines.append(f"    candela generate {picture.scene} -o {shown}")
+    lines += [f"    candela {shlex.join(command_of(picture, shown, samples))} -o {picture.name}.png", ""]
+    lines += [f"{figures['seconds']['trace']:.0f} s of rendering on {figures['device']}, {samples} samples per pixel; "
+              f"noise {100 * noise_of(linear, samples):.1f} %. On the right, the same samples with `--denoise`.", ""]
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=str(ROOT / "build/release/candela"))
+    parser.add_argument("--only")
+    parser.add_argument("--scale", type=float, default=1)
+    options = parser.parse_args()
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    lines = ["# Gallery", "",
+             "`docs/gallery/make.py` renders these pictures and writes this page. The noise is the standard error of a pixel relative to its",
+             "luminance: the median over the pixels whose samples differ. Pictures on the right are denoised by `--denoise`: see [denoising](denoising.md).",
+             ""]
+    with tempfile.TemporaryDirectory() as folder:
+        for picture in PICTURES_OF_PAGE:
+            if options.only in (None, picture.name):
+                lines += render(picture, options.program, options.scale, folder)
+    if not options.only:
+        PAGE.write_text("\n".join(lines).rstrip() + "\n")
+
+
+if __name__ == "__main__":
+    main()
