@@ -98,7 +98,7 @@ def noise_of(file, samples):
     """Returns the median standard error of a pixel's luminance, relative to it, over the pixels whose samples differ."""
     red, green, blue, variance = numpy.moveaxis(channels_of(file, ["R", "G", "B", "variance.Y"]), -1, 0)
     luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue
-    noisy = (variance > 0) & (luminance > 0)
+    noisy = variance > (0.01 * luminance) ** 2  # a constant background has the noise of rounding
     return float(numpy.median(numpy.sqrt(variance[noisy] / samples) / luminance[noisy]))
 
 
