@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/core/divide_up.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/compute_pipeline.h"
@@ -15,8 +16,6 @@ using gpu::DenoiseConstants;
 using gpu::DenoisePixel;
 
 constexpr std::uint32_t kReach = gpu::kDenoiseRadius + gpu::kDenoisePatchRadius;
-
-std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
 /// The rows that are filtered together, and those that the device reads for it.
 struct RowBand {

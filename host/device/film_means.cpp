@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "host/device/gpu_session.h"
 #include "host/vulkan/binding_set.h"
 #include "spirv/film_means.h"
@@ -17,8 +18,6 @@ struct PushConstants {
   render::Extent film;
   render::Extent picture;
 };
-
-std::uint32_t groups(std::uint32_t pixels) { return (pixels + kGroupSide - 1) / kGroupSide; }
 
 }  // namespace
 
@@ -40,7 +39,7 @@ bool FilmMeans::update(render::Session& session) {
   const PushConstants push{source->filmSize(), size_};
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&push, 1)),
-                      {groups(size_.width), groups(size_.height), 1});
+                      {divideUp(size_.width, kGroupSide), divideUp(size_.height, kGroupSide), 1});
   });
   return true;
 }

@@ -65,8 +65,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   prepared_.seconds["upload"] = watch.lap();
   describe();
 
-  bandHeight_ = bandHeight(info, kernel_, settings_,
-                           std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+  bandHeight_ = preferredBandHeight();
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
   film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
   startCounting();
@@ -149,6 +148,11 @@ void GpuSession::setCamera(const scene::Camera& camera) {
   empty();
 }
 
+std::uint32_t GpuSession::preferredBandHeight() const {
+  return bandHeight(context_->device.info(), kernel_, settings_,
+                    std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+}
+
 // Keeps the buffers of the band if the image fits into them.
 void GpuSession::fitBand() {
   const render::Extent size = settings_.image.size;
@@ -159,8 +163,7 @@ void GpuSession::fitBand() {
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   band_.reset();
   prepared_.deviceBytes -= bytesBefore - context_->device.memoryUse().currentBytes;
-  bandHeight_ = bandHeight(context_->device.info(), kernel_, settings_,
-                           std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+  bandHeight_ = preferredBandHeight();
 }
 
 void GpuSession::setView(const scene::Camera& camera, const render::Extent& size) {

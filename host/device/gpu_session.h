@@ -49,6 +49,7 @@ class GpuSession final : public render::Session {
   void countSamples(render::RenderStatistics& statistics) const;
   std::unique_ptr<Band> tryBand();
   void makeBand();
+  std::uint32_t preferredBandHeight() const;
   void fitBand();
   void makeResident(std::uint32_t index);
   void fetchFilm();

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/device/specialise.h"
 #include "host/device/workgroup.h"
@@ -20,8 +21,6 @@ namespace {
 constexpr std::uint32_t kFirstChunk = 1u << 14;
 constexpr std::uint32_t kLastChunk = 1u << 21;
 constexpr double kShortSeconds = 0.025;  // a shorter dispatch may be twice as large
-
-std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
 std::uint32_t invocationsOf(const render::Extent& workgroup) { return workgroup.width * workgroup.height; }
 

@@ -3,19 +3,19 @@
 
 #include <algorithm>
 
+#include "host/core/divide_up.h"
+
 namespace candela::device {
 namespace {
-
-constexpr std::uint64_t ceilDivide(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
 /// Splits `length` into the minimum number of nearly equal parts that are multiples of `step` and, if possible, at most
 /// `maximum`, and returns the first one.
 std::uint32_t evenPart(std::uint32_t length, std::uint32_t step, std::uint64_t maximum) {
   if (maximum >= length) return length;
-  const std::uint64_t steps = ceilDivide(length, step);
+  const std::uint64_t steps = divideUp<std::uint64_t>(length, step);
   const std::uint64_t stepsAtMost = std::max<std::uint64_t>(1, maximum / step);
-  const std::uint64_t parts = ceilDivide(steps, stepsAtMost);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(length, ceilDivide(steps, parts) * step));
+  const std::uint64_t parts = divideUp(steps, stepsAtMost);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(length, divideUp(steps, parts) * step));
 }
 
 }  // namespace

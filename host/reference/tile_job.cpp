@@ -5,12 +5,11 @@
 #include <thread>
 #include <vector>
 
+#include "host/core/divide_up.h"
 #include "host/reference/replicas.h"
 
 namespace candela::reference {
 namespace {
-
-std::uint32_t divideUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
 
 double samplesLacking(const JobOutput& output, std::uint32_t sampleEnd) {
   double samples = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "spirv/window.h"
 
 namespace candela::window {
@@ -14,8 +15,6 @@ using vulkan::BindingKind;
 using vulkan::Usage;
 
 constexpr std::uint32_t kGroupSide = 8;
-
-std::uint32_t groupsOver(std::uint32_t pixels) { return (pixels + kGroupSide - 1) / kGroupSide; }
 
 glm::uvec2 pointedPixel(const PaintedView& view) {
   const auto pixel = pixelAt(view.state, view.picture, view.state.pointer);
@@ -87,7 +86,7 @@ void PicturePainter::record(vulkan::CommandRecorder& recorder, const PaintedView
   const gpu::WindowConstants constants = constantsOf(view, window_, isBlueFirst);
   recorder.dispatch(pipeline({view.mode, view.state.display.toneMap}), *bindings_,
                     std::as_bytes(std::span(&constants, 1)),
-                    {groupsOver(window_.width), groupsOver(window_.height), 1});
+                    {divideUp(window_.width, kGroupSide), divideUp(window_.height, kGroupSide), 1});
 }
 
 gpu::PointedValues PicturePainter::pointed() const {
