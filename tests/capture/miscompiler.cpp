@@ -8,21 +8,20 @@
 //   plus             its last operand, a literal, is one larger
 // Opcodes are numbers of the SPIR-V specification; 12/K is instruction K of the extended set (GLSL.std.450), of which
 // CHANGE is the new number. Modules without instruction N stay as they are.
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/vulkan_support/layer.h"
+
 namespace {
+
+using namespace candela::layer;
 
 constexpr std::uint32_t kExtInst = 12, kHeaderWords = 5, kExtInstNumber = 4, kResult = 2;
 
@@ -87,67 +86,28 @@ Words changed(const std::uint32_t* code, std::size_t count, const Change& change
   return result;
 }
 
-/// The next functions of an instance or a device.
-struct Next {
-  PFN_vkVoidFunction destroy = nullptr;
+struct Next : NextFunctions {
   PFN_vkVoidFunction create = nullptr;  ///< vkCreateDevice or vkCreateShaderModule
-  PFN_vkGetInstanceProcAddr instance = nullptr;
-  PFN_vkGetDeviceProcAddr device = nullptr;
 };
-std::mutex mutex;
-std::map<void*, Next> nexts;
-
-template <class Handle>
-void* keyOf(Handle handle) {
-  return *reinterpret_cast<void**>(handle);
-}
-template <class Handle>
-Next nextOf(Handle handle) {
-  const std::scoped_lock lock(mutex);
-  return nexts.at(keyOf(handle));
-}
-template <class Handle>
-void remember(Handle handle, const Next& next) {
-  const std::scoped_lock lock(mutex);
-  nexts[keyOf(handle)] = next;
-}
-Next take(void* key) {
-  const std::scoped_lock lock(mutex);
-  const Next next = nexts.at(key);
-  nexts.erase(key);
-  return next;
-}
-
-template <class Info>
-Info* linkOf(const void* start, VkStructureType type) {
-  auto* info = static_cast<Info*>(const_cast<void*>(start));
-  while (info != nullptr && (info->sType != type || info->function != VK_LAYER_LINK_INFO)) {
-    info = static_cast<Info*>(const_cast<void*>(info->pNext));
-  }
-  return info;
-}
+NextTable<Next> nexts;
 
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance) {
-  auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-  const PFN_vkGetInstanceProcAddr get = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+  const PFN_vkGetInstanceProcAddr get = followLink(info);
   const auto create = reinterpret_cast<PFN_vkCreateInstance>(get(nullptr, "vkCreateInstance"));
   const VkResult result = create(info, allocator, instance);
   if (result != VK_SUCCESS) return result;
-  remember(*instance, {get(*instance, "vkDestroyInstance"), get(*instance, "vkCreateDevice"), get, nullptr});
+  nexts.set(*instance, {{get(*instance, "vkDestroyInstance"), get, nullptr}, get(*instance, "vkCreateDevice")});
   return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physicalDevice, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
-  auto* link = linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-  const PFN_vkGetDeviceProcAddr get = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-  const VkResult result = reinterpret_cast<PFN_vkCreateDevice>(nextOf(physicalDevice).create)(physicalDevice, info,
-                                                                                              allocator, device);
+  const PFN_vkGetDeviceProcAddr get = followLink(info);
+  const VkResult result = reinterpret_cast<PFN_vkCreateDevice>(nexts.of(physicalDevice).create)(physicalDevice, info,
+                                                                                                allocator, device);
   if (result != VK_SUCCESS) return result;
-  remember(*device, {get(*device, "vkDestroyDevice"), get(*device, "vkCreateShaderModule"), nullptr, get});
+  nexts.set(*device, {{get(*device, "vkDestroyDevice"), nullptr, get}, get(*device, "vkCreateShaderModule")});
   return result;
 }
 
@@ -161,26 +121,21 @@ VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(VkDevice device, const VkShade
     other.pCode = code.data();
     other.codeSize = code.size() * sizeof(std::uint32_t);
   }
-  return reinterpret_cast<PFN_vkCreateShaderModule>(nextOf(device).create)(device, &other, allocator, module);
+  return reinterpret_cast<PFN_vkCreateShaderModule>(nexts.of(device).create)(device, &other, allocator, module);
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance, const VkAllocationCallbacks* allocator) {
   if (instance == VK_NULL_HANDLE) return;
-  reinterpret_cast<PFN_vkDestroyInstance>(take(keyOf(instance)).destroy)(instance, allocator);
+  reinterpret_cast<PFN_vkDestroyInstance>(nexts.take(instance).destroy)(instance, allocator);
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice device, const VkAllocationCallbacks* allocator) {
   if (device == VK_NULL_HANDLE) return;
-  reinterpret_cast<PFN_vkDestroyDevice>(take(keyOf(device)).destroy)(device, allocator);
+  reinterpret_cast<PFN_vkDestroyDevice>(nexts.take(device).destroy)(device, allocator);
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance, const char* name);
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, const char* name);
-
-template <class F>
-PFN_vkVoidFunction erased(F* function) {
-  return reinterpret_cast<PFN_vkVoidFunction>(function);
-}
 
 PFN_vkVoidFunction deviceHook(std::string_view name) {
   if (name == "vkCreateShaderModule") return erased(createShaderModule);
@@ -199,22 +154,18 @@ PFN_vkVoidFunction instanceHook(std::string_view name) {
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, const char* name) {
   const PFN_vkVoidFunction hook = deviceHook(name);
-  return hook != nullptr ? hook : nextOf(device).device(device, name);
+  return hook != nullptr ? hook : nexts.of(device).device(device, name);
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance, const char* name) {
   const PFN_vkVoidFunction hook = instanceHook(name);
   if (hook != nullptr || instance == VK_NULL_HANDLE) return hook;
-  return nextOf(instance).instance(instance, name);
+  return nexts.of(instance).instance(instance, name);
 }
 
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface) {
-  interface->loaderLayerInterfaceVersion = std::min(interface->loaderLayerInterfaceVersion, 2u);
-  interface->pfnGetInstanceProcAddr = getInstanceProcAddr;
-  interface->pfnGetDeviceProcAddr = getDeviceProcAddr;
-  interface->pfnGetPhysicalDeviceProcAddr = nullptr;
-  return VK_SUCCESS;
+  return negotiate(*interface, getInstanceProcAddr, getDeviceProcAddr);
 }

@@ -6,8 +6,7 @@
 // sleeps until the timeout of the call, as if a kernel did not end.
 // CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance is
 // destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
+#include "tests/vulkan_support/layer.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +15,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -27,6 +24,8 @@
 #include <vector>
 
 namespace {
+
+using namespace candela::layer;
 
 // Every function that Candela calls and that can fail, except the global ones, which layers do not see.
 #define CANDELA_INSTANCE_FUNCTIONS(X) \
@@ -151,30 +150,11 @@ void writeCounts() {
   for (std::size_t i = 0; i < kFunctionCount; ++i) output << kNames[i] << ' ' << calls[i] << '\n';
 }
 
-// The next layer's functions, by the dispatch table that a handle refers to.
-struct Next {
-  PFN_vkVoidFunction destroy = nullptr;  ///< vkDestroyInstance or vkDestroyDevice
-  PFN_vkGetInstanceProcAddr instance = nullptr;
-  PFN_vkGetDeviceProcAddr device = nullptr;
+struct Next : NextFunctions {
   std::array<PFN_vkVoidFunction, kFunctionCount> functions{};
   bool isLost = false;
 };
-std::mutex mutex;
-std::map<void*, Next> nexts;
-
-template <class Handle>
-void* keyOf(Handle handle) {
-  return *reinterpret_cast<void**>(handle);
-}
-template <class Handle>
-Next nextOf(Handle handle) {
-  const std::scoped_lock lock(mutex);
-  return nexts.at(keyOf(handle));
-}
-void loseDevice(void* key) {
-  const std::scoped_lock lock(mutex);
-  nexts.at(key).isLost = true;
-}
+NextTable<Next> nexts;
 
 // Functions that a lost device fails. The waits end after the work, as the specification has it.
 constexpr bool isWait(Function function) { return function == k_vkWaitForFences || function == k_vkDeviceWaitIdle; }
@@ -186,11 +166,11 @@ template <Function kFunction, class First, class... Rest>
 struct Hook<kFunction, VkResult(VKAPI_PTR*)(First, Rest...)> {
   using Pfn = VkResult(VKAPI_PTR*)(First, Rest...);
   static VKAPI_ATTR VkResult VKAPI_CALL call(First first, Rest... rest) {
-    const Next next = nextOf(first);
+    const Next next = nexts.of(first);
     const auto pass = [&] { return reinterpret_cast<Pfn>(next.functions[kFunction])(first, rest...); };
     const std::optional<VkResult> fault = faultOf(kFunction);
     if constexpr (usesDevice(kFunction)) {
-      if (fault == VK_ERROR_DEVICE_LOST) loseDevice(keyOf(first));
+      if (fault == VK_ERROR_DEVICE_LOST) nexts.update(first, [](Next& device) { device.isLost = true; });
       if (next.isLost || fault == VK_ERROR_DEVICE_LOST) {
         if constexpr (kFunction == k_vkDeviceWaitIdle) pass();
         return VK_ERROR_DEVICE_LOST;
@@ -209,75 +189,48 @@ VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, uint32_t count, co
   return VK_TIMEOUT;
 }
 
-template <class Info>
-Info* chainOf(const void* start, VkStructureType type) {
-  auto* info = static_cast<Info*>(const_cast<void*>(start));
-  while (info != nullptr && (info->sType != type || info->function != VK_LAYER_LINK_INFO)) {
-    info = static_cast<Info*>(const_cast<void*>(info->pNext));
-  }
-  return info;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance) {
   if (const std::optional<VkResult> fault = faultOf(k_vkCreateInstance)) return *fault;
-  auto* chain = chainOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-  const PFN_vkGetInstanceProcAddr get = chain->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-  chain->u.pLayerInfo = chain->u.pLayerInfo->pNext;
+  const PFN_vkGetInstanceProcAddr get = followLink(info);
   const auto create = reinterpret_cast<PFN_vkCreateInstance>(get(nullptr, "vkCreateInstance"));
   const VkResult result = create(info, allocator, instance);
   if (result != VK_SUCCESS) return result;
   // The functions are looked up now, because the loader's last function returns the first ones of the chain later.
-  Next next{get(*instance, "vkDestroyInstance"), get, nullptr, {}, false};
+  Next next{{get(*instance, "vkDestroyInstance"), get, nullptr}};
   for (std::size_t i = 0; i < kFunctionCount; ++i) next.functions[i] = get(*instance, kNames[i]);
-  const std::scoped_lock lock(mutex);
-  nexts[keyOf(*instance)] = next;
+  nexts.set(*instance, next);
   return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physicalDevice, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
   if (const std::optional<VkResult> fault = faultOf(k_vkCreateDevice)) return *fault;
-  auto* chain = chainOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-  const PFN_vkGetDeviceProcAddr get = chain->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-  chain->u.pLayerInfo = chain->u.pLayerInfo->pNext;
-  const auto create = reinterpret_cast<PFN_vkCreateDevice>(nextOf(physicalDevice).functions[k_vkCreateDevice]);
+  const PFN_vkGetDeviceProcAddr get = followLink(info);
+  const auto create = reinterpret_cast<PFN_vkCreateDevice>(nexts.of(physicalDevice).functions[k_vkCreateDevice]);
   const VkResult result = create(physicalDevice, info, allocator, device);
   if (result != VK_SUCCESS) return result;
-  Next next{get(*device, "vkDestroyDevice"), nullptr, get, {}, false};
+  Next next{{get(*device, "vkDestroyDevice"), nullptr, get}};
 #define CANDELA_GET(function) next.functions[k_##function] = get(*device, #function);
   CANDELA_DEVICE_FUNCTIONS(CANDELA_GET)
 #undef CANDELA_GET
-  const std::scoped_lock lock(mutex);
-  nexts[keyOf(*device)] = next;
+  nexts.set(*device, next);
   return result;
-}
-
-Next take(void* key) {
-  const std::scoped_lock lock(mutex);
-  const Next next = nexts.at(key);
-  nexts.erase(key);
-  return next;
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance, const VkAllocationCallbacks* allocator) {
   if (instance == VK_NULL_HANDLE) return;
   writeCounts();
-  reinterpret_cast<PFN_vkDestroyInstance>(take(keyOf(instance)).destroy)(instance, allocator);
+  reinterpret_cast<PFN_vkDestroyInstance>(nexts.take(instance).destroy)(instance, allocator);
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice device, const VkAllocationCallbacks* allocator) {
   if (device == VK_NULL_HANDLE) return;
-  reinterpret_cast<PFN_vkDestroyDevice>(take(keyOf(device)).destroy)(device, allocator);
+  reinterpret_cast<PFN_vkDestroyDevice>(nexts.take(device).destroy)(device, allocator);
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance, const char* name);
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, const char* name);
-
-template <class F>
-PFN_vkVoidFunction erased(F* function) {
-  return reinterpret_cast<PFN_vkVoidFunction>(function);
-}
 
 PFN_vkVoidFunction deviceHook(std::string_view name) {
   if (name == "vkWaitForFences") return erased(waitForFences);
@@ -300,7 +253,7 @@ PFN_vkVoidFunction instanceHook(std::string_view name) {
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, const char* name) {
-  const PFN_vkVoidFunction next = nextOf(device).device(device, name);
+  const PFN_vkVoidFunction next = nexts.of(device).device(device, name);
   const PFN_vkVoidFunction hook = deviceHook(name);
   return hook != nullptr && next != nullptr ? hook : next;
 }
@@ -308,7 +261,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance, const char* name) {
   const PFN_vkVoidFunction hook = instanceHook(name);
   if (instance == VK_NULL_HANDLE) return hook;
-  const PFN_vkVoidFunction next = nextOf(instance).instance(instance, name);
+  const PFN_vkVoidFunction next = nexts.of(instance).instance(instance, name);
   return hook != nullptr && next != nullptr ? hook : next;
 }
 
@@ -316,9 +269,5 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance
 
 extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface) {
-  interface->loaderLayerInterfaceVersion = std::min(interface->loaderLayerInterfaceVersion, 2u);
-  interface->pfnGetInstanceProcAddr = getInstanceProcAddr;
-  interface->pfnGetDeviceProcAddr = getDeviceProcAddr;
-  interface->pfnGetPhysicalDeviceProcAddr = nullptr;
-  return VK_SUCCESS;
+  return negotiate(*interface, getInstanceProcAddr, getDeviceProcAddr);
 }

@@ -1,0 +1,21 @@
+# candela_vulkan_layer(NAME SOURCE PATH): a Vulkan layer from SOURCE and the layer.json.in beside it, in a folder of its own,
+# NAME_folder. PATH becomes the value of VK_LAYER_PATH with this folder and those of other layers, above all that of validation. The layer is
+# not instrumented, since the loader loads it into any program.
+function(candela_vulkan_layer name source path)
+  find_package(Vulkan REQUIRED)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/layers)
+  add_library(${name} MODULE ${source})
+  target_include_directories(${name} SYSTEM PRIVATE ${Vulkan_INCLUDE_DIRS})
+  target_compile_definitions(${name} PRIVATE VK_NO_PROTOTYPES)
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${folder} CXX_VISIBILITY_PRESET hidden)
+  set(CANDELA_LAYER_LIBRARY ${folder}/lib${name}.so)
+  configure_file(layer.json.in ${folder}/layer.json @ONLY)
+  set(folders ${folder})
+  foreach(other /usr/share/vulkan/explicit_layer.d /usr/local/share/vulkan/explicit_layer.d /etc/vulkan/explicit_layer.d)
+    if(IS_DIRECTORY ${other})
+      string(APPEND folders ":${other}")
+    endif()
+  endforeach()
+  set(${name}_folder ${folder} PARENT_SCOPE)
+  set(${path} ${folders} PARENT_SCOPE)
+endfunction()
