@@ -7,6 +7,7 @@
 #include "tests/proof/hemisphere.h"
 #include "tests/proof/leaves.h"
 #include "tests/proof/numbers.h"
+#include "tests/proof/reciprocity.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -168,13 +169,7 @@ TEST_CASE("scattering is reciprocal for every lobe and mixture") {
   const MaterialLeaves leaves(smoothMaterials());
   const std::vector<glm::vec3> first = randomNumbers(20000, 205), second = randomNumbers(20000, 206);
   for (std::uint32_t material = 0; material < kSmooth.size(); ++material) {
-    std::vector<DirectionPair> there, back;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      const dvec3 a = directionAt(1 - double{first[i].x}, first[i].y);
-      const dvec3 b = directionAt(1 - double{second[i].x}, second[i].y);
-      there.push_back({material, a, b});
-      back.push_back({material, b, a});
-    }
+    const auto [there, back] = pairsBothWays(material, first, second);
     const std::vector<ScatterValue> f = leaves.evaluate(there), reversed = leaves.evaluate(back);
     int compared = 0;
     for (std::size_t i = 0; i < f.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "tests/proof/cells.h"
 #include "tests/proof/hemisphere.h"
 #include "tests/proof/numbers.h"
+#include "tests/proof/reciprocity.h"
 #include "tests/proof/surface_samples.h"
 
 using namespace candela;
@@ -112,13 +113,7 @@ TEST_CASE("microfacets before their energy is compensated, and sheen, are recipr
   const MaterialLeaves leaves(materials);
   const std::vector<glm::vec3> first = randomNumbers(5000, 305), second = randomNumbers(5000, 306);
   for (std::uint32_t material = 0; material < materials.size(); ++material) {
-    std::vector<DirectionPair> there, back;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      const dvec3 a = directionAt(1 - double{first[i].x}, first[i].y);
-      const dvec3 b = directionAt(1 - double{second[i].x}, second[i].y);
-      there.push_back({material, a, b});
-      back.push_back({material, b, a});
-    }
+    const auto [there, back] = pairsBothWays(material, first, second);
     const std::vector<ScatterValue> f = leaves.evaluate(there), reversed = leaves.evaluate(back);
     for (std::size_t i = 0; i < f.size(); ++i) {
       CAPTURE(material, there[i].wo.z, there[i].wi.z);
