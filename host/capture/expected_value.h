@@ -1,4 +1,4 @@
-// What a word, or several words, of a buffer must contain after a dispatch.
+// The values that one or several words of a buffer may have after a dispatch.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -11,7 +11,7 @@
 
 namespace candela::capture {
 
-/// What is rendered: sample `index` of each pixel of the settings' window.
+/// The samples of a trial: sample `index` of each pixel of the settings' window.
 struct Sample {
   render::RenderSettings settings;
   std::uint32_t index = 0;

@@ -18,7 +18,7 @@ class SceneParts {
   virtual scene::Scene with(const Subset& parts) const = 0;
   /// Returns a scene file with these parts alone, or an empty text if the format of the file does not permit it.
   virtual std::string textWith(const Subset& parts) const = 0;
-  /// What the parts are, e.g. "statements".
+  /// Plural noun for the parts, such as "statements".
   virtual const char* noun() const = 0;
 };
 

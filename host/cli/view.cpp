@@ -38,7 +38,7 @@ bool isPartial(const image::Film& film, const RenderJob& job) {
   return render::minSampleCount(film.pixels()) < job.settings.image.sampleCount;
 }
 
-/// What the engine asks of the program: scenes, sessions and image files.
+/// Provides the engine with scenes and sessions, and writes its image files.
 class ViewedScene {
  public:
   ViewedScene(const Arguments& arguments, const Log& log) : arguments_(arguments), log_(log) {}

@@ -17,7 +17,7 @@ enum class Outcome { pass, fail, skip };
 struct Finding {
   Outcome outcome = Outcome::pass;
   std::string text;  ///< of a failure: what differs; of a skipped case: the missing feature
-  /// What the buffers of the last dispatch must contain; empty for a picture.
+  /// The values that the buffers of the last dispatch must contain; empty for a picture.
   capture::ExpectedValues expected{};
   /// The case is a ShaderRun whose invocations do not read each other's inputs: some of them ask the question alone.
   bool isPerInvocation = false;

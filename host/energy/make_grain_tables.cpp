@@ -27,7 +27,7 @@ using Fractions = std::array<double, 4>;
 // Returns the cosine c at which c (1 + scale) / (c + scale) is x.
 double cosineAt(double x, double scale) { return std::min(1.0, scale * x / (1 + scale - x)); }
 
-// What microfacets scatter at a place of the tables.
+// The light that microfacets scatter at a place of the tables.
 struct Scattering {
   double cosine;
   glm::dvec2 alpha;

@@ -18,7 +18,7 @@
 
 namespace candela::view {
 
-/// What a user chooses of a render, besides the camera.
+/// The choices of a user for a render, besides the camera.
 struct Choice {
   std::string device;  ///< as --device; "cpu": the reference alone
   render::Integrator integrator = render::Integrator::path;
@@ -54,7 +54,7 @@ struct EngineHooks {
   std::function<void()> wake;
 };
 
-/// What a side has to show.
+/// The state and the picture of one side.
 struct SideView {
   bool hasSession = false;
   std::uint32_t scale = 0;                 ///< of the picture; 0: none yet

@@ -40,7 +40,7 @@ struct Modifiers {
   bool control = false;
 };
 
-/// What the caller has to do after an event; the rest is in the state.
+/// The reaction that an event asks of the caller; all else is in the state.
 enum class Action {
   none,
   cameraMoved,

@@ -10,7 +10,7 @@
 
 namespace candela::view {
 
-/// What a viewer shows. `split`: the device to the left of the divider, the reference to its right.
+/// The picture that a viewer shows. `split`: the device to the left of the divider, the reference to its right.
 /// `difference`: device minus reference, divided by their mean luminance.
 enum class Mode : std::uint32_t { device, reference, split, difference };
 constexpr bool comparesSides(Mode mode) { return mode >= Mode::split; }

@@ -11,7 +11,7 @@
 
 namespace candela::window {
 
-/// What the panels show besides the state.
+/// The values that the panels show besides the state.
 struct PanelInput {
   const view::EngineView& engine;
   const std::vector<std::string>& devices;
