@@ -8,16 +8,20 @@
 
 namespace candela::proof {
 
-/// Gauss and Legendre's seven points along each side of every cell; rows of equal height z, columns of equal azimuth.
-class HemisphereGrid {
- public:
-  struct Point {
-    glm::dvec3 direction;
-    glm::dvec2 place;   ///< (z, turn) in the unit square
-    double solidAngle;  ///< for which the point stands; 2 pi in all
-  };
+struct QuadraturePoint {
+  glm::dvec3 direction;
+  glm::dvec2 place;   ///< (z, turn) in the unit square
+  double solidAngle;  ///< for which the point stands; 2 pi in all
+};
 
-  HemisphereGrid(int rows, int columns) {
+/// Gauss and Legendre's points, `Order` of them along each side of every cell; rows of equal height z, columns of equal
+/// azimuth.
+template <unsigned Order>
+class GaussGrid {
+ public:
+  using Point = QuadraturePoint;
+
+  GaussGrid(int rows, int columns) {
     const std::vector<Node> heights = nodes(rows), azimuths = nodes(columns);
     for (const Node& z : heights) {
       for (const Node& turn : azimuths) {
@@ -36,7 +40,7 @@ class HemisphereGrid {
 
   // On [0, 1] in `cells` equal parts. Boost lists the points from the middle on; their mirror images weigh the same.
   static std::vector<Node> nodes(int cells) {
-    using Rule = boost::math::quadrature::gauss<double, 7>;
+    using Rule = boost::math::quadrature::gauss<double, Order>;
     std::vector<Node> result;
     for (int cell = 0; cell < cells; ++cell) {
       for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
@@ -50,5 +54,7 @@ class HemisphereGrid {
 
   std::vector<Point> points_;
 };
+
+using HemisphereGrid = GaussGrid<7>;
 
 }  // namespace candela::proof

@@ -66,7 +66,7 @@ std::vector<Scattered> sampled(const MaterialLeaves& leaves, std::uint32_t mater
 std::vector<ScatterValue> valuesOn(const MaterialLeaves& leaves, const HemisphereGrid& grid, std::uint32_t material,
                                    const dvec3& wo) {
   std::vector<DirectionPair> pairs;
-  for (const HemisphereGrid::Point& point : grid.points()) pairs.push_back({material, wo, point.direction});
+  for (const QuadraturePoint& point : grid.points()) pairs.push_back({material, wo, point.direction});
   return leaves.evaluate(pairs);
 }
 

@@ -1,4 +1,7 @@
 // The reference's side.
+#include <optional>
+#include <tuple>
+
 #include "host/reference/bsdf.h"
 #include "host/reference/environment_map.h"
 #include "host/reference/lights.h"
@@ -35,15 +38,30 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 struct MaterialLeaves::Side {
   std::vector<reference::SurfaceMaterial> materials;
 
-  reference::Bsdf bsdfOf(std::uint32_t material, const dvec3& wo, bool outside) const {
-    reference::Bsdf bsdf = materials[material].bsdf;
-    if (materials[material].surface) bsdf.setSurface(*materials[material].surface, wo, outside);
-    return bsdf;
-  }
+  // The BSDF of the vertex that was asked for last, since many queries in a row have the same.
+  class Vertex {
+   public:
+    explicit Vertex(const Side& side) : side_(side) {}
+
+    const reference::Bsdf& bsdf(std::uint32_t material, const dvec3& wo, bool outside) {
+      if (bsdf_ && material == material_ && wo == wo_ && outside == outside_) return *bsdf_;
+      std::tie(material_, wo_, outside_) = std::tie(material, wo, outside);
+      const reference::SurfaceMaterial& description = side_.materials[material];
+      bsdf_ = description.bsdf;
+      if (description.surface) bsdf_->setSurface(*description.surface, wo, outside);
+      return *bsdf_;
+    }
+
+   private:
+    const Side& side_;
+    std::optional<reference::Bsdf> bsdf_;
+    std::uint32_t material_ = 0;
+    dvec3 wo_{0};
+    bool outside_ = true;
+  };
 
   // A path that continues from a vertex whose geometric and shading normals are equal.
-  Scattered sample(const ScatterQuery& query) const {
-    const reference::Bsdf bsdf = bsdfOf(query.material, query.wo, query.outside);
+  static Scattered sample(const reference::Bsdf& bsdf, const ScatterQuery& query) {
     if (bsdf.isBlack()) return {};
     if (bsdf.surface()) return ofSurface(bsdf, query);
     const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
@@ -73,14 +91,19 @@ MaterialLeaves::~MaterialLeaves() = default;
 
 std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> queries) const {
   std::vector<Scattered> samples;
-  for (const ScatterQuery& query : queries) samples.push_back(side_->sample(query));
+  Side::Vertex vertex(*side_);
+  for (const ScatterQuery& query : queries) {
+    samples.push_back(Side::sample(vertex.bsdf(query.material, query.wo, query.outside), query));
+  }
   return samples;
 }
 
 std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
   std::vector<ScatterValue> values;
+  Side::Vertex vertex(*side_);
   for (const DirectionPair& pair : pairs) {
-    const reference::BsdfValue value = side_->bsdfOf(pair.material, pair.wo, pair.outside).evaluate(pair.wo, pair.wi);
+    const reference::Bsdf& bsdf = vertex.bsdf(pair.material, pair.wo, pair.outside);
+    const reference::BsdfValue value = bsdf.evaluate(pair.wo, pair.wi);
     values.push_back({value.f, value.pdf});
   }
   return values;

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "tests/proof/hemisphere.h"
@@ -18,17 +19,17 @@ enum class Passage { reflected, thin, refracted };
 /// Quadrature over the directions to which half vectors send light, and the cells of sampled directions.
 class SlopeGrid {
  public:
-  using Point = HemisphereGrid::Point;
+  using Point = QuadraturePoint;
 
-  /// `eta`, not used except for refraction, is the index beyond the surface divided by that on the side of wo.
-  SlopeGrid(int rows, int columns, const glm::dvec3& wo, const glm::dvec2& alpha, Passage passage, double eta)
+  /// Nodes are those of a hemisphere, whose places are used. `eta`, not used except for refraction, is the index beyond
+  /// the surface divided by that on the side of wo.
+  SlopeGrid(std::span<const Point> nodes, const glm::dvec3& wo, const glm::dvec2& alpha, Passage passage, double eta)
       : wo_(wo),
         alpha_(alpha),
         passage_(passage),
         eta_(eta),
         scale_(std::log1p(std::pow(kSteepest / std::min(alpha.x, alpha.y), 2))) {
-    const HemisphereGrid nodes(rows, columns);  // its places are the nodes of the unit square
-    for (const Point& node : nodes.points()) addPoint(node);
+    for (const Point& node : nodes) addPoint(node);
   }
 
   const std::vector<Point>& points() const { return points_; }
@@ -63,7 +64,7 @@ class SlopeGrid {
 
   // Returns the solid angle of half vectors for that of the unit hemisphere's nodes.
   double spreadOfHalf(const glm::dvec3& h, double t) const {
-    return std::pow(h.z, 3) / 2 * alpha_.x * alpha_.y * (1 + t) * scale_;
+    return h.z * h.z * h.z / 2 * alpha_.x * alpha_.y * (1 + t) * scale_;
   }
 
   // Returns the solid angle of directions for that of half vectors; 0 for a half vector that does not send light to wi.

@@ -49,7 +49,8 @@ TEST_CASE("white surfaces reflect everything within 1 percent, and never more th
   }
 }
 
-TEST_CASE("white anisotropic surfaces reflect everything within 2 percent, and never more than 1.001 of it") {
+TEST_CASE("white anisotropic surfaces reflect everything within 2 percent, and never more than 1.001 of it",
+          "[swiftshader-slow]") {
   constexpr int kAngles = 8, kAzimuths = 5;
   std::vector<scene::Material> materials;
   for (const float roughness : {0.01f, 0.07f, 0.2f, 0.35f, 0.5f, 0.8f, 1.0f}) {
