@@ -4,25 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "host/core/errors.h"
 #include "host/core/progress.h"
 #include "host/explain/explanation.h"
 #include "host/image/false_colour.h"
 #include "host/view/camera_text.h"
+#include "host/view/worst_sample.h"
 
 namespace candela::view {
 namespace {
 
 constexpr double kFirstSeconds = 0.05;   // for which requests leave the first picture of a view in peace
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
-constexpr std::uint32_t kSearchedSamples = 64;
-constexpr std::chrono::milliseconds kIdle{50};
-
-bool isReady(const std::future<Sessions>& future) {
-  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
 
 }  // namespace
 
@@ -35,62 +29,12 @@ Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
 }
 
 Engine::~Engine() {
-  request([this](Requests&) { ended_ = true; });
+  inbox_.end();
   thread_.join();
 }
 
-EngineView Engine::view() const {
-  const std::scoped_lock lock(mutex_);
-  return published_;
-}
-
-void Engine::request(const std::function<void(Requests&)>& set) {
-  {
-    const std::scoped_lock lock(mutex_);
-    set(requests_);
-    interrupted_ = true;
-  }
-  changed_.notify_one();
-}
-
-std::uint64_t Engine::setCamera(const scene::Camera& camera) {
-  std::uint64_t serial = 0;
-  request([&](Requests& requests) {
-    requests.camera = camera;
-    serial = ++requests.viewSerial;
-  });
-  return serial;
-}
-
-void Engine::setMode(Mode mode, bool isPaused) {
-  request([&](Requests& requests) { requests.mode = {mode, isPaused}; });
-}
-
-void Engine::setChoice(const Choice& choice) {
-  request([&](Requests& requests) { requests.load = choice; });
-}
-
-void Engine::reload() {
-  const Choice current = view().choice;
-  request([&](Requests& requests) {
-    if (!requests.load) requests.load = current;
-    requests.reads = true;
-  });
-}
-
-void Engine::save(const std::filesystem::path& file, const image::DisplayTransform& display) {
-  request([&](Requests& requests) { requests.save = {file, display}; });
-}
-
-void Engine::explain(const render::PixelSample& sample, bool searches) {
-  request([&](Requests& requests) {
-    requests.sample = sample;
-    requests.searches = searches;
-  });
-}
-
 void Engine::loop() {
-  while (!ended_) {
+  while (!inbox_.isEnded()) {
     if (!guarded([this] { iterate(); })) isPaused_ = true;  // or it would fail over and over
   }
 }
@@ -98,23 +42,11 @@ void Engine::loop() {
 void Engine::iterate() {
   adoptDevice();
   const std::optional<Step> step = isPaused_ ? std::nullopt : schedule_->next();
-  if (const std::optional<Requests> requests = takeRequests(!step)) {
+  if (const std::optional<Requests> requests = inbox_.take(!step)) {
     apply(*requests);
   } else if (step) {
     run(*step);
   }
-}
-
-// Waits for a moment if there is nothing else to do.
-std::optional<Engine::Requests> Engine::takeRequests(bool mayWait) {
-  std::unique_lock lock(mutex_);
-  if (mayWait) changed_.wait_for(lock, kIdle, [this] { return requests_.hasAny() || ended_; });
-  interrupted_ = false;
-  if (!requests_.hasAny()) return std::nullopt;
-  Requests taken = requests_;
-  requests_ = Requests{};
-  requests_.viewSerial = taken.viewSerial;
-  return taken;
 }
 
 void Engine::apply(const Requests& requests) {
@@ -155,12 +87,10 @@ void Engine::adopt(Sessions sessions) {
 }
 
 void Engine::startDevice() {
-  if (coming_.valid()) abandoned_.push_back(std::move(coming_));
-  std::erase_if(abandoned_, isReady);
+  coming_.abandon();
   next_.isPreparing = choice_.device != "cpu";
   if (!next_.isPreparing) return;
-  coming_ = std::async(std::launch::async, [add = hooks_.addDevice, choice = choice_, scene = sessions_.scene,
-                                            settings = sessions_.settings] {
+  coming_.start([add = hooks_.addDevice, choice = choice_, scene = sessions_.scene, settings = sessions_.settings] {
     Sessions made;
     made.scene = scene;
     made.settings = settings;
@@ -170,9 +100,9 @@ void Engine::startDevice() {
 }
 
 void Engine::adoptDevice() {
-  if (!isReady(coming_)) return;
+  if (!coming_.isReady()) return;
   next_.isPreparing = false;
-  Sessions made = coming_.get();
+  Sessions made = coming_.take();
   sessions_.deviceRenderer = std::move(made.deviceRenderer);
   sessions_.device = std::move(made.device);
   next_.deviceName = made.deviceName;
@@ -181,7 +111,7 @@ void Engine::adoptDevice() {
   if (comparesSides(mode_)) restart();
 }
 
-void Engine::setMode(const Requests::NewMode& mode) {
+void Engine::setMode(const NewMode& mode) {
   const bool startsComparing = comparesSides(mode.mode) && !comparesSides(mode_);
   mode_ = mode.mode;
   isPaused_ = mode.isPaused;
@@ -226,11 +156,11 @@ bool Engine::trace(const Step& step, double start) {
   std::atomic<bool> stop{false};
   const auto watch = [&](double, std::uint64_t) {
     const double now = monotonicSeconds();
-    if (interrupted_ && (!isFirst || ended_ || now - start > kFirstSeconds)) stop = true;
+    if (inbox_.isFull() && (!isFirst || inbox_.isEnded() || now - start > kFirstSeconds)) stop = true;
     if (showsPartial && now - shown > kPartialSeconds) stop = true;
   };
   while (!session.advance({0, step.sampleEnd}, {&stop, watch})) {
-    if (interrupted_) return false;
+    if (inbox_.isFull()) return false;
     stop = false;
     show(step.side);
     publish();
@@ -292,20 +222,6 @@ void Engine::saveNow(const SaveRequest& request) {
   say(fmt::format("{}: {} samples per pixel", request.file.string(), schedule_->samples(side)), false);
 }
 
-std::uint32_t Engine::worstSample(render::PixelSample sample) {
-  double worst = -1;
-  std::uint32_t found = 0;
-  const std::uint32_t count = std::clamp(schedule_->samples(Side::device), 1u, kSearchedSamples);
-  for (sample.index = 0; sample.index < count; ++sample.index) {
-    const glm::dvec3 device = sessions_.device->replay(sample).path.radiance;
-    const double apart = glm::distance(device, sessions_.reference->replay(sample).path.radiance);
-    if (apart <= worst) continue;
-    worst = apart;
-    found = sample.index;
-  }
-  return found;
-}
-
 void Engine::explainNow(render::PixelSample sample, bool searches) {
   explain::requirePaths(sessions_.settings.image.integrator);
   if (!sessions_.device) throw UsageError("a path is explained by a device and the reference; there is no device yet");
@@ -314,7 +230,9 @@ void Engine::explainNow(render::PixelSample sample, bool searches) {
     sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
     preparedScale_[indexOf(side)] = 0;
   }
-  if (searches) sample.index = worstSample(sample);
+  if (searches) {
+    sample.index = worstSample(*sessions_.device, *sessions_.reference, sample, schedule_->samples(Side::device));
+  }
   next_.explained = sample;
   next_.explanation = toText(explain::explainReplays(*sessions_.scene, sessions_.settings, sample,
                                                      sessions_.device->replay(sample),
@@ -349,7 +267,7 @@ bool Engine::guarded(const std::function<void()>& work) {
     dropDevice(error.what());
     return true;
   } catch (const std::exception& error) {
-    next_.isPreparing = coming_.valid();
+    next_.isPreparing = coming_.isUnderWay();
     say(error.what(), true);
     return false;
   }
@@ -360,7 +278,7 @@ void Engine::dropDevice(const std::string& reason) {
   sessions_.device.reset();
   sessions_.deviceRenderer.reset();
   want();
-  next_.isPreparing = coming_.valid();
+  next_.isPreparing = coming_.isUnderWay();
   say(reason + "; the reference goes on", true);
 }
 

@@ -1,27 +1,21 @@
 // The loop of the window: events, state, engine, frame.
 #include "host/window/viewer.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
 
-#include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
-#include "host/device/film_means.h"
 #include "host/image/false_colour.h"
 #include "host/view/camera_text.h"
 #include "host/view/file_watch.h"
 #include "host/view/navigation.h"
-#include "host/window/gui_painter.h"
 #include "host/window/key_map.h"
 #include "host/window/panels.h"
-#include "host/window/picture_painter.h"
-#include "host/window/presenter.h"
-#include "host/window/window.h"
+#include "host/window/response_meter.h"
+#include "host/window/screen.h"
 
 namespace candela::window {
 namespace {
@@ -33,59 +27,9 @@ constexpr double kWatchSeconds = 0.25;      // between two looks at the scene's 
 constexpr std::uint32_t kPanelWidth = 352;  // of the panels, beside which the picture is placed
 constexpr render::Extent kMinWindow{640, 460};
 
-// The picture that the engine fills on the device, and the window reads.
-class DevicePicture {
- public:
-  explicit DevicePicture(vulkan::Device device) : device_(std::move(device)) {}
-
-  bool update(render::Session& session, const render::Extent& size) {
-    const std::scoped_lock lock(mutex_);
-    if (!means_ || means_->size() != size) means_ = std::make_unique<device::FilmMeans>(device_, size);
-    return means_->update(session);
-  }
-  std::optional<vulkan::Buffer> buffer(const render::Extent& size) const {
-    const std::scoped_lock lock(mutex_);
-    return means_ && means_->size() == size ? std::optional(means_->buffer()) : std::nullopt;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  vulkan::Device device_;
-  std::unique_ptr<device::FilmMeans> means_;
-};
-
-std::vector<std::string> windowExtensions(const Glfw& glfw) {
-  std::uint32_t count = 0;
-  const char** const names = glfw.GetRequiredInstanceExtensions(&count);
-  if (names == nullptr)
-    throw NoDeviceError(
-        "candela view needs a Vulkan driver that can present to this display; `candela doctor` examines the drivers");
-  return {names, names + count};
-}
-
-vulkan::Device openPresenting(const ViewerOptions& options, const Glfw& glfw) {
-  vulkan::Device device = options.openDevice(windowExtensions(glfw));
-  if (!device.canPresent()) throw NoDeviceError(device.info().name + " cannot draw windows; choose another --device");
-  return device;
-}
-
-class Gui {
- public:
-  Gui() {
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui::StyleColorsDark();
-    prepareKeys();
-  }
-  ~Gui() { ImGui::DestroyContext(); }
-  Gui(const Gui&) = delete;
-  Gui& operator=(const Gui&) = delete;
-};
-
 class Viewer {
  public:
   explicit Viewer(const ViewerOptions& options);
-  ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
   ViewerReport run();
@@ -95,7 +39,6 @@ class Viewer {
   void handle(const Event& event);
   void apply(view::Action action);
   void apply(const PanelChoice& choice);
-  void moveCamera();
   void fly();
   void followScene();
   void followIntegrator();
@@ -107,19 +50,10 @@ class Viewer {
   PaintedView painted() const;
   void draw();
   void measure();
-  std::string title() const;
-  void resize();
   void place();
 
   const ViewerOptions& options_;
-  const Glfw& glfw_;
-  vulkan::Device device_;
-  DesktopWindow window_;
-  Presenter presenter_;
-  Gui gui_;
-  PicturePainter picturePainter_;
-  GuiPainter guiPainter_;
-  DevicePicture devicePicture_;
+  Screen screen_;
   Panels panels_;
   view::ViewState state_;
   view::Engine engine_;
@@ -132,20 +66,12 @@ class Viewer {
   render::Extent pictureSize_;
   std::optional<render::Integrator> integrator_;
   image::ToneMap lightToneMap_ = image::ToneMap::srgb;
-  double lastTime_ = 0;
   double flewAt_ = 0;
   double lastWatch_ = 0;
-  struct Waiting {
-    std::uint64_t viewSerial;
-    double since;
-  };
-  std::vector<Waiting> waiting_;   ///< events whose views are not shown yet, oldest first
-  std::optional<double> movedAt_;  ///< time of the event that moved the camera, if the engine does not know it yet
+  ResponseMeter responses_;
   double eventTime_ = 0;
   bool isClosed_ = false;
-  double response_ = 0;
   int framesToDraw_ = 2;
-  std::string title_;
   ViewerReport report_;
 };
 
@@ -157,13 +83,7 @@ render::Extent windowSizeFor(const render::Extent& picture) {
 
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
-      glfw_(openGlfw()),
-      device_(openPresenting(options, glfw_)),
-      window_(glfw_, windowSizeFor(options.size), "candela: " + options.scene.filename().string()),
-      presenter_(device_, window_.surface(device_.impl()->instance.handle), window_.framebuffer()),
-      picturePainter_(device_),
-      guiPainter_(device_, presenter_.renderPass()),
-      devicePicture_(device_),
+      screen_(options, windowSizeFor(options.size)),
       panels_(proposedFile(options.scene)),
       state_{.mode = options.mode, .display = options.display},
       engine_(hooks(), options.choice, options.mode),
@@ -176,26 +96,18 @@ Viewer::Viewer(const ViewerOptions& options)
   place();
 }
 
-// What the last frame uses must outlive it.
-Viewer::~Viewer() {
-  try {
-    presenter_.waitForLastFrame();
-  } catch (const Error&) {  // the device is lost, and uses nothing any more
-  }
-}
-
 // Puts the whole picture beside the panels.
 void Viewer::place() {
-  const render::Extent window = presenter_.size();
+  const render::Extent window = screen_.size();
   state_.placement = view::placed(pictureSize_, window, std::min(kPanelWidth, window.width * 3 / 5));
 }
 
 view::EngineHooks Viewer::hooks() {
   view::EngineHooks hooks = options_.hooks;
   hooks.showOnDevice = [this](render::Session& session, const render::Extent& size) {
-    return devicePicture_.update(session, size);
+    return screen_.devicePicture().update(session, size);
   };
-  hooks.wake = [this] { window_.wake(); };
+  hooks.wake = [this] { screen_.window().wake(); };
   return hooks;
 }
 
@@ -228,14 +140,10 @@ void Viewer::handle(const Event& event) {
   }
 }
 
-void Viewer::moveCamera() {
-  if (!movedAt_) movedAt_ = eventTime_;
-}
-
 void Viewer::apply(view::Action action) {
   switch (action) {
     case view::Action::cameraMoved:
-      return moveCamera();
+      return responses_.moved(eventTime_);
     case view::Action::modeChanged:
       return engine_.setMode(state_.mode, state_.isPaused);
     case view::Action::inspect:
@@ -247,7 +155,7 @@ void Viewer::apply(view::Action action) {
     case view::Action::reload:
       return engine_.reload();
     case view::Action::copyCamera:
-      return window_.copy(view::cameraText(camera_.camera()));
+      return screen_.window().copy(view::cameraText(camera_.camera()));
     case view::Action::nextIntegrator:
       return chooseNextIntegrator();
     case view::Action::quit:
@@ -329,99 +237,56 @@ void Viewer::watchFile() {
   if (file_.hasChanged()) engine_.reload();
 }
 
-// Until the device has a picture, that of the reference is shown.
 PaintedView Viewer::painted() const {
   const view::SideView& device = shown_.sides[0];
-  const bool showsReference = device.scale == 0 && shown_.sides[1].scale > 0;
   return {.picture = pictureSize_,
           .pictures = {device.picture, shown_.sides[1].picture},
-          .onDevice = device.isOnDevice ? devicePicture_.buffer(pictureSize_) : std::nullopt,
-          .mode = showsReference ? view::Mode::reference : state_.mode,
+          .onDevice = device.isOnDevice ? screen_.devicePicture().buffer(pictureSize_) : std::nullopt,
+          .mode = shownMode(shown_, state_.mode),
           .state = state_};
 }
 
-// The number of samples that the picture has, which is that of both sides where they are compared.
-std::string Viewer::title() const {
-  const view::SideView& device = shown_.sides[0];
-  const view::SideView& reference = shown_.sides[1];
-  const std::string name = options_.scene.filename().string();
-  if (shown_.isPreparing) return name + ": preview - candela";
-  const bool isReference = painted().mode == view::Mode::reference;
-  std::uint32_t samples = isReference ? reference.samples : device.samples;
-  if (comparesSides(state_.mode)) samples = std::min(samples, reference.samples);
-  return fmt::format("{}: {} of {} samples - candela", name, samples, shown_.sampleCount);
-}
-
 void Viewer::draw() {
-  if (std::string now = title(); now != title_) window_.setTitle(title_ = std::move(now));
-  presenter_.waitForLastFrame();
-  const render::Extent size = presenter_.size();
-  if (size.width == 0 || size.height == 0) return;
+  screen_.setTitle(titleOf(shown_, state_.mode, options_.scene.filename().string()));
   const PaintedView view = painted();
-  picturePainter_.prepare(size, view);
-  ImGui::GetIO().DisplaySize = ImVec2(static_cast<float>(size.width), static_cast<float>(size.height));
-  ImGui::GetIO().DeltaTime = static_cast<float>(std::max(1e-4, monotonicSeconds() - lastTime_));
-  lastTime_ = monotonicSeconds();
-  ImGui::NewFrame();
-  const PanelInput input{shown_,    options_.devices, picturePainter_.pointed(),
-                         view.mode, response_,        view.onDevice.has_value()};
-  const PanelChoice choice = panels_.draw(state_, input);
-  drawDivider(state_, input);
-  ImGui::Render();
-  const bool isShown = presenter_.draw([&](const Presenter::Frame& frame) {
-    vulkan::CommandRecorder recorder(frame.recorder);
-    picturePainter_.record(recorder, view, presenter_.isBlueFirst());
-    frame.recorder.makeVisibleToNext();
-    copyToImage(frame, picturePainter_.pixels());
-    guiPainter_.record(frame, presenter_.renderPass(), *ImGui::GetDrawData());
+  PanelChoice choice;
+  const bool isShown = screen_.draw(view, [&](const gpu::PointedValues& pointed) {
+    const PanelInput input{shown_, options_.devices, pointed, view.mode, responses_.last(), view.onDevice.has_value()};
+    choice = panels_.draw(state_, input);
+    drawDivider(state_, input);
   });
   if (isShown) measure();
   apply(choice);
 }
 
 void Viewer::measure() {
-  const double now = monotonicSeconds();
   ++report_.frames;
   report_.presentsFromDevice = shown_.sides[0].isOnDevice;
   const bool hasPicture = shown_.sides[0].scale > 0 || shown_.sides[1].scale > 0;
-  if (hasPicture && report_.firstPicture == 0) report_.firstPicture = now - options_.start;
-  std::erase_if(waiting_, [&](const Waiting& each) {
-    if (each.viewSerial > shown_.viewSerial) return false;
-    response_ = now - each.since;
-    report_.responses.push_back(response_);
-    return true;
-  });
-}
-
-void Viewer::resize() {
-  const render::Extent before = presenter_.size();
-  presenter_.resize(window_.framebuffer());
-  if (presenter_.size() != before) place();
+  if (hasPicture && report_.firstPicture == 0) report_.firstPicture = monotonicSeconds() - options_.start;
+  responses_.shown(shown_.viewSerial);
 }
 
 // A frame is drawn whenever something may have changed, and once more for what Dear ImGui does a frame late.
 ViewerReport Viewer::run() {
   const std::atomic<bool>& interrupted = watchInterrupts();
-  lastTime_ = monotonicSeconds();
-  while (!isClosed_ && !window_.mustClose() && !interrupted) {
+  while (!isClosed_ && !screen_.window().mustClose() && !interrupted) {
     const bool isBusy = navigation_.isFlying() || framesToDraw_ > 0;
-    const std::vector<Event> events = window_.events(isBusy ? kFlyingSeconds : kIdleSeconds);
+    const std::vector<Event> events = screen_.window().events(isBusy ? kFlyingSeconds : kIdleSeconds);
     for (const Event& event : events) handle(event);
     if (navigation_.isFlying()) fly();
-    if (movedAt_) {
-      waiting_.push_back({engine_.setCamera(camera_.camera()), *movedAt_});
-      movedAt_.reset();
-    }
+    if (responses_.hasMoved()) responses_.sent(engine_.setCamera(camera_.camera()));
     watchFile();
     const std::uint64_t serial = shown_.serial;
     shown_ = engine_.view();
     followScene();
-    if (window_.framebuffer() != presenter_.size()) resize();
+    if (screen_.resize()) place();
     if (!events.empty() || shown_.serial != serial) framesToDraw_ = 2;
     if (framesToDraw_ == 0) continue;
     --framesToDraw_;
     draw();
   }
+  report_.responses = responses_.seconds();
   report_.last = engine_.view();
   return report_;
 }

@@ -1,0 +1,28 @@
+// Sessions of the device, which are prepared on threads of their own.
+#pragma once
+#include <functional>
+#include <future>
+#include <vector>
+
+#include "host/view/engine_hooks.h"
+
+namespace candela::view {
+
+/// One preparation that is wanted, and those that are not wanted any more but must end.
+class DevicePreparation {
+ public:
+  /// Starts a preparation in place of the one that is under way.
+  void start(const std::function<Sessions()>& prepare);
+  /// Nothing is wanted any more.
+  void abandon();
+  bool isUnderWay() const { return wanted_.valid(); }
+  bool isReady() const;
+  /// Returns what is ready, or throws what the preparation threw.
+  Sessions take() { return wanted_.get(); }
+
+ private:
+  std::future<Sessions> wanted_;
+  std::vector<std::future<Sessions>> abandoned_;
+};
+
+}  // namespace candela::view

@@ -1,0 +1,24 @@
+// Says in words what the engine shows.
+#include "host/view/engine_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace candela::view {
+
+Mode shownMode(const EngineView& view, Mode mode) {
+  const bool hasReferenceAlone = view.sides[0].scale == 0 && view.sides[1].scale > 0;
+  return hasReferenceAlone ? Mode::reference : mode;
+}
+
+std::string titleOf(const EngineView& view, Mode mode, const std::string& sceneName) {
+  if (view.isPreparing) return sceneName + ": preview - candela";
+  const SideView& device = view.sides[0];
+  const SideView& reference = view.sides[1];
+  std::uint32_t samples = shownMode(view, mode) == Mode::reference ? reference.samples : device.samples;
+  if (comparesSides(mode)) samples = std::min(samples, reference.samples);
+  return fmt::format("{}: {} of {} samples - candela", sceneName, samples, view.sampleCount);
+}
+
+}  // namespace candela::view

@@ -1,0 +1,62 @@
+// The window, and how its frames are drawn.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "host/window/device_picture.h"
+#include "host/window/gui_painter.h"
+#include "host/window/picture_painter.h"
+#include "host/window/presenter.h"
+#include "host/window/viewer.h"
+#include "host/window/window.h"
+
+namespace candela::window {
+
+/// The context of Dear ImGui, of which there is one at a time.
+class GuiContext {
+ public:
+  GuiContext();
+  ~GuiContext();
+  GuiContext(const GuiContext&) = delete;
+  GuiContext& operator=(const GuiContext&) = delete;
+};
+
+/// The window on the display, with everything on the device that draws into it.
+class Screen {
+ public:
+  /// Opens the device and the window. Throws NoDeviceError where the device or the display cannot present.
+  Screen(const ViewerOptions& options, const render::Extent& size);
+  /// Waits for the last frame, since the device may still read what it uses.
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  DesktopWindow& window() { return window_; }
+  DevicePicture& devicePicture() { return devicePicture_; }
+  const DevicePicture& devicePicture() const { return devicePicture_; }
+  render::Extent size() const { return presenter_.size(); }
+
+  /// Follows the window's size. Returns whether the frames have another size than before.
+  bool resize();
+  /// Sets the title of the window, if it is another one.
+  void setTitle(const std::string& title);
+  /// Draws a frame: the picture, and over it what `panels` draws with Dear ImGui; its argument is the values below the
+  /// pointer. Returns whether the frame is shown: a window that is minimised shows none.
+  bool draw(const PaintedView& view, const std::function<void(const gpu::PointedValues&)>& panels);
+
+ private:
+  void beginPanels();
+
+  const Glfw& glfw_;
+  vulkan::Device device_;
+  DesktopWindow window_;
+  Presenter presenter_;
+  GuiContext gui_;
+  PicturePainter picturePainter_;
+  GuiPainter guiPainter_;
+  DevicePicture devicePicture_;
+  std::string title_;
+  double lastTime_;  ///< of the last frame, by monotonicSeconds()
+};
+
+}  // namespace candela::window
