@@ -60,4 +60,14 @@ void denoiseImage(image::Image& image, const image::Film& film, const Arguments&
   noteBias(image);
 }
 
+void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,
+                   const Log& log) {
+  try {
+    denoiseImage(image, film, arguments, log);
+  } catch (const UsageError& error) {
+    if (!isInterrupted) throw;
+    log.warning(fmt::format("--denoise: {}", error.what()));
+  }
+}
+
 }  // namespace candela::cli

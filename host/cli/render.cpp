@@ -30,16 +30,9 @@ void summarise(const RenderReport& report, const Log& log) {
                        report.totalSeconds, report.result.statistics.device));
 }
 
-// With --denoise, an image that was interrupted before any pixel had two samples stays as it is.
 image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
   image::Image image = pictureOf(result.film, job.settings.image.hasAlpha(), metadataOf(job, result));
-  if (!job.arguments.denoise) return image;
-  try {
-    denoiseImage(image, result.film, job.arguments, log);
-  } catch (const UsageError& error) {
-    if (!result.interrupted) throw;
-    log.warning(fmt::format("--denoise: {}", error.what()));
-  }
+  if (job.arguments.denoise) denoiseResult(image, result.film, result.interrupted, job.arguments, log);
   return image;
 }
 

@@ -80,23 +80,21 @@ double valueOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
   }
 }
 
-struct LayerChannels {
-  Layer layer;
-  std::vector<std::string> names;
-};
-
-const std::vector<LayerChannels>& allChannels() {
-  static const std::vector<LayerChannels> channels{
-      {Layer::normal, {"N.X", "N.Y", "N.Z"}},
-      {Layer::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
-      {Layer::depth, {"Z"}},
-      {Layer::position, {"P.X", "P.Y", "P.Z"}},
-      {Layer::uv, {"uv.U", "uv.V"}},
-      {Layer::direct, {"direct.R", "direct.G", "direct.B"}},
-      {Layer::indirect, {"indirect.R", "indirect.G", "indirect.B"}},
-      {Layer::emission, {"emission.R", "emission.G", "emission.B"}},
-      {Layer::moments, {"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"}}};
-  return channels;
+// Names of the channels of all layers, indexed by Layer.
+const std::vector<std::vector<std::string>>& allChannelNames() {
+  static const std::vector<std::vector<std::string>> names{
+      {"N.X", "N.Y", "N.Z"},
+      {"albedo.R", "albedo.G", "albedo.B"},
+      {"Z"},
+      {"P.X", "P.Y", "P.Z"},
+      {"uv.U", "uv.V"},
+      {"direct.R", "direct.G", "direct.B"},
+      {"indirect.R", "indirect.G", "indirect.B"},
+      {"emission.R", "emission.G", "emission.B"},
+      {},
+      {},
+      {"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"}};
+  return names;
 }
 
 Channel channelOf(const Film& film, Layer layer, const std::string& name, std::size_t index) {
@@ -112,10 +110,16 @@ Channel channelOf(const Film& film, Layer layer, const std::string& name, std::s
 
 }  // namespace
 
+std::span<const std::string> layerChannelNames(Layer layer) {
+  return allChannelNames()[static_cast<std::size_t>(layer)];
+}
+
 void addLayers(Image& image, const Film& film) {
-  for (const auto& [layer, names] : allChannels()) {
+  for (std::size_t i = 0; i < allChannelNames().size(); ++i) {
+    const auto layer = static_cast<Layer>(i);
     if (!film.layers().has(layer)) continue;
-    for (std::size_t i = 0; i < names.size(); ++i) image.channels.push_back(channelOf(film, layer, names[i], i));
+    const std::span<const std::string> names = layerChannelNames(layer);
+    for (std::size_t c = 0; c < names.size(); ++c) image.channels.push_back(channelOf(film, layer, names[c], c));
   }
 }
 

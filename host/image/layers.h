@@ -42,6 +42,9 @@ struct LayerSet {
 /// Names of all layers, indexed by Layer.
 std::span<const std::string_view> layerNames();
 
+/// Returns the names of a layer's channels in files, such as `N.X`, in their order; none for `variance` and `samples`.
+std::span<const std::string> layerChannelNames(Layer layer);
+
 /// Returns `layers` without those that every film has, `variance` and `samples`.
 LayerSet withSums(LayerSet layers);
 

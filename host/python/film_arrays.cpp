@@ -1,6 +1,11 @@
 // Wraps the vectors of an image.
 #include "host/python/film_arrays.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
 #include "host/python/python_film.h"
 
 namespace candela::python {
@@ -17,6 +22,19 @@ py::array share(const py::object& film, const Number* data, std::vector<py::ssiz
 
 std::vector<py::ssize_t> shapeOf(const image::Image& image) {
   return {static_cast<py::ssize_t>(image.height), static_cast<py::ssize_t>(image.width)};
+}
+
+// The layer with this name; `variance` and `samples`, which every film has, are not among them.
+std::optional<image::Layer> layerNamed(const std::string& name) {
+  const auto place = std::ranges::find(image::layerNames(), name);
+  if (place == image::layerNames().end()) return std::nullopt;
+  return static_cast<image::Layer>(place - image::layerNames().begin());
+}
+
+py::array shareLayer(const py::object& film, const LayerValues& layer) {
+  std::vector<py::ssize_t> shape = shapeOf(film.cast<const PythonFilm&>().picture());
+  if (layer.channels > 1) shape.push_back(static_cast<py::ssize_t>(layer.channels));
+  return share(film, layer.values.data(), std::move(shape));
 }
 
 const image::Image& pictureIn(const py::object& film) { return pictureOf(film.cast<const PythonFilm&>()); }
@@ -45,6 +63,26 @@ py::object alphaOf(const py::object& film) {
   const image::Image& image = pictureIn(film);
   if (image.alpha.empty()) return py::none();
   return share(film, image.alpha.data(), shapeOf(image));
+}
+
+py::array layerOf(const py::object& film, const std::string& name) {
+  const std::optional<image::Layer> layer = layerNamed(name);
+  if (layer == image::Layer::variance) return varianceOf(film);
+  if (layer == image::Layer::samples) return samplesOf(film);
+  const auto& source = film.cast<const PythonFilm&>();
+  const auto& layers = layerValuesOf(source);
+  const auto values = layer ? layers.find(*layer) : layers.end();
+  if (values != layers.end()) return shareLayer(film, values->second);
+  throw UsageError(
+      fmt::format("the film has no layer \"{}\"; its layers are {}", name, layerText(source.film.layers())));
+}
+
+py::dict layersOf(const py::object& film) {
+  py::dict arrays;
+  for (const auto& [layer, values] : layerValuesOf(film.cast<const PythonFilm&>())) {
+    arrays[py::str(std::string(image::layerNames()[static_cast<std::size_t>(layer)]))] = shareLayer(film, values);
+  }
+  return arrays;
 }
 
 }  // namespace candela::python

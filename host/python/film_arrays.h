@@ -2,6 +2,8 @@
 #pragma once
 #include <pybind11/numpy.h>
 
+#include <string>
+
 namespace candela::python {
 
 /// Each returns an array that shares the memory of the film, a PythonFilm, keeps it alive, and cannot be written.
@@ -10,5 +12,10 @@ pybind11::array varianceOf(const pybind11::object& film);  ///< float32, (height
 pybind11::array samplesOf(const pybind11::object& film);   ///< uint32, (height, width)
 /// float32, (height, width); None for a film without alpha.
 pybind11::object alphaOf(const pybind11::object& film);
+/// float32, (height, width) for a layer of one channel, else (height, width, channels). The name is one of --aov.
+/// Throws UsageError if the film lacks the layer.
+pybind11::array layerOf(const pybind11::object& film, const std::string& name);
+/// A dict of the layers that need sums, by name.
+pybind11::dict layersOf(const pybind11::object& film);
 
 }  // namespace candela::python

@@ -17,10 +17,16 @@ using cli::OptionGroup;
 
 const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
 const FunctionOptions kSceneOptions{"Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time"}};
-const FunctionOptions kRenderOptions{
-    "render", Command::render, {OptionGroup::image, OptionGroup::execution, OptionGroup::film}, {}, {"--memory"}};
-const FunctionOptions kSessionOptions{
-    "Session", Command::render, {OptionGroup::image, OptionGroup::execution}, {"--crop"}, {"--memory", "--fallback"}};
+const FunctionOptions kRenderOptions{"render",
+                                     Command::render,
+                                     {OptionGroup::image, OptionGroup::execution, OptionGroup::film},
+                                     {"--aov", "--denoise"},
+                                     {"--memory"}};
+const FunctionOptions kSessionOptions{"Session",
+                                      Command::render,
+                                      {OptionGroup::image, OptionGroup::execution},
+                                      {"--crop", "--aov", "--denoise"},
+                                      {"--memory", "--fallback"}};
 const FunctionOptions kVerifyOptions{"verify",
                                      Command::verify,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::verification},
@@ -35,10 +41,17 @@ const FunctionOptions kCompareTracersOptions{
     "compare", Command::compare, {OptionGroup::image, OptionGroup::execution}, {"--alpha"}, {"--memory"}};
 const FunctionOptions kCompareImagesOptions{
     "compare", Command::compare, {}, {"--alpha", "--tolerance", "--tonemap", "--exposure"}};
-const FunctionOptions kDisplayOptions{"Film.save", Command::render, {}, {"--tonemap", "--exposure"}};
+const FunctionOptions kSaveOptions{
+    "Film.save", Command::render, {}, {"--tonemap", "--exposure", "--denoise", "--device", "--no-cache"}};
+const FunctionOptions kDenoiseOptions{
+    "Film.denoise", Command::denoise, {}, {"--device", "--hang-timeout", "--no-cache"}};
 const FunctionOptions kMergeOptions{"merge", Command::merge, {}, {"--mixed-devices", "--partial"}};
 
 namespace {
+
+// Python's name of the option for layers says that it takes several.
+constexpr const char* kLayerOption = "--aov";
+constexpr const char* kLayerKeyword = "aovs";
 
 std::string wordOf(const py::handle& value) {
   if (!py::hasattr(value, "__fspath__")) return py::str(value);
@@ -57,7 +70,7 @@ std::string rangeText(const py::handle& range) {
 }
 
 std::string listText(const py::handle& list, const cli::Option& option) {
-  const char* const separator = option.metavar.find(',') != std::string::npos ? "," : "x";
+  const char* const separator = option.metavar.find('x') != std::string::npos ? "x" : ",";
   std::string text;
   for (const py::handle& item : list) text += (text.empty() ? "" : separator) + wordOf(item);
   return text;
@@ -78,14 +91,23 @@ void addFlag(const cli::Option& option, const py::handle& value, std::vector<std
 
 void addOption(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
   if (option.isFlag()) return addFlag(option, value, words);
+  if (option.name() == kLayerOption && isList(value) && py::len(value) == 0) return;
   const bool isRepeated = option.expected == "a path" && isList(value);
   if (!isRepeated) return words.push_back(option.name() + "=" + valueText(value, option));
   for (const py::handle& item : value) words.push_back(option.name() + "=" + wordOf(item));
 }
 
 std::string nameOf(std::string keyword) {
+  if (keyword == kLayerKeyword) return kLayerOption;
   std::ranges::replace(keyword, '_', '-');
   return "--" + keyword;
+}
+
+std::string keywordOf(const cli::Option& option) {
+  if (option.name() == kLayerOption) return kLayerKeyword;
+  std::string keyword = option.name().substr(2);
+  std::ranges::replace(keyword, '-', '_');
+  return keyword;
 }
 
 // The option of this name that the function has, or else one that it lacks; null if there is none.
@@ -131,9 +153,7 @@ std::string helpOf(const FunctionOptions& function) {
   std::string text;
   for (const cli::Option& option : cli::optionTable()) {
     if (!function.has(option)) continue;
-    std::string keyword = option.name().substr(2);
-    std::ranges::replace(keyword, '-', '_');
-    text += fmt::format("  {}: {}", keyword, option.help);
+    text += fmt::format("  {}: {}", keywordOf(option), option.help);
     text += option.defaultText.empty() ? "\n" : fmt::format(" (default: {})\n", option.defaultText);
   }
   return text;

@@ -13,6 +13,7 @@
 #include "host/film/film_file.h"
 #include "host/film/merge.h"
 #include "host/python/film_arrays.h"
+#include "host/python/film_denoise.h"
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_log.h"
@@ -32,12 +33,15 @@ void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
 
 // The display options of the call replace those of the film.
 cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const py::kwargs& options) {
-  const cli::Arguments display = argumentsOf(kDisplayOptions, options);
+  const cli::Arguments given = argumentsOf(kSaveOptions, options);
   cli::Arguments arguments = film.arguments;
   arguments.outputs = outputs;
-  arguments.display = display.display;
-  arguments.exposure = display.exposure;
-  if (display.given.contains("--tonemap")) arguments.given.insert("--tonemap");
+  arguments.display = given.display;
+  arguments.exposure = given.exposure;
+  if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
+  if (options.contains("denoise")) arguments.denoise = given.denoise;
+  if (given.given.contains("--device")) arguments.device = given.device;
+  arguments.noCache = arguments.noCache || given.noCache;
   return arguments;
 }
 
@@ -51,7 +55,7 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& keywo
   const cli::Arguments arguments = savingArguments(film, outputs, options);
   PythonLog log;
   runWatched([&](const Watch&) {
-    if (!outputs.empty()) writeImages(film.picture(), arguments, log);
+    if (!outputs.empty()) writeImages(resultImage(film, arguments, log), arguments, log);
     if (!filmFile.empty()) writeFilmFile(film, filmFile);
   });
   log.passOn();
@@ -59,11 +63,13 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& keywo
 
 py::bytes png(const PythonFilm& film) {
   std::vector<std::byte> bytes;
+  PythonLog log;
   runWatched([&](const Watch&) {
-    const image::Image& image = film.picture();
+    const image::Image image = resultImage(film, film.arguments, log);
     const image::DisplayTransform display = chooseDisplay(film.arguments, image);
     bytes = image::toPng(image.alpha.empty() ? toPixels8(image, display) : toStraightPixels8(image, display));
   });
+  log.passOn();
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -112,7 +118,10 @@ void defineArrays(py::class_<PythonFilm, Film>& type) {
       .def_property_readonly("variance", &varianceOf,
                              "float32 (height, width): variance of the luminance of one sample, not of the mean")
       .def_property_readonly("samples", &samplesOf, "uint32 (height, width): number of samples")
-      .def_property_readonly("alpha", &alphaOf, "float32 (height, width), with background='none'; else None");
+      .def_property_readonly("alpha", &alphaOf, "float32 (height, width), with background='none'; else None")
+      .def_property_readonly("layers", &layersOf, "dict of the layers of aovs=[...] by name, as layer() returns them")
+      .def("layer", &layerOf, py::arg("name"), py::pos_only(),
+           "float32 (height, width) or (height, width, channels): a layer of aovs=[...]");
 }
 
 }  // namespace
@@ -122,9 +131,19 @@ const image::Image& PythonFilm::picture() const {
   return picture_;
 }
 
+const std::map<image::Layer, LayerValues>& PythonFilm::layers() const {
+  std::call_once(layersOnce_, [this] { layers_ = layersIn(picture(), film.layers()); });
+  return layers_;
+}
+
 const image::Image& pictureOf(const PythonFilm& film) {
   const py::gil_scoped_release released;
   return film.picture();
+}
+
+const std::map<image::Layer, LayerValues>& layerValuesOf(const PythonFilm& film) {
+  const py::gil_scoped_release released;
+  return film.layers();
 }
 
 void defineFilm(py::module_& module) {
@@ -138,8 +157,14 @@ void defineFilm(py::module_& module) {
                              [](const PythonFilm& film) { return fromJson(toJson(descriptionOf(film)).dump()); })
       .def_property_readonly("report", &reportOf)
       .def("save", &save,
-           "save(*files, checkpoint=None, tonemap='srgb', exposure=0)\n\nWrites image files (.png, .jpg, .hdr, .pfm, "
-           ".exr) and a film file, with the bytes that the program writes.")
+           ("save(*files, checkpoint=None, **options)\n\nWrites image files (.png, .jpg, .hdr, .pfm, .exr) and a film "
+            "file, with the bytes that the program writes.\n\n" +
+            helpOf(kSaveOptions))
+               .c_str())
+      .def("denoise", &denoised,
+           ("denoise(**options)\n\nfloat32 (height, width, 3): the denoised image, linear RGB.\n\n" +
+            helpOf(kDenoiseOptions))
+               .c_str())
       .def("_repr_png_", &png)
       .def("__repr__", &filmText);
   module.def("open_film", &open, py::arg("file"), py::pos_only(), "open_film(file, /) -> Film\n\nReads a film file.");

@@ -8,6 +8,7 @@
 #include "host/cli/render_images.h"
 #include "host/film/film_header.h"
 #include "host/film/work_report.h"
+#include "host/python/film_layers.h"
 
 namespace candela::python {
 
@@ -23,14 +24,19 @@ struct PythonFilm {
 
   /// Converts the sums once, also when several threads ask. Without the GIL.
   const image::Image& picture() const;
+  /// The layers of picture(), also made once.
+  const std::map<image::Layer, LayerValues>& layers() const;
 
  private:
-  mutable std::once_flag once_;
+  mutable std::once_flag once_, layersOnce_;
   mutable image::Image picture_;
+  mutable std::map<image::Layer, LayerValues> layers_;
 };
 
 /// Converts the sums of a film without the GIL, which the caller holds.
 const image::Image& pictureOf(const PythonFilm& film);
+/// Makes the layers of a film without the GIL, which the caller holds.
+const std::map<image::Layer, LayerValues>& layerValuesOf(const PythonFilm& film);
 
 void defineFilm(pybind11::module_& module);
 

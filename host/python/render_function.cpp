@@ -1,6 +1,7 @@
 // render(): as the command does, except that the film stays in memory.
 #include <nlohmann/json.hpp>
 
+#include "host/cli/denoise_film.h"
 #include "host/cli/output_check.h"
 #include "host/cli/statistics_report.h"
 #include "host/cli/trace_film.h"
@@ -18,7 +19,7 @@ using Film = std::shared_ptr<PythonFilm>;
 
 Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
   const double start = monotonicSeconds();
-  const cli::RenderJob job = scene.jobOf(arguments, log);
+  const cli::RenderJob job = renderJobOf(scene, arguments, log);
   cli::TracedFilm traced = traceFilm(job, start, {watch.stop, nullptr, watch.report}, log);
   if (traced.failure) throw Error(traced.failure->code, traced.failure->message);
   if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
@@ -38,6 +39,13 @@ Film render(const PythonScene& scene, const py::object& progress, const py::kwar
 }
 
 }  // namespace
+
+cli::RenderJob renderJobOf(const PythonScene& scene, const cli::Arguments& arguments, const Log& log) {
+  cli::requireDenoisable(arguments);
+  cli::RenderJob job = scene.jobOf(withDenoiseLayers(arguments), log);
+  cli::requireDenoisable(job);
+  return job;
+}
 
 Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,
             const film::WorkReport& work, double seconds, const Log& log) {

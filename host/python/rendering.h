@@ -5,8 +5,13 @@
 #include "host/cli/render_job.h"
 #include "host/film/work_report.h"
 #include "host/python/python_film.h"
+#include "host/python/python_scene.h"
 
 namespace candela::python {
+
+/// Returns the job of a render. With denoise=True, its film gets what the denoiser needs. Throws as
+/// PythonScene::jobOf() and cli::requireDenoisable() do.
+cli::RenderJob renderJobOf(const PythonScene& scene, const cli::Arguments& arguments, const Log& log);
 
 /// Returns the film of a render, with its report, and logs what is wrong with it.
 std::shared_ptr<PythonFilm> filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,

@@ -41,8 +41,9 @@ Shared prepare(const PythonScene& scene, const py::kwargs& options) {
   const cli::Arguments arguments = argumentsOf(kSessionOptions, options);
   auto shared = std::make_shared<SharedSession>();
   auto log = std::make_shared<PythonLog>();
-  runWatched(
-      [&](const Watch&) { shared->session = std::make_unique<PythonSession>(scene.jobOf(arguments, *log), log); });
+  runWatched([&](const Watch&) {
+    shared->session = std::make_unique<PythonSession>(renderJobOf(scene, arguments, *log), log);
+  });
   log->passOn();
   return shared;
 }

@@ -11,7 +11,7 @@ PROGRAM = os.environ["CANDELA_PROGRAM"]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CORNELL = SOURCE / "scenes/cornell.p3f"
 DEVICE = os.environ.get("CANDELA_TEST_DEVICE", "llvmpipe")
-FLAGS = ("one_sided", "resume_anyway")
+FLAGS = ("one_sided", "resume_anyway", "denoise")
 SMALL = {"size": (24, 20), "spp": 4}
 
 
@@ -19,6 +19,9 @@ def words_of(options):
     """The words of the command line for simple options."""
     words = []
     for name, value in options.items():
+        if name == "aovs":
+            words += ["--aov", value if isinstance(value, str) else ",".join(value) or "none"]
+            continue
         if isinstance(value, tuple):
             value = ("," if name in ("crop", "pixel") else "x").join(map(str, value))
         elif isinstance(value, range):

@@ -6,7 +6,7 @@ import unittest
 import numpy
 
 import candela
-from support import CORNELL, SMALL, FolderTest, cornell, run, words_of
+from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
 
 
 def read_pfm(file):
@@ -72,6 +72,67 @@ class Arrays(FolderTest):
         self.assertEqual((film.alpha.shape, film.alpha.dtype), ((20, 24), numpy.float32))
         self.assertTrue(film.alpha.min() >= 0 and film.alpha.max() == 1)
         self.assertTrue((film.image[film.alpha == 0] == 0).all())
+
+    def test_layers(self):
+        names = ["normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "moments"]
+        film = candela.render(cornell(), **SMALL, device="cpu", aovs=names + ["samples"])
+        self.assertEqual(set(film.layers), set(names))
+        depths = {"depth": (), "uv": (2,), "moments": (5,)}
+        for name in names:
+            layer = film.layer(name)
+            self.assertEqual((layer.shape, layer.dtype), ((20, 24) + depths.get(name, (3,)), numpy.float32))
+            self.assertTrue(numpy.shares_memory(layer, film.layer(name)) and numpy.shares_memory(layer, film.layers[name]))
+            with self.assertRaises(ValueError):
+                layer[0, 0] = 1
+        numpy.testing.assert_allclose(film.layer("direct") + film.layer("indirect") + film.layer("emission"), film.image,
+                                      rtol=1e-6, atol=1e-6)
+        self.assertTrue(numpy.shares_memory(film.layer("samples"), film.samples))
+        self.assertTrue(numpy.shares_memory(film.layer("variance"), film.variance))
+        self.assertEqual(self.film.layers, {})
+
+    def test_layers_are_those_of_the_file(self):
+        import OpenImageIO
+        options = {**SMALL, "device": "cpu"}
+        film = candela.render(cornell(), **options, aovs=["normal", "depth", "uv"])
+        run(CORNELL, *words_of(options), "--aov", "normal,depth,uv", "-o", self.folder / "b.exr")
+        source = OpenImageIO.ImageInput.open(str(self.folder / "b.exr"))
+        names, pixels = source.spec().channelnames, source.read_image("float")
+        for layer, channels in (("normal", ("N.X", "N.Y", "N.Z")), ("depth", ("Z",)), ("uv", ("uv.U", "uv.V"))):
+            expected = pixels[:, :, [names.index(channel) for channel in channels]]
+            numpy.testing.assert_array_equal(film.layer(layer).reshape(expected.shape), expected)
+
+    def test_a_layer_keeps_its_film_alive(self):
+        film = candela.render(cornell(), **SMALL, device="cpu", aovs=["albedo"])
+        expected = film.layer("albedo").copy()
+        array = film.layer("albedo")
+        self.assertIs(array.base, film)
+        del film
+        gc.collect()
+        others = [candela.render(cornell(), **SMALL, device="cpu", seed=seed, aovs=["albedo"]).layers for seed in range(3)]
+        numpy.testing.assert_array_equal(array, expected)
+        del others
+
+    def test_denoised(self):
+        film = candela.render(cornell(), **SMALL, device="cpu", denoise=True)
+        before = film.image.copy()
+        denoised = film.denoise()
+        self.assertEqual((denoised.shape, denoised.dtype), ((20, 24, 3), numpy.float32))
+        film.save(self.folder / "a.pfm")
+        numpy.testing.assert_array_equal(denoised, read_pfm(self.folder / "a.pfm"))
+        numpy.testing.assert_array_equal(film.image, before)
+        self.assertTrue((denoised != before).any())
+        numpy.testing.assert_allclose(film.denoise(device=DEVICE), denoised, rtol=1e-4, atol=1e-4)
+
+    def test_sessions_have_layers(self):
+        with candela.Session(cornell(), **SMALL, device=DEVICE, aovs=["normal"], denoise=True) as session:
+            session.advance(2)
+            first = session.film
+            session.advance()
+            film = session.film
+        whole = candela.render(cornell(), **SMALL, device=DEVICE, aovs=["normal", "moments"])
+        self.assertEqual(set(film.layers), {"normal", "moments"})
+        numpy.testing.assert_array_equal(film.layer("moments"), whole.layer("moments"))
+        self.assertTrue((first.samples == 2).all() and first.denoise().shape == (20, 24, 3))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,11 @@ RENDERS = {
     "alpha": {"device": "cpu", "background": "none"},
     "depth": {"device": "cpu", "integrator": "depth"},
     "one sample": {"device": DEVICE, "spp": 0},
+    "layers": {"device": "cpu", "aovs": ["normal", "albedo", "depth", "samples"]},
+    "layers of a device": {"device": DEVICE, "aovs": "indirect,uv"},
+    "no layers": {"device": "cpu", "aovs": []},
+    "denoised": {"device": "cpu", "denoise": True},
+    "denoised by a device": {"device": DEVICE, "denoise": True, "aovs": ["position"]},
 }
 
 
@@ -29,6 +34,20 @@ class Bytes(FolderTest):
                 for end in ("exr", "png", "hdr", "pfm", "jpg", "film"):
                     self.assert_same_bytes(f"a.{end}", f"b.{end}")
                 (self.folder / "b.film").unlink()
+
+    def test_denoising_of_films(self):
+        film = candela.render(cornell(), **SMALL, device="cpu", aovs=["moments"])
+        film.save(self.folder / "plain.exr", checkpoint=self.folder / "film.exr")
+        film.save(self.folder / "a.exr", denoise=True)
+        for source in (film, candela.open_film(self.folder / "film.exr")):
+            source.save(self.folder / "b.pfm", denoise=True, device="cpu")
+            run("denoise", self.folder / "film.exr", "--device", "cpu", "-o", self.folder / "c.pfm")
+            self.assert_same_bytes("b.pfm", "c.pfm")
+        run(CORNELL, *words_of(SMALL), "--device", "cpu", "--denoise", "-o", self.folder / "b.exr")
+        self.assert_same_bytes("a.exr", "b.exr")
+        self.assertNotEqual((self.folder / "a.exr").read_bytes(), (self.folder / "plain.exr").read_bytes())
+        candela.render(cornell(), **SMALL, device="cpu", denoise=True).save(self.folder / "plain2.exr", denoise=False)
+        self.assert_same_bytes("plain.exr", "plain2.exr")
 
     def test_options_of_the_scene_file(self):
         given = {"env": "sun:30,120,3", "env_rotate": -20, "env_scale": 0.25}
@@ -68,7 +87,7 @@ class Bytes(FolderTest):
         self.assertEqual([resumed.hash, candela.merge(parts).hash], [whole.hash, whole.hash])
 
     def test_notebooks_show_the_png(self):
-        for options in ({}, {"integrator": "depth"}, {"background": "none"}):
+        for options in ({}, {"integrator": "depth"}, {"background": "none"}, {"denoise": True}):
             film = candela.render(cornell(), **SMALL, device="cpu", **options)
             film.save(self.folder / "a.png")
             self.assertEqual(film._repr_png_(), (self.folder / "a.png").read_bytes())

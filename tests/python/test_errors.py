@@ -31,6 +31,29 @@ class Errors(FolderTest):
                     candela.render(cornell(), **options)
                 self.check(caught.exception, run(CORNELL, *words_of(options), "-o", self.folder / "a.png", code=1))
 
+    def test_layers_and_denoising(self):
+        wrong = [{"aovs": ["normals"]}, {"aovs": ["normal"], "integrator": "ao"}, {"denoise": True, "integrator": "ao"},
+                 {"denoise": True, "spp": 1}, {"denoise": True, "spp": 0}]
+        for change in wrong:
+            with self.subTest(change):
+                options = {**SMALL, "device": "cpu", **change}
+                with self.assertRaises(candela.UsageError) as caught:
+                    candela.render(cornell(), **options)
+                self.check(caught.exception, run(CORNELL, *words_of(options), "-o", self.folder / "a.exr", code=1))
+        film = candela.render(cornell(), **SMALL, device="cpu", aovs=["normal", "uv"])
+        with self.assertRaisesRegex(candela.UsageError, 'the film has no layer "depth"; its layers are normal,uv'):
+            film.layer("depth")
+        with self.assertRaisesRegex(candela.UsageError, 'the film has no layer "colour"'):
+            film.layer("colour")
+        film.save(checkpoint=self.folder / "a.film")
+        with self.assertRaises(candela.UsageError) as caught:
+            film.denoise()
+        done = run("denoise", self.folder / "a.film", "-o", self.folder / "a.exr", code=2)
+        self.assertEqual(text_of(done), f"{self.folder / 'a.film'}: {caught.exception}")
+        with self.assertRaises(candela.UsageError):
+            film.save(self.folder / "a.exr", denoise=True)
+        self.assertFalse((self.folder / "a.exr").exists())
+
     def test_devices(self):
         with self.assertRaises(candela.NoDeviceError) as caught:
             candela.render(cornell(), **SMALL, device="no such device")

@@ -14,6 +14,9 @@ _Duration = float | str  #: seconds, or with a unit: "90s", "1.5min", "2h"
 _Progress = Callable[[float, int], object]  #: gets the fraction that is done and a number of samples
 _Vector = Sequence[float] | numpy.typing.NDArray[Any]
 _Integrator = Literal["path", "whitted", "ao", "normal", "albedo", "depth", "id", "cost"]
+_Layer = Literal[
+    "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments"
+]
 _Floats = numpy.typing.NDArray[numpy.float32]
 
 class _Material(TypedDict, total=False):
@@ -93,6 +96,9 @@ class Film:
     @property
     def alpha(self) -> _Floats | None: ...
     @property
+    def layers(self) -> dict[str, _Floats]: ...
+    def layer(self, name: _Layer, /) -> numpy.typing.NDArray[Any]: ...
+    @property
     def width(self) -> int: ...
     @property
     def height(self) -> int: ...
@@ -110,7 +116,17 @@ class Film:
         checkpoint: _Path | None = None,
         tonemap: Literal["none", "srgb", "aces", "aces-hill", "agx", "pbr-neutral", "neutral"] | None = None,
         exposure: float | Literal["auto"] | None = None,
+        denoise: bool | None = None,
+        device: str | int | None = None,
+        no_cache: bool | None = None,
     ) -> None: ...
+    def denoise(
+        self,
+        *,
+        device: str | int | None = None,
+        hang_timeout: _Duration | None = None,
+        no_cache: bool | None = None,
+    ) -> _Floats: ...
     def _repr_png_(self) -> bytes: ...
 
 @final
@@ -152,6 +168,8 @@ class Session:
         untuned: bool | None = None,
         no_cache: bool | None = None,
         threads: int | None = None,
+        aovs: Sequence[_Layer] | str | None = None,
+        denoise: bool | None = None,
     ) -> None: ...
     def advance(self, samples: int | range | None = None, *, progress: _Progress | None = None) -> None: ...
     def reset(self, seed: int) -> None: ...
@@ -257,6 +275,8 @@ def render(
     time_limit: _Duration | None = None,
     samples: range | str | None = None,
     crop: tuple[int, int, int, int] | str | None = None,
+    aovs: Sequence[_Layer] | str | None = None,
+    denoise: bool | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
 def merge(files: Sequence[_Path], /, *, mixed_devices: bool | None = None, partial: bool | None = None) -> Film: ...

@@ -1,0 +1,32 @@
+// Denoises copies of a film's picture as the commands do.
+#include "host/python/film_denoise.h"
+
+#include "host/cli/denoise_film.h"
+#include "host/python/options.h"
+#include "host/python/python_log.h"
+#include "host/python/watched.h"
+
+namespace candela::python {
+
+namespace py = pybind11;
+
+image::Image resultImage(const PythonFilm& film, const cli::Arguments& arguments, const Log& log) {
+  image::Image image = film.picture();
+  if (arguments.denoise) denoiseResult(image, film.film, film.isInterrupted, arguments, log);
+  return image;
+}
+
+py::array denoised(const PythonFilm& film, const py::kwargs& options) {
+  cli::Arguments arguments = argumentsOf(kDenoiseOptions, options);
+  if (!arguments.given.contains("--device")) arguments.device = film.arguments.device;
+  PythonLog log;
+  image::Image image;
+  runWatched([&](const Watch&) {
+    image = film.picture();
+    denoiseImage(image, film.film, arguments, log);
+  });
+  log.passOn();
+  return py::array_t<float>({film.film.height(), film.film.width(), 3u}, &image.rgb.data()->x);
+}
+
+}  // namespace candela::python

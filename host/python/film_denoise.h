@@ -1,0 +1,16 @@
+// Denoised pictures of films.
+#pragma once
+#include <pybind11/numpy.h>
+
+#include "host/core/log.h"
+#include "host/python/python_film.h"
+
+namespace candela::python {
+
+/// Returns the image that is saved and shown: that of the film, denoised if `arguments` say so. Without the GIL.
+image::Image resultImage(const PythonFilm& film, const cli::Arguments& arguments, const Log& log);
+
+/// Returns a new array, float32, (height, width, 3). By default, the device of the render denoises.
+pybind11::array denoised(const PythonFilm& film, const pybind11::kwargs& options);
+
+}  // namespace candela::python
