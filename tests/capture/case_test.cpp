@@ -55,8 +55,8 @@ TEST_CASE("capture: the known faults of lavapipe 22.3.6 come down to one or two 
     CHECK(run.exitCode == (isWrong ? 1 : 0));
     if (!isWrong) continue;
     CHECK_THAT(run.out, Contains(known.mismatch));
-    CHECK_THAT(readFile(output + "/capture.h"), Contains(known.header));
-    CHECK_THAT(readFile(output + "/README.md"), Contains("values differ"));
+    CHECK_THAT(readText(output + "/capture.h"), Contains(known.header));
+    CHECK_THAT(readText(output + "/README.md"), Contains("values differ"));
   }
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("capture: a planted fault of a compiler shows in the program where the
   compileReproducer(output);
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output).exitCode == 0);
-  CHECK_THAT(readFile(output + "/capture.h"), Contains(".push = {0x1u"));
+  CHECK_THAT(readText(output + "/capture.h"), Contains(".push = {0x1u"));
 }
 
 TEST_CASE("capture: what a program cannot run is no mismatch") {

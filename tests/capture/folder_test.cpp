@@ -34,8 +34,8 @@ TEST_CASE("A capture is written to a new folder, or to an empty one") {
     writeFolder(smallCapture(), folder.path(name));
     CHECK(fs::file_size(folder.path(name) + "/module_0.spv") == 12);
     CHECK(fs::file_size(folder.path(name) + "/expected.bin") == 32);
-    CHECK(readFile(folder.path(name) + "/minimum.txt") == "10\n");
-    CHECK(readFile(folder.path(name) + "/scene.p3f") == "l 0 0 0\n");
+    CHECK(readText(folder.path(name) + "/minimum.txt") == "10\n");
+    CHECK(readText(folder.path(name) + "/scene.p3f") == "l 0 0 0\n");
     CHECK_FALSE(fs::exists(folder.path(name) + "/buffer_0.bin"));
     CHECK((fs::status(folder.path(name) + "/interesting.sh").permissions() & fs::perms::owner_exec) != fs::perms::none);
   }
@@ -51,7 +51,7 @@ TEST_CASE("A folder with files, a file and a folder in no folder are refused") {
   CHECK_THROWS_WITH(requireNewFolder(folder.path("file")), Catch::Contains("is a file"));
   CHECK_THROWS_WITH(requireNewFolder(folder.path("none/new")), Catch::Contains("there is no folder"));
   CHECK_THROWS_AS(writeFolder(smallCapture(), folder.path("full")), FileError);
-  CHECK(readFile(folder.path("full/a")) == "a");
+  CHECK(readText(folder.path("full/a")) == "a");
 }
 
 TEST_CASE("A capture that cannot be written leaves nothing") {

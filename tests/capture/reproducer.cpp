@@ -17,7 +17,7 @@ ProgramResult captureTo(const std::string& folder, std::vector<std::string> word
 }
 
 void compileReproducer(const std::string& folder) {
-  const std::string source = readFile(folder + "/reproduce.c");
+  const std::string source = readText(folder + "/reproduce.c");
   CHECK(std::ranges::count(source, '\n') <= 500);
   for (const std::string compiler : {CANDELA_CLANG, CANDELA_C_COMPILER}) {
     if (compiler.empty()) continue;

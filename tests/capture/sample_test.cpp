@@ -29,7 +29,7 @@ TEST_CASE("capture: one dispatch of a path kernel gives the reference's values, 
   const ProgramResult run = runIn(folder.path("mega"));
   INFO(run.out);
   CHECK(run.exitCode == 0);
-  const std::string header = readFile(folder.path("mega/capture.h"));
+  const std::string header = readText(folder.path("mega/capture.h"));
   CHECK_THAT(header, Contains("module_0.spv"));
   CHECK_THAT(header, !Contains("module_1.spv"));
   CHECK_THAT(header, Contains(".groups = {1, 1, 1}"));
@@ -40,7 +40,7 @@ TEST_CASE("capture: a wavefront is captured with all its dispatches", "[swiftsha
   captureTo(folder.path("wave"), cornell({"--kernel", "wavefront", "--max-depth", "3"}));
   compileReproducer(folder.path("wave"));
   CHECK(runIn(folder.path("wave")).exitCode == 0);
-  CHECK_THAT(readFile(folder.path("wave/capture.h")), Contains("COMMAND_DISPATCH_INDIRECT"));
+  CHECK_THAT(readText(folder.path("wave/capture.h")), Contains("COMMAND_DISPATCH_INDIRECT"));
 }
 
 TEST_CASE("capture: a planted fault shrinks to few statements and short paths", "[swiftshader-slow]") {
@@ -50,8 +50,8 @@ TEST_CASE("capture: a planted fault shrinks to few statements and short paths", 
   CHECK_THAT(result.out, Contains("1 x 1 pixels from 20,40 in workgroups of 1 x 1"));
   CHECK_THAT(result.out, Contains("gives other values: "));
   CHECK_THAT(result.out, !Contains("with 19 of 19 statements"));
-  const std::string scene = readFile(folder.path("new/scene.p3f"));
-  CHECK(scene.size() < readFile(kCornell).size());
+  const std::string scene = readText(folder.path("new/scene.p3f"));
+  CHECK(scene.size() < readText(kCornell).size());
   CHECK(runCandela({"check", folder.path("new/scene.p3f")}).exitCode == 0);
   compileReproducer(folder.path("new"));
   CHECK(runIn(folder.path("new"), faulty).exitCode == 1);

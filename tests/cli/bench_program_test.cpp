@@ -39,7 +39,7 @@ TEST_CASE("bench table1 measures three structures on two built-in scenes, withou
     CHECK_FALSE(row.contains("publishedSeconds"));  // the published seconds are for other work
   }
   CHECK(report["rows"][0]["filmHash"] != report["rows"][3]["filmHash"]);
-  CHECK_THAT(readFile(markdown), Contains("| mirror | uniform grid |") && !Contains("published"));
+  CHECK_THAT(readText(markdown), Contains("| mirror | uniform grid |") && !Contains("published"));
 }
 
 TEST_CASE("bench accel compares structures on any scenes") {

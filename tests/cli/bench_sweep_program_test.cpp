@@ -33,7 +33,7 @@ TEST_CASE("bench SCENE renders every combination of the options that are swept")
   CHECK(report["rows"][2]["structure"] == "grid");
   CHECK(report["rows"][0]["filmHash"] == report["rows"][3]["filmHash"]);
   CHECK(report["processBytes"] > 1'000'000);
-  CHECK_THAT(readFile(folder.path("a.svg")), Contains("accel=grid threads=2"));
+  CHECK_THAT(readText(folder.path("a.svg")), Contains("accel=grid threads=2"));
 }
 
 TEST_CASE("options that determine the image can be swept, and only variants with equal images are compared") {
@@ -83,7 +83,7 @@ TEST_CASE("bench compare exits with 3 if a row became slower, and with 0 for equ
   const std::string old = folder.path("old.json");
   REQUIRE(benchScene(folder, {"--sweep", "threads=1,2", "--json", old}).exitCode == 0);
   CHECK(runCandela({"bench", "compare", old, old}).exitCode == 0);
-  json report = json::parse(readFile(old));
+  json report = json::parse(readText(old));
   report["rows"][1]["mraysPerSecond"] = report["rows"][1]["mraysPerSecond"].get<double>() * 0.9;
   const std::string slower = folder.write("new.json", report.dump());
   const ProgramResult result = runCandela({"bench", "compare", old, slower, "--threshold", "5%"});

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MarkedPage readPage() { return readMarkedPage(readFile(CANDELA_SOURCE_DIR "/docs/ci.md")); }
+MarkedPage readPage() { return readMarkedPage(readText(CANDELA_SOURCE_DIR "/docs/ci.md")); }
 
 const MarkedBlock& theBlock(const MarkedPage& page, const std::string& mark) {
   const auto found = std::ranges::find(page.blocks, mark, &MarkedBlock::mark);
@@ -40,7 +40,7 @@ std::set<std::string> installedBy(const std::string& commands) {
 }
 
 std::set<std::string> packagesToRun() {
-  std::istringstream lines(readFile(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
+  std::istringstream lines(readText(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
   std::set<std::string> packages;
   for (std::string line; std::getline(lines, line);) {
     if (line.find('#') == std::string::npos) packages.insert(line);

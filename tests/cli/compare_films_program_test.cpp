@@ -90,11 +90,11 @@ TEST_CASE("a report on two films is one page, the same each time, written comple
   const std::string b = renderFilm(folder, "b.exr", "2");
   const std::string page = folder.path("report.html");
   CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
-  const std::string first = readFile(page);
+  const std::string first = readText(page);
   CHECK_THAT(first, Contains("A and B show the same light") && Contains("map-t8") &&
                         Contains("candela render scene.p3f --spp 16"));
   CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
-  CHECK(readFile(page) == first);
+  CHECK(readText(page) == first);
 
   const std::size_t files = folder.fileCount();
   CHECK(runCandela({"compare", a, folder.path("missing.exr"), "--report", folder.path("other.html")}).exitCode == 2);

@@ -37,7 +37,7 @@ TEST_CASE("a film of --denoise is that of --aov moments") {
   const std::string a = folder.path("a.exr"), b = folder.path("b.exr");
   REQUIRE(renderSmall(folder, {"--spp", "4", "--denoise", "--checkpoint", a}).exitCode == 0);
   REQUIRE(renderSmall(folder, {"--spp", "4", "--aov", "moments", "--checkpoint", b}).exitCode == 0);
-  CHECK(readFile(a) == readFile(b));
+  CHECK(readText(a) == readText(b));
 }
 
 TEST_CASE("there is no verdict on the light of denoised images, and --alpha is refused") {

@@ -157,7 +157,7 @@ TEST_CASE("verify finds the same light on both sides and writes text, JSON and J
   CHECK(report["bias"] == 0.05);
   CHECK(report["sameLight"]["information"] == 1.0);
   CHECK(report["sameLight"]["regions"][0]["detectableBias"] < 0.06);
-  CHECK(contains(readFile(junit), "failures=\"0\""));
+  CHECK(contains(readText(junit), "failures=\"0\""));
 }
 
 TEST_CASE("compare SCENE and verify write a page that names the device, with pictures, maps and the verdict",
@@ -166,14 +166,14 @@ TEST_CASE("compare SCENE and verify write a page that names the device, with pic
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string page = folder.path("report.html");
   REQUIRE(runOnDevice({"compare", scene, "--report", page, "-q"}).exitCode == 0);
-  const std::string compared = readFile(page);
+  const std::string compared = readText(page);
   CHECK(contains(compared, "They agree.</strong>"));
   CHECK(contains(compared, "Device: "));
   CHECK(contains(compared, "candela compare " + scene));
   CHECK_FALSE(contains(compared, "map-t8"));
 
   REQUIRE(runOnDevice({"verify", scene, "--bias", "5%", "--report", page, "-q"}).exitCode == 0);
-  const std::string verified = readFile(page);
+  const std::string verified = readText(page);
   CHECK(contains(verified, "Device and reference compute the same light"));
   CHECK(contains(verified, "map-t8"));
   CHECK(contains(verified, "candela verify " + scene));
@@ -211,7 +211,7 @@ TEST_CASE("two tracers that agree on bad samples fail only with --strict, and ha
   }
   const json counts = json::parse(compared.out)["badSamples"];
   CHECK(counts["device"]["samples"] == counts["reference"]["samples"]);
-  CHECK(contains(readFile(junit), "failures=\"1\""));
+  CHECK(contains(readText(junit), "failures=\"1\""));
 
   const std::string exr = folder.path("a.exr");
   CHECK(runOnDevice({scene, "-o", exr, "--spp", "4", "--strict"}).exitCode == 3);

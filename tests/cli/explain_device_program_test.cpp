@@ -28,7 +28,7 @@ TEST_CASE("explain prints two equal paths as text and as JSON") {
   REQUIRE(result.exitCode == 0);
   CHECK_THAT(result.out, Contains("a.p3f, pixel 8,6, sample 3, seed 2: ") && Contains("The two paths agree: ") &&
                              Contains("\ncamera\n") && Contains("\nvertex 1\n") && Contains("\nsample\n"));
-  const json report = json::parse(readFile(file));
+  const json report = json::parse(readText(file));
   CHECK(report["equal"] == true);
   CHECK(report["sample"] == 3);
   CHECK(report["stages"].size() == 2 + report["vertexCount"]["device"].get<std::size_t>());

@@ -28,7 +28,7 @@ TEST_CASE("a device's film with alpha has the same bytes however it was divided"
   requireEqualDivisions(runs, folder, {"--background", "none"});
   const std::string scene = folder.path("scene.p3f");
   CHECK(runs.film(scene, folder.path("wavefront.exr"), {"--background", "none", "--kernel", "wavefront"}) ==
-        readFile(folder.path("whole.exr")));
+        readText(folder.path("whole.exr")));
 }
 
 TEST_CASE("a device's film with layers has the same bytes however it was divided", "[swiftshader-slow]") {
@@ -39,7 +39,7 @@ TEST_CASE("a device's film with layers has the same bytes however it was divided
   std::vector<std::string> options = layers;
   options.insert(options.end(), {"--kernel", "wavefront"});
   CHECK(runs.film(folder.path("scene.p3f"), folder.path("wavefront.exr"), options) ==
-        readFile(folder.path("whole.exr")));
+        readText(folder.path("whole.exr")));
 }
 
 TEST_CASE("the wavefront goes on from the megakernel's film, and gives its bytes") {

@@ -30,9 +30,9 @@ TEST_CASE("a film with layers can be divided, lists them, and gives the pictures
   const image::Image a = image::readImage(folder.path("a.exr")), b = image::readImage(folder.path("b.exr"));
   CHECK(a.rgb == b.rgb);
   REQUIRE(runCandela({"film", film, "-o", folder.path("c.exr")}).exitCode == 0);
-  CHECK(readFile(folder.path("b.exr")) == readFile(folder.path("c.exr")));
+  CHECK(readText(folder.path("b.exr")) == readText(folder.path("c.exr")));
   for (const char* name : {"N.X", "albedo.G", "uv.V", "indirect.B", "emission.R"}) {
-    CHECK(readFile(folder.path("b.exr")).find(name) != std::string::npos);
+    CHECK(readText(folder.path("b.exr")).find(name) != std::string::npos);
   }
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("a film with alpha can be divided, and gives the pictures that the ren
   words.insert(words.end(), options.begin(), options.end());
   kReference.film(scene, film, words);
   REQUIRE(runCandela({"film", film, "-o", folder.path("b.png"), "-o", folder.path("b.exr")}).exitCode == 0);
-  CHECK(readFile(folder.path("a.png")) == readFile(folder.path("b.png")));
+  CHECK(readText(folder.path("a.png")) == readText(folder.path("b.png")));
   const std::vector<float> alpha = image::readImage(folder.path("a.exr")).alpha;
   CHECK(alpha == image::readImage(folder.path("b.exr")).alpha);
   CHECK(std::ranges::count(alpha, 0.0f) > 10);
@@ -114,8 +114,8 @@ TEST_CASE("candela film describes a film, and makes the pictures that the render
     REQUIRE(
         runCandela({"film", film, "-o", folder.path("b.png"), "-o", folder.path("b.hdr"), "-o", folder.path("b.exr")})
             .exitCode == 0);
-    CHECK(readFile(folder.path("a.png")) == readFile(folder.path("b.png")));
-    CHECK(readFile(folder.path("a.hdr")) == readFile(folder.path("b.hdr")));
+    CHECK(readText(folder.path("a.png")) == readText(folder.path("b.png")));
+    CHECK(readText(folder.path("a.hdr")) == readText(folder.path("b.hdr")));
     CHECK(image::readImage(folder.path("b.exr")).rgb == image::readImage(film).rgb);
     const ProgramResult text = runCandela({"film", film});
     CHECK_THAT(text.out, Contains("holds") && Contains("samples 0:12 of crop 0,0,48,36") && Contains("cpu"));

@@ -157,7 +157,7 @@ TEST_CASE("a film file is not overwritten by a render that does not go on from i
   const std::string film = folder.path("film.exr");
   const std::string before = kReference.film(scene, film);
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", film}), Contains("exists") && Contains("--resume " + film));
-  CHECK(readFile(film) == before);
+  CHECK(readText(film) == before);
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", "/dev/null"}), Contains("regular file"));
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", folder.path("no/where.exr")}), Contains("no folder"));
 }

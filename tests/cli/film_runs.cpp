@@ -43,7 +43,7 @@ void requireMerged(const FilmRuns& runs, const TemporaryFolder& folder, const st
     const ProgramResult result = runCandela(with(with({"merge"}, files), {"-o", merged}));
     INFO(result.err);
     REQUIRE(result.exitCode == 0);
-    CHECK(readFile(merged) == whole);
+    CHECK(readText(merged) == whole);
     std::ranges::reverse(files);
   }
 }
@@ -92,7 +92,7 @@ std::string FilmRuns::film(const std::string& scene, const std::string& file,
   const ProgramResult result = run(scene, with(options, {"--checkpoint", file}));
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
-  return readFile(file);
+  return readText(file);
 }
 
 std::string FilmRuns::refusal(const std::string& scene, const std::vector<std::string>& options) const {

@@ -24,7 +24,7 @@ struct FilmRuns {
 
 inline const FilmRuns kReference{{"--device", "cpu", "--size", "48x36", "--spp", "12"}};
 
-inline nlohmann::json jsonOf(const std::string& file) { return nlohmann::json::parse(readFile(file)); }
+inline nlohmann::json jsonOf(const std::string& file) { return nlohmann::json::parse(readText(file)); }
 
 /// Requires that the film of a render of 48x36 pixels and 12 or more samples has the same bytes in one run, from shards
 /// by samples, by crops and by both, merged in two orders, and resumed twice.

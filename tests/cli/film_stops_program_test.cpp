@@ -70,7 +70,7 @@ TEST_CASE("SIGUSR1 has the film written, again and again, and changes nothing") 
   const std::string film = folder.path("a.exr");
   const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--checkpoint-every", "1h", "-v"}, surroundings);
   CHECK(result.exitCode == 0);
-  CHECK(readFile(film) == whole);
+  CHECK(readText(film) == whole);
   std::size_t writes = 0;
   for (std::size_t at = 0; (at = result.err.find("a.exr: written after", at)) != std::string::npos; ++at) ++writes;
   CHECK(writes >= 3);

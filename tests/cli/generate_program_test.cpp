@@ -11,7 +11,7 @@ TEST_CASE("a scene is written to the file of -o, or to stdout") {
   CHECK(toFile.exitCode == 0);
   CHECK(toFile.out.empty());
   CHECK(contains(toFile.err, "balls of size 2: 93 primitives"));
-  const std::string text = readFile(folder.path("balls.nff"));
+  const std::string text = readText(folder.path("balls.nff"));
   CHECK(formats::loadScene(folder.path("balls.nff")).scene.primitives.size() == 93);
 
   for (const auto& words :
@@ -78,7 +78,7 @@ TEST_CASE("Ctrl-C leaves the old file unchanged and no partial new file") {
   const ProgramResult result = runCandela({"generate", "lattice", "--size", "113", "-o", file}, interrupted);
   CHECK(result.exitCode == 7);
   CHECK(contains(result.err, "interrupted"));
-  CHECK(readFile(file) == "old");
+  CHECK(readText(file) == "old");
   CHECK(folder.fileCount() == 1);
 }
 

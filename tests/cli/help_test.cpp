@@ -13,7 +13,7 @@ namespace {
 
 // The text between "```text" and "```" after a marker in a page of docs/.
 std::string quotedBlock(const std::string& page, const std::string& marker) {
-  const std::string text = readFile(CANDELA_SOURCE_DIR "/docs/" + page);
+  const std::string text = readText(CANDELA_SOURCE_DIR "/docs/" + page);
   const std::string opening = "```text\n";
   const std::size_t start = text.find(opening, text.find("<!-- " + marker));
   REQUIRE(start != std::string::npos);
@@ -27,7 +27,7 @@ TEST_CASE("the documentation quotes the help") {
 }
 
 TEST_CASE("the documentation quotes the list of packages") {
-  std::istringstream lines(readFile(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
+  std::istringstream lines(readText(CANDELA_SOURCE_DIR "/cmake/packages.txt"));
   std::string packages;
   for (std::string line; std::getline(lines, line);) {
     if (line.front() != '#') packages += line + "\n";

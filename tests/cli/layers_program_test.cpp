@@ -64,7 +64,7 @@ TEST_CASE("a PNG file beside the EXR file shows the image as without layers") {
   const std::string exr = folder.path("a.exr"), png = folder.path("a.png"), plain = folder.path("b.png");
   REQUIRE(renderLayers(folder, {"--aov", "uv,normal", "-o", exr, "-o", png}).exitCode == 0);
   REQUIRE(renderLayers(folder, {"-o", plain}).exitCode == 0);
-  CHECK(readFile(png) == readFile(plain));
+  CHECK(readText(png) == readText(plain));
 }
 
 }  // namespace candela

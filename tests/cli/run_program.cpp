@@ -8,8 +8,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -88,35 +86,9 @@ ProgramResult runProgram(const std::string& program, const std::vector<std::stri
   const pid_t child = spawn(program, words, environment, out, folder.path("err"));
   ProgramResult result;
   result.exitCode = waitFor(child, surroundings);
-  result.out = readFile(folder.path("out"));
-  result.err = readFile(folder.path("err"));
+  result.out = readText(folder.path("out"));
+  result.err = readText(folder.path("err"));
   return result;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "candela-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for a test");
-  folder_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  std::ofstream(folder_ / name, std::ios::binary) << content;
-  return path(name);
-}
-
-std::size_t TemporaryFolder::fileCount() const {
-  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
-}
-
-std::string readFile(const std::string& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
 }
 
 std::string smallScene(const std::string& extra) {

@@ -3,10 +3,11 @@
 #include <signal.h>
 
 #include <chrono>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "tests/core/temporary_folder.h"
 
 namespace candela {
 
@@ -36,25 +37,6 @@ ProgramResult runProgram(const std::string& program, const std::vector<std::stri
                          const Surroundings& surroundings = {});
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  /// Creates a file and gives its path.
-  std::string write(const std::string& name, const std::string& content) const;
-  std::size_t fileCount() const;
-
- private:
-  std::filesystem::path folder_;
-};
-
-std::string readFile(const std::string& path);
 
 /// A diffuse ball on a floor under a light, 16x12 pixels; `extra` lines are appended.
 std::string smallScene(const std::string& extra = "");

@@ -31,7 +31,7 @@ TEST_CASE("a render with bad samples reports their number, positions and replays
   CHECK_THAT(result.err, Contains("samples in") && Contains("the first is sample 0; replay: candela explain ") &&
                              Contains("--seed 3") && Contains("--sample 0"));
 
-  const json statistics = json::parse(readFile(report));
+  const json statistics = json::parse(readText(report));
   const image::Image image = image::readImage(exr);
   CHECK(image.badSampleCounts[4 * 8 + 4] == 4);
   CHECK(image.badSampleCounts[0] == 0);

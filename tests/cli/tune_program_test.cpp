@@ -85,12 +85,12 @@ TEST_CASE("tune stores its result for this device and reports its measurements",
   INFO(tuned.out << tuned.err);
   REQUIRE(tuned.exitCode == 0);
   CHECK_THAT(tuned.out, Contains("chosen: layout=") && Contains("stored in " + home.cache()));
-  const json report = json::parse(readFile(home.path("report.json")));
+  const json report = json::parse(readText(home.path("report.json")));
   CHECK(report["rows"].size() >= 4 + 5);
   for (const json& row : report["rows"]) CHECK(row["sameImage"] == true);
   REQUIRE(home.kept().size() == 1);
   CHECK(report["file"] == home.kept().front());
-  CHECK(json::parse(readFile(home.kept().front()))["choice"] == report["chosen"]);
+  CHECK(json::parse(readText(home.kept().front()))["choice"] == report["chosen"]);
   CHECK(home.keep(tune::builtIn()) == home.kept().front());
   CHECK(home.kept().size() == 1);
 }

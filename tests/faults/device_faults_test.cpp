@@ -32,7 +32,7 @@ class Render {
     const ProgramResult result = run(options, faults);
     INFO(result.err);
     CHECK(result.exitCode == 0);
-    return readFile(folder.path(name));
+    return readText(folder.path(name));
   }
 
   const TemporaryFolder folder;
@@ -59,7 +59,7 @@ TEST_CASE("an image whose device fails while it is denoised is denoised by the h
     const ProgramResult result = runCandela({"denoise", film, "-o", b}, withFaults(faults));
     CHECK(result.exitCode == 0);
     CHECK(contains(result.err, "; the host denoises the image instead"));
-    CHECK(readFile(a) == readFile(b));
+    CHECK(readText(a) == readText(b));
   }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("a render without a checkpoint leaves a film beside its output") {
   CHECK(image::readImage(picture).width == 32);
   const ProgramResult end = render.run({"--resume", film, "--checkpoint", film});
   CHECK(end.exitCode == 0);
-  CHECK(readFile(film) == whole);
+  CHECK(readText(film) == whole);
 }
 
 TEST_CASE("`--fallback cpu` finishes a render on the reference, and marks the film") {

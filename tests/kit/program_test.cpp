@@ -23,8 +23,8 @@ TEST_CASE("report prints a table, and writes Markdown and a chart") {
   CHECK(contains(text.out, "A GPU"));
   CHECK(runCandela({"report", results, "--markdown", folder.path("page.md"), "--svg", folder.path("chart.svg")})
             .exitCode == 0);
-  CHECK(contains(readFile(folder.path("page.md")), "| A GPU | driver 1 | 1 Pass | not run |"));
-  CHECK(contains(readFile(folder.path("chart.svg")), "<svg"));
+  CHECK(contains(readText(folder.path("page.md")), "| A GPU | driver 1 | 1 Pass | not run |"));
+  CHECK(contains(readText(folder.path("chart.svg")), "<svg"));
 }
 
 TEST_CASE("report refuses what it cannot read or write") {

@@ -1,21 +1,13 @@
 // No damage to a scene file crashes the reader: it loads or says what is wrong.
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <map>
 #include <random>
-#include <sstream>
 
+#include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 
 namespace candela::scene {
 namespace {
-
-std::string readText(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// The start of each scene file, so that a test takes well under a second.
 std::vector<std::string> seeds() {
