@@ -5,6 +5,7 @@
 #define CANDELA_LANES_GLSL
 #define CANDELA_HAS_FILM
 #include "dispatch.glsl"
+#include "hit_list.glsl"
 #include "path_state.glsl"
 
 layout(set = 0, binding = kBindingPathStates, std430) buffer PathStates { PathState pathStates[]; };
@@ -47,6 +48,7 @@ void advancePixel(uvec2 inRegion) {
     Decisions decisions;
     bool goesOn = extendSample(path, key, work, counts, decisions);
     if (kRecordPaths) record(pixelIndex, depth, decisions);
+    if (kListsHits && depth == 1u) listHit(pixelIndex, sampleIndex, decisions.index);
     if (!goesOn) {
       addSample(sums, path.radiance, sampleIndex);
       if (kCountsHits && (depth > 1u || decisions.index != kRecordMiss)) addHit(sums);

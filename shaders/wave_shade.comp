@@ -2,6 +2,7 @@
 // for the shadow ray, which is enqueued.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "hit_list.glsl"
 #include "wavefront.glsl"
 
 void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
@@ -43,6 +44,7 @@ void main() {
     shadedDepthOf(waves[pixelIndex]) = decisions.index == kRecordMiss ? depth - 1u : depth;
   }
   if (kRecordPaths) record(pixelIndex, depth, decisions);
+  if (kListsHits && depth == 1u) listHit(pixelIndex, sampleIndexOf(state), decisions.index);
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);
   if (!kHasLights || !shadow.wanted) return;

@@ -5,14 +5,16 @@
 
 #include <algorithm>
 
+#include "host/cli/film_identity.h"
 #include "host/core/errors.h"
 #include "host/core/progress.h"
 
 namespace candela::cli {
 
-Checkpoints::Checkpoints(std::filesystem::path file, double every, film::FilmHeader header, std::uint32_t firstSample,
-                         film::WorkReport before, const Log& log)
-    : file_(std::move(file)),
+Checkpoints::Checkpoints(const scene::Scene& scene, std::filesystem::path file, double every, film::FilmHeader header,
+                         std::uint32_t firstSample, film::WorkReport before, const Log& log)
+    : scene_(scene),
+      file_(std::move(file)),
       every_(every),
       header_(std::move(header)),
       firstSample_(firstSample),
@@ -22,7 +24,7 @@ Checkpoints::Checkpoints(std::filesystem::path file, double every, film::FilmHea
       log_(log) {}
 
 void Checkpoints::writeFiles(const image::Film& film, const render::RenderStatistics& statistics) {
-  film::setCoverage(header_, film, firstSample_);
+  setContent(header_, film, scene_, firstSample_);
   const std::string check = film::writeFilm(file_, header_, film);
   work_ = before_;
   work_.add(film::workOf(statistics));

@@ -6,15 +6,16 @@
 #include "host/film/film_file.h"
 #include "host/film/work_report.h"
 #include "host/render/session.h"
+#include "host/scene/scene.h"
 
 namespace candela::cli {
 
 class Checkpoints {
  public:
-  /// `header` is that of the film without its coverage, `firstSample` that of its pixels, `before` the work of earlier
-  /// runs. `every` is the minimum time between two writes in seconds.
-  Checkpoints(std::filesystem::path file, double every, film::FilmHeader header, std::uint32_t firstSample,
-              film::WorkReport before, const Log& log);
+  /// `scene` outlives the object. `header` is that of the film without what setContent() sets, `firstSample` that of
+  /// its pixels, `before` the work of earlier runs. `every` is the minimum time between two writes in seconds.
+  Checkpoints(const scene::Scene& scene, std::filesystem::path file, double every, film::FilmHeader header,
+              std::uint32_t firstSample, film::WorkReport before, const Log& log);
 
   /// Writes the film and, beside it, the report of the work. `start` is the time of monotonicSeconds() at which the
   /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
@@ -32,6 +33,7 @@ class Checkpoints {
  private:
   void writeFiles(const image::Film& film, const render::RenderStatistics& statistics);
 
+  const scene::Scene& scene_;
   std::filesystem::path file_;
   double every_;
   film::FilmHeader header_;

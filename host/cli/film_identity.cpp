@@ -9,6 +9,7 @@
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
+#include "host/scene/object_names.h"
 
 namespace candela::cli {
 namespace {
@@ -120,6 +121,11 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
   return header;
+}
+
+void setContent(film::FilmHeader& header, const image::Film& film, const scene::Scene& scene, std::uint32_t first) {
+  setCoverage(header, film, first);
+  header.matteNames = matteNamesOf(scene, film);
 }
 
 void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {

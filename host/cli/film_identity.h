@@ -11,6 +11,10 @@ namespace candela::cli {
 /// The header of the film of a job, without samples. `statistics` are those of the prepared session.
 film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics);
 
+/// Sets the parts of the header that depend on the samples: the coverage of a film whose pixels hold consecutive
+/// samples from `first` on, and the names of its mattes.
+void setContent(film::FilmHeader& header, const image::Film& film, const scene::Scene& scene, std::uint32_t first);
+
 /// Adapts the header of a film to another session that goes on with it after the device failed: `now` is that of the
 /// session. Throws DeviceLostError if the session's device or driver is another one, unless `mayDiffer`; then the film
 /// is marked as mixed.

@@ -10,10 +10,22 @@
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
+#include "host/image/cryptomatte.h"
 #include "host/image/false_colour.h"
+#include "host/scene/object_names.h"
 #include "host/verify/film_test.h"
 
 namespace candela::cli {
+
+namespace {
+
+void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Metadata& metadata) {
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    if (hasMatte(layers, kind)) metadata.merge(cryptomatteMetadata(kind, names[static_cast<std::size_t>(kind)]));
+  }
+}
+
+}  // namespace
 
 Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   const render::RenderStatistics& statistics = result.statistics;
@@ -34,6 +46,7 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   if (job.arguments.samples) {
     metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
   }
+  addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene, result.film), metadata);
   if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
   return metadata;
 }
@@ -44,6 +57,7 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
                     {"candela.samplesPerPixel", fmt::to_string(header.samplesPerPixel)},
                     {verify::kSeedMetadata, fmt::to_string(header.seed)},
                     {"candela.interrupted", header.isComplete() ? "no" : "yes"}};
+  addMatteMetadata(header.layers, header.matteNames, metadata);
   const auto limit = header.settings.find("clamp-indirect");
   if (limit != header.settings.end() && limit->second != "off")
     metadata[verify::kBiasMetadata] = biasText(limit->second);

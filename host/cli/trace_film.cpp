@@ -108,7 +108,7 @@ class FilmTrace {
 Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
   film::WorkReport before = inheritance_.work;
   before.add(lost_);
-  return {file, job_.arguments.checkpointEvery, header_, inheritance_.firstSample, before, log_};
+  return {job_.scene, file, job_.arguments.checkpointEvery, header_, inheritance_.firstSample, before, log_};
 }
 
 void FilmTrace::load(const image::Film& film) {
@@ -197,7 +197,7 @@ void FilmTrace::advance() {
 
 film::FilmHeader FilmTrace::headerOf(const image::Film& film) const {
   film::FilmHeader header = header_;
-  setCoverage(header, film, inheritance_.firstSample);
+  setContent(header, film, job_.scene, inheritance_.firstSample);
   return header;
 }
 

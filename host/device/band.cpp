@@ -19,6 +19,7 @@ namespace candela::device {
 namespace {
 
 constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
+constexpr std::uint64_t kHitListBytes = gpu::kListedHits * sizeof(gpu::uint);
 constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // path states are copied in chunks of this size
 
 // A pixel's state starts with a PathState or a TreeState, both of which have the sample index at the same offset.
@@ -29,7 +30,8 @@ static_assert(offsetof(gpu::WaveState, path) == 0);
 // Bytes of a pixel in the film buffer.
 std::uint64_t filmBytesPerPixel(const render::RenderSettings& settings) {
   return sizeof(gpu::FilmRows) +
-         sizeof(image::LayerRow) * image::layerRowCount(image::layerSumsOf(settings.image.layers));
+         sizeof(image::LayerRow) * image::layerRowCount(image::layerSumsOf(settings.image.layers)) +
+         (hasMattes(settings.image.layers) ? kHitListBytes : 0);
 }
 
 /// Bytes before the path records of `pixels` pixels.
@@ -259,6 +261,12 @@ void Band::readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow>
     layers[i].pending = 0;
     if (i % rowCount == 0) layers[i].words[2] = 0;  // what is pending
   }
+}
+
+std::vector<std::uint32_t> Band::readHitLists() const {
+  std::vector<std::uint32_t> lists(pixels() * gpu::kListedHits);
+  film_.download(std::as_writable_bytes(std::span(lists)), (filmBytesPerPixel(settings_) - kHitListBytes) * pixels());
+  return lists;
 }
 
 void Band::addCounts(render::RenderStatistics& statistics) const {

@@ -65,6 +65,8 @@ class Band {
 
   /// Copies the band's film. `film` has as many pixels as the band.
   void readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow> layers) const;
+  /// Returns the lists of the pixels' hits, kListedHits words each. The render must have mattes.
+  std::vector<std::uint32_t> readHitLists() const;
   /// Returns RenderStatistics::truncated of all work since load() without using the device.
   std::uint64_t truncated() const { return truncatedBefore_ + counters().truncated; }
   /// Adds the counts of all work since load().

@@ -10,6 +10,7 @@
 #include "host/core/stopwatch.h"
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
+#include "host/device/hit_lists.h"
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
@@ -50,6 +51,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   flat_ = flatten::flattenScene(scene_, settings_,
                                 {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
+  if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene_);
   budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
   if (layerSumsOf(settings_.image.layers) != 0) {
     budget_.maxSegments = std::min(budget_.maxSegments, gpu::kMaxGatheredSamples);
@@ -198,6 +200,7 @@ void GpuSession::fetchFilm() {
   if (!resident_) return;
   Stopwatch watch;
   band_->readFilm(filmOf(bandAt(*resident_)), layersOf(bandAt(*resident_)));
+  if (matteIds_) addListedHits(band_->readHitLists(), bandAt(*resident_).first, coverage_.first, *matteIds_, film_);
   statistics_.seconds["readBack"] += watch.lap();
 }
 
@@ -241,6 +244,21 @@ std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) 
   return countLacking(filmOf(rows), coverage_.first, sampleEnd);
 }
 
+// A pixel's list of hits has room for kListedHits samples. The host counts them before more are traced, so that film_
+// has all samples of earlier steps.
+bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
+                               const std::function<void(std::uint64_t)>& samplesFinished) {
+  std::uint32_t end = coverage_.first + render::minSampleCount(filmOf(rows));
+  bool finished = true;
+  while (finished && end < sampleEnd) {
+    end = std::min(end + gpu::kListedHits, sampleEnd);
+    finished = band_->finish(end, countLacking(filmOf(rows), coverage_.first, end), budget_, control, statistics_,
+                             samplesFinished);
+    fetchFilm();
+  }
+  return finished;
+}
+
 bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
                              const std::function<void(std::uint64_t)>& samplesFinished) {
   Stopwatch watch;
@@ -254,7 +272,8 @@ bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const
     prepared_.seconds["pipeline"] += watch.lap();
     statistics_.seconds["pipeline"] = prepared_.seconds["pipeline"];
   }
-  const bool finished = band_->finish(sampleEnd, lacking, budget_, control, statistics_, samplesFinished);
+  const bool finished = matteIds_ ? finishBySteps(bandAt(index), sampleEnd, control, samplesFinished)
+                                  : band_->finish(sampleEnd, lacking, budget_, control, statistics_, samplesFinished);
   statistics_.seconds["trace"] += watch.lap();
   return finished;
 }

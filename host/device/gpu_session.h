@@ -12,6 +12,7 @@
 #include "host/flatten/camera_records.h"
 #include "host/render/film_coverage.h"
 #include "host/render/session.h"
+#include "host/scene/object_names.h"
 
 namespace candela::device {
 
@@ -54,6 +55,8 @@ class GpuSession final : public render::Session {
   void makeResident(std::uint32_t index);
   void fetchFilm();
   std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
+  bool finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
+                     const std::function<void(std::uint64_t)>& samplesFinished);
   bool advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
                    const std::function<void(std::uint64_t)>& samplesFinished);
 
@@ -76,7 +79,8 @@ class GpuSession final : public render::Session {
   render::RenderStatistics statistics_;    ///< of all work, except for the resident band's counts
   std::uint64_t samplesLoaded_ = 0;        ///< samples and bad samples of the film that was loaded
   std::uint64_t badSamplesLoaded_ = 0;
-  render::PathRecords paths_;  ///< of the bands before the resident one
+  std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
+  render::PathRecords paths_;                ///< of the bands before the resident one
 };
 
 }  // namespace candela::device

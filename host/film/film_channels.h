@@ -74,12 +74,14 @@ inline constexpr PictureChannel kAlphaChannel{"A", offsetof(PicturePixel, alpha)
 struct ChannelChoice {
   bool hasAlpha = false;
   std::uint32_t sums = 0;  ///< of layers, as image::layerSumsOf() returns them
+  std::array<std::uint32_t, image::kMatteKinds.size()> matteSlots{};  ///< of FilmHeader
 
+  std::size_t slotCount() const { return std::size_t{matteSlots[0]} + matteSlots[1]; }
   std::size_t layerRows() const { return image::layerRowCount(sums); }
 };
 
 inline ChannelChoice channelsOf(const FilmHeader& header) {
-  return {header.hasAlpha(), image::layerSumsOf(header.layers)};
+  return {header.hasAlpha(), image::layerSumsOf(header.layers), header.matteSlots};
 }
 
 /// A word of the records of layers of a pixel.
@@ -101,6 +103,18 @@ inline std::vector<LayerWordChannel> layerWordChannels(std::uint32_t sums) {
   return channels;
 }
 
+/// The names of the channels of mattes: the id and the count of each slot, first those of objects.
+inline std::vector<std::string> matteChannelNames(const ChannelChoice& choice) {
+  std::vector<std::string> names;
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    const std::string prefix = kind == image::MatteKind::object ? "id.object." : "id.material.";
+    for (std::uint32_t slot = 0; slot < choice.matteSlots[static_cast<std::size_t>(kind)]; ++slot) {
+      for (const char* const suffix : {".id", ".count"}) names.push_back(prefix + std::to_string(slot) + suffix);
+    }
+  }
+  return names;
+}
+
 inline std::vector<WordChannel> wordChannels(bool hasAlpha) {
   std::vector<WordChannel> channels(kWordChannels.begin(), kWordChannels.end());
   if (hasAlpha) channels.push_back(kHitChannel);
@@ -116,7 +130,8 @@ inline std::vector<PictureChannel> pictureChannels(bool hasAlpha) {
 /// Bytes of a pixel in a block that is not compressed.
 inline std::size_t pixelBytes(const ChannelChoice& choice) {
   const std::size_t layerWords = choice.sums == 0 ? 0 : 2 + 3 * (choice.layerRows() - 1);
-  return 4 * (kWordChannels.size() + kPictureChannels.size() + (choice.hasAlpha ? 2 : 0) + layerWords);
+  return 4 * (kWordChannels.size() + kPictureChannels.size() + (choice.hasAlpha ? 2 : 0) + layerWords +
+              2 * choice.slotCount());
 }
 
 inline Imf::ChannelList filmChannels(const ChannelChoice& choice) {
@@ -125,6 +140,7 @@ inline Imf::ChannelList filmChannels(const ChannelChoice& choice) {
   for (const PictureChannel& channel : pictureChannels(choice.hasAlpha)) list.insert(channel.name, real);
   for (const WordChannel& channel : wordChannels(choice.hasAlpha)) list.insert(channel.name, word);
   for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) list.insert(channel.name, word);
+  for (const std::string& name : matteChannelNames(choice)) list.insert(name, word);
   return list;
 }
 
@@ -147,6 +163,16 @@ inline void addLayerWords(Imf::FrameBuffer& buffer, const image::LayerRow* rows,
   for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) {
     const std::byte* const first = reinterpret_cast<const std::byte*>(rows) + channel.offset;
     buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, pixelStride, rowStride));
+  }
+}
+
+/// Adds the words of mattes: for each pixel of `window`, two for each slot.
+inline void addMatteWords(Imf::FrameBuffer& buffer, const std::uint32_t* words, const Imath::Box2i& window,
+                          const ChannelChoice& choice) {
+  const std::size_t pixelStride = 2 * choice.slotCount() * sizeof *words;
+  const std::size_t rowStride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * pixelStride;
+  for (const std::string& name : matteChannelNames(choice)) {
+    buffer.insert(name, Imf::Slice::Make(Imf::UINT, words++, window, pixelStride, rowStride));
   }
 }
 

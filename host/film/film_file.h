@@ -24,6 +24,8 @@ struct FilmRows {
   std::uint32_t first;  ///< index of the first row within the window of the film
   std::span<const image::FilmPixel> pixels;
   std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows() has them
+  /// As Film::ids() has them, by MatteKind.
+  std::array<std::span<const image::IdCounts>, image::kMatteKinds.size()> ids{};
 };
 
 /// A film file that is open for reading. All functions throw FileError, which names the file, for any file that

@@ -64,6 +64,7 @@ bool FilmHeader::isComplete() const {
 }
 
 std::uint32_t FilmHeader::format() const {
+  if (hasMattes(layers)) return 5;
   if (!layers.isEmpty()) return 3;
   return hasAlpha() ? 2 : 1;
 }

@@ -31,8 +31,11 @@ struct FilmHeader {
   std::uint32_t seed = 0;
   std::map<std::string, std::string> settings;  ///< other options that decide the image, by name without dashes
   image::LayerSet layers;                       ///< those with sums, see image::withSums()
-  render::Window window;                        ///< pixels of the full image that the film has
-  std::vector<SampleBox> covered;               ///< samples that the film holds, as canonicalBoxes() lists them
+  image::MatteNames matteNames;                 ///< of all ids that the pixels have
+  /// By MatteKind: the largest number of ids of a pixel. writeFilm() sets it.
+  std::array<std::uint32_t, image::kMatteKinds.size()> matteSlots{};
+  render::Window window;           ///< pixels of the full image that the film has
+  std::vector<SampleBox> covered;  ///< samples that the film holds, as canonicalBoxes() lists them
   /// Boxes that were interrupted: each of their pixels holds the first of these samples, some none, but no pixel all of
   /// them. Disjoint from `covered`, in the same order.
   std::vector<SampleBox> begun;
@@ -44,7 +47,7 @@ struct FilmHeader {
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Whether every pixel of the image has all samples.
   bool isComplete() const;
-  /// Version of the format of its file: 3 with layers, 2 with alpha alone, else 1.
+  /// Version of the format of its file: 5 with mattes, 3 with other layers, 2 with alpha alone, else 1.
   std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };

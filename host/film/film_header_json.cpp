@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "host/core/errors.h"
@@ -13,7 +15,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint32_t kLastFormat = 3;
+constexpr std::uint32_t kLastFormat = 5;
+constexpr std::uint32_t kMaxSlots = 65536;
 constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 constexpr std::size_t kMaxBoxes = 10000;         // sets of boxes take time of the square of their number
 
@@ -122,6 +125,36 @@ image::LayerSet layersAt(const ordered_json& json) {
   return layers;
 }
 
+constexpr std::array kMatteMembers{"object", "material"};  // by MatteKind
+
+ordered_json mattesJson(const FilmHeader& header) {
+  ordered_json json;
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    const auto index = static_cast<std::size_t>(kind);
+    if (!hasMatte(header.layers, kind)) continue;
+    json[kMatteMembers[index]] = {{"slots", header.matteSlots[index]}, {"names", header.matteNames[index]}};
+  }
+  return json;
+}
+
+void readMattes(const ordered_json& json, FilmHeader& header) {
+  if (!json.contains("mattes") || !json["mattes"].is_object()) refuse("mattes");
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    const auto index = static_cast<std::size_t>(kind);
+    if (!hasMatte(header.layers, kind)) continue;
+    if (!json["mattes"].contains(kMatteMembers[index])) refuse("mattes");
+    const ordered_json& matte = json["mattes"][kMatteMembers[index]];
+    for (const ordered_json& name : listAt(matte, "names")) {
+      if (!name.is_string()) refuse("mattes");
+      header.matteNames[index].push_back(name);
+    }
+    header.matteSlots[index] = numberAt(matte, "slots", 0, kMaxSlots);
+    if (std::ranges::adjacent_find(header.matteNames[index], std::greater_equal{}) != header.matteNames[index].end()) {
+      refuse("mattes");
+    }
+  }
+}
+
 std::vector<std::string> mixedAt(const ordered_json& json) {
   std::vector<std::string> lines;
   for (const ordered_json& line : listAt(json, "mixed")) {
@@ -207,6 +240,7 @@ std::string toJson(const FilmHeader& header) {
   json["seed"] = header.seed;
   json["settings"] = header.settings;
   if (!header.layers.isEmpty()) json["layers"] = layersJson(header.layers);
+  if (hasMattes(header.layers)) json["mattes"] = mattesJson(header);
   json["window"] = {header.window.x, header.window.y, header.window.width, header.window.height};
   json["covered"] = boxesJson(header.covered);
   json["begun"] = boxesJson(header.begun);
@@ -225,6 +259,7 @@ FilmHeader headerFromJson(const std::string& text) {
   header.settings = settingsAt(json);
   header.layers = layersAt(json);
   if (json["format"] != header.format()) refuse("format");
+  if (hasMattes(header.layers)) readMattes(json, header);
   if (listAt(json, "window").size() != 4) refuse("window");
   header.window = windowFrom(json["window"], "window", header.size);
   header.covered = boxesAt(json, "covered", header);

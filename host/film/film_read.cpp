@@ -15,6 +15,7 @@
 #include "host/film/film_channels.h"
 #include "host/film/film_file.h"
 #include "host/film/film_head.h"
+#include "host/film/film_mattes.h"
 #include "host/film/film_memory.h"
 #include "host/film/film_stream.h"
 
@@ -150,6 +151,7 @@ void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) t
   const std::uint32_t rowsAtATime = std::min(kBlockRows * threads, header_.window.height);
   std::vector<image::FilmPixel> pixels(std::size_t{rowsAtATime} * header_.window.width);
   std::vector<image::LayerRow> layerRows(pixels.size() * channels.layerRows());
+  std::vector<std::uint32_t> matteSlots(2 * pixels.size() * channels.slotCount());
   for (std::uint32_t first = 0; first < header_.window.height; first += rowsAtATime) {
     const std::uint32_t rows = std::min(rowsAtATime, header_.window.height - first);
     for (std::uint32_t row = first; row < first + rows; row += kBlockRows) {
@@ -168,11 +170,15 @@ void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) t
     Imf::FrameBuffer buffer;
     addWords(buffer, pixels.data(), box, channels.hasAlpha);
     addLayerWords(buffer, layerRows.data(), box, channels);
+    addMatteWords(buffer, matteSlots.data(), box, channels);
     input->setFrameBuffer(buffer);
     input->readPixels(box.min.y, box.max.y);
-    const FilmRows block{first, std::span(pixels).first(count),
-                         std::span(layerRows).first(count * channels.layerRows())};
-    checkRows(header_, block);
+    const FilmRows rowsWithoutIds{first, std::span(pixels).first(count),
+                                  std::span(layerRows).first(count * channels.layerRows())};
+    checkRows(header_, rowsWithoutIds);
+    const MatteRows mattes = mattesOf(matteSlots, rowsWithoutIds.pixels, header_);
+    FilmRows block = rowsWithoutIds;
+    block.ids = {mattes[0], mattes[1]};
     use(block);
   }
 } catch (const FileError& error) {
@@ -188,6 +194,10 @@ image::Film readFilm(FilmReader& reader) try {
   reader.forEachBlock([&](const FilmRows& rows) {
     std::ranges::copy(rows.pixels, &film.at(0, rows.first));
     if (!rows.layerRows.empty()) std::ranges::copy(rows.layerRows, film.layerRowsAt(0, rows.first).begin());
+    for (const image::MatteKind kind : image::kMatteKinds) {
+      const auto& ids = rows.ids[static_cast<std::size_t>(kind)];
+      if (!ids.empty()) std::ranges::copy(ids, &film.idsAt(kind, 0, rows.first));
+    }
   });
   return film;
 } catch (const std::bad_alloc&) {

@@ -12,6 +12,7 @@
 #include "host/film/exr_threads.h"
 #include "host/film/film_channels.h"
 #include "host/film/film_file.h"
+#include "host/film/film_mattes.h"
 #include "host/film/film_stream.h"
 
 namespace candela::film {
@@ -73,6 +74,9 @@ void writeBlocks(Imf::OutputFile& output, const FilmHeader& header, const image:
     addPicture(buffer, picture, box, channels.hasAlpha);
     addWords(buffer, &film.at(0, first), box, channels.hasAlpha);
     addLayerWords(buffer, film.layerRowsAt(0, first).data(), box, channels);
+    const std::vector<std::uint32_t> mattes = matteWords(film, std::size_t{first} * film.width(),
+                                                         std::size_t{rows} * film.width(), channels);
+    addMatteWords(buffer, mattes.data(), box, channels);
     output.setFrameBuffer(buffer);
     output.writePixels(static_cast<int>(rows));
   }
@@ -80,7 +84,9 @@ void writeBlocks(Imf::OutputFile& output, const FilmHeader& header, const image:
 
 }  // namespace
 
-std::string writeFilm(const std::filesystem::path& file, const FilmHeader& header, const image::Film& film) try {
+std::string writeFilm(const std::filesystem::path& file, const FilmHeader& given, const image::Film& film) try {
+  FilmHeader header = given;
+  header.matteSlots = slotsOf(film);
   const std::uint32_t threads = exrThreads();
   AtomicFile target(file);
   FilmStream stream(target);

@@ -99,7 +99,11 @@ FilmHeader mergedHeader(const std::vector<Part>& parts) {
     merged.begun.insert(merged.begun.end(), header.begun.begin(), header.begun.end());
     merged.tracers.insert(merged.tracers.end(), header.tracers.begin(), header.tracers.end());
     merged.mixed.insert(merged.mixed.end(), header.mixed.begin(), header.mixed.end());
+    for (std::size_t i = 0; i < merged.matteNames.size(); ++i) {
+      merged.matteNames[i].insert(merged.matteNames[i].end(), header.matteNames[i].begin(), header.matteNames[i].end());
+    }
   }
+  for (std::vector<std::string>& names : merged.matteNames) sortIntoSet(names);
   merged.covered = canonicalBoxes(merged.covered);
   merged.begun = canonicalBoxes(merged.begun);
   sortIntoSet(merged.tracers);
@@ -128,6 +132,13 @@ void requireWhole(const std::vector<Part>& parts, const std::vector<SampleBox>& 
   throw FileError(fmt::format("{} are missing; --partial merges what there is", listOf(missing)));
 }
 
+void addMattes(const FilmRows& rows, std::size_t pixel, image::Film& film, std::uint32_t x, std::uint32_t y) {
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    const auto& ids = rows.ids[static_cast<std::size_t>(kind)];
+    if (!ids.empty()) image::addIds(film.idsAt(kind, x, y), ids[pixel]);
+  }
+}
+
 void add(const Part& part, MergedFilm& merged) {
   FilmReader reader(part.file);
   if (reader.check() != part.check) throw FileError(part.file.string() + ": the file has changed in the meantime");
@@ -141,6 +152,7 @@ void add(const Part& part, MergedFilm& merged) {
       const auto y = top + rows.first + static_cast<std::uint32_t>(i / from.width);
       image::addSums(merged.film.at(x, y), rows.pixels[i]);
       image::addLayerRows(merged.film.layerRowsAt(x, y), rows.layerRows.subspan(i * step, step));
+      addMattes(rows, i, merged.film, x, y);
     }
   });
   merged.work.add(readWork(part.file, part.check));

@@ -35,6 +35,13 @@ float leastAlphaOf(const scene::TextureImage& image) {
   return static_cast<float>(least) / 255;
 }
 
+// A name that is no text is none: other readers report it.
+std::string nameOf(const Value& value, const std::string& absent) {
+  const auto name = value.json().is_object() ? value.json().find("name") : value.json().end();
+  if (name == value.json().end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return absent;
+  return name->get<std::string>();
+}
+
 template <class Vector>
 Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector& absent) {
   return values.empty() ? absent : values[i];
@@ -66,6 +73,7 @@ void SceneAssembly::addMaterials() {
   const std::optional<Value> list = root_.find("materials");
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     scene_.materials.emplace_back();
+    scene_.materialNames.push_back(nameOf((*list)[i], fmt::format("material.{}", i)));
     attempt([&] {
       const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
       scene_.materials.back() = fromGltf(material);
@@ -89,8 +97,18 @@ void SceneAssembly::addNode(std::size_t index) {
   const Value node = root_.require("nodes")[index];
   ++counts_["node"];
   if (node.find("camera")) ++counts_["camera"];
+  const std::size_t first = scene_.primitives.size();
   if (node.find("mesh")) addMesh(node, index);
+  addObject(node, index, first);
   if (node.extension("KHR_lights_punctual")) addLight(node, index);
+}
+
+void SceneAssembly::addObject(const Value& node, std::size_t index, std::size_t first) {
+  if (scene_.primitives.size() == first) return;
+  const Value mesh = root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
+  const std::string meshName = nameOf(mesh, fmt::format("node.{}", index));
+  scene_.objectStarts.push_back(static_cast<std::uint32_t>(first));
+  scene_.objectNames.push_back(nameOf(node, meshName));
 }
 
 void SceneAssembly::addMesh(const Value& node, std::size_t index) {
@@ -119,6 +137,7 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
   if (defaultMaterial_ == 0) {
     defaultMaterial_ = scene_.materials.size() + 1;
     scene_.materials.push_back(fromGltf({}));
+    scene_.materialNames.emplace_back("default");
   }
   return static_cast<std::uint32_t>(defaultMaterial_ - 1);
 }

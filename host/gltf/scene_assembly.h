@@ -38,6 +38,8 @@ class SceneAssembly {
 
  private:
   void addNode(std::size_t index);
+  /// Names the object whose primitives begin at `first`; no object if there are none.
+  void addObject(const Value& node, std::size_t index, std::size_t first);
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
   void addLight(const Value& node, std::size_t index);

@@ -63,7 +63,11 @@ Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers)
       height_(height),
       pixels_(std::size_t{width} * height),
       layers_(layers),
-      layerRows_(pixels_.size() * layerRowCount(layerSumsOf(layers))) {}
+      layerRows_(pixels_.size() * layerRowCount(layerSumsOf(layers))) {
+  for (const MatteKind kind : kMatteKinds) {
+    if (hasMatte(layers, kind)) ids(kind).resize(pixels_.size());
+  }
+}
 
 void Film::clear() { *this = Film(width_, height_, layers_); }
 
@@ -135,6 +139,9 @@ void Film::merge(const Film& other) {
   const std::size_t step = layerRowCount(layerSumsOf(layers_));
   for (std::size_t i = 0; i < layerRows_.size(); i += step) {
     addLayerRows(std::span(layerRows_).subspan(i, step), std::span(other.layerRows_).subspan(i, step));
+  }
+  for (const MatteKind kind : kMatteKinds) {
+    for (std::size_t i = 0; i < ids(kind).size(); ++i) addIds(ids(kind)[i], other.ids(kind)[i]);
   }
 }
 

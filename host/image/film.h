@@ -53,6 +53,14 @@ class Film {
   /// The records of one pixel; none if the film has no sums of layers.
   std::span<LayerRow> layerRowsAt(std::uint32_t x, std::uint32_t y);
   std::span<const LayerRow> layerRowsAt(std::uint32_t x, std::uint32_t y) const;
+  /// The counts of ids of all pixels; none if the film lacks mattes of this kind.
+  std::vector<IdCounts>& ids(MatteKind kind) { return ids_[static_cast<std::size_t>(kind)]; }
+  const std::vector<IdCounts>& ids(MatteKind kind) const { return ids_[static_cast<std::size_t>(kind)]; }
+  /// The counts of one pixel. The film must have mattes of this kind.
+  IdCounts& idsAt(MatteKind kind, std::uint32_t x, std::uint32_t y) { return ids(kind)[std::size_t{y} * width_ + x]; }
+  const IdCounts& idsAt(MatteKind kind, std::uint32_t x, std::uint32_t y) const {
+    return ids(kind)[std::size_t{y} * width_ + x];
+  }
   /// Removes all samples.
   void clear();
 
@@ -86,6 +94,7 @@ class Film {
   std::vector<FilmPixel> pixels_;
   LayerSet layers_;
   std::vector<LayerRow> layerRows_;
+  std::array<std::vector<IdCounts>, kMatteKinds.size()> ids_;
 };
 
 /// Returns the number of samples with a value of a layer that is not finite or above kFilmMaximum in magnitude.

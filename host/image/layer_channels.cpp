@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "host/image/cryptomatte.h"
 #include "host/image/image.h"
 
 namespace candela::image {
@@ -80,6 +81,8 @@ double valueOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
   }
 }
 
+std::vector<std::string> listOf(std::span<const std::string> names) { return {names.begin(), names.end()}; }
+
 // Names of the channels of all layers, indexed by Layer.
 const std::vector<std::vector<std::string>>& allChannelNames() {
   static const std::vector<std::vector<std::string>> names{
@@ -93,8 +96,16 @@ const std::vector<std::vector<std::string>>& allChannelNames() {
       {"emission.R", "emission.G", "emission.B"},
       {},
       {},
-      {"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"}};
+      {"sqrt.R", "sqrt.G", "sqrt.B", "variance.albedo", "variance.N"},
+      listOf(cryptomatteChannelNames(MatteKind::object)),
+      listOf(cryptomatteChannelNames(MatteKind::material))};
   return names;
+}
+
+float valueAt(const Film& film, std::uint32_t x, std::uint32_t y, Layer layer, std::size_t index) {
+  if (layer == Layer::cryptoObject) return cryptomatteValue(film.idsAt(MatteKind::object, x, y), index);
+  if (layer == Layer::cryptoMaterial) return cryptomatteValue(film.idsAt(MatteKind::material, x, y), index);
+  return static_cast<float>(valueOf(PixelSums(film, x, y), layer, index));
 }
 
 Channel channelOf(const Film& film, Layer layer, const std::string& name, std::size_t index) {
@@ -102,7 +113,7 @@ Channel channelOf(const Film& film, Layer layer, const std::string& name, std::s
   channel.values.reserve(film.pixels().size());
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) {
-      channel.values.push_back(static_cast<float>(valueOf(PixelSums(film, x, y), layer, index)));
+      channel.values.push_back(valueAt(film, x, y, layer, index));
     }
   }
   return channel;

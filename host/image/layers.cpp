@@ -9,8 +9,9 @@
 namespace candela::image {
 namespace {
 
-constexpr std::array<std::string_view, 11> kLayerNames{
-    "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments"};
+constexpr std::array<std::string_view, 13> kLayerNames{
+    "normal",  "albedo",  "depth",         "position",       "uv", "direct", "indirect", "emission", "variance",
+    "samples", "moments", "crypto-object", "crypto-material"};
 
 struct SumSpan {
   LayerSum sum;
@@ -65,6 +66,8 @@ std::uint32_t sumsOf(Layer layer) {
              bitOf(LayerSum::albedoSquared);
     case Layer::variance:
     case Layer::samples:
+    case Layer::cryptoObject:
+    case Layer::cryptoMaterial:
       break;
   }
   return 0;
@@ -123,9 +126,17 @@ LayerSet withSums(LayerSet layers) {
   LayerSet kept;
   for (std::uint32_t i = 0; i < kLayerNames.size(); ++i) {
     const auto layer = static_cast<Layer>(i);
-    if (layers.has(layer) && sumsOf(layer) != 0) kept.add(layer);
+    if (layers.has(layer) && layer != Layer::variance && layer != Layer::samples) kept.add(layer);
   }
   return kept;
+}
+
+bool hasMatte(LayerSet layers, MatteKind kind) {
+  return layers.has(kind == MatteKind::object ? Layer::cryptoObject : Layer::cryptoMaterial);
+}
+
+bool hasMattes(LayerSet layers) {
+  return std::ranges::any_of(kMatteKinds, [&](MatteKind kind) { return hasMatte(layers, kind); });
 }
 
 std::string layerText(LayerSet layers) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/image/layer_sum_list.h"
+#include "host/image/mattes.h"
 
 namespace candela::image {
 
@@ -26,7 +27,9 @@ enum class Layer : std::uint32_t {
   emission,
   variance,
   samples,
-  moments  ///< what `candela denoise` needs; has the sums of normal and albedo, too
+  moments,       ///< what `candela denoise` needs; has the sums of normal and albedo, too
+  cryptoObject,  ///< counts of ids and no sums, as the next
+  cryptoMaterial
 };
 
 /// A set of layers.
@@ -48,6 +51,10 @@ std::span<const std::string> layerChannelNames(Layer layer);
 /// Returns `layers` without those that every film has, `variance` and `samples`.
 LayerSet withSums(LayerSet layers);
 
+/// Returns whether the layers include the mattes of a kind, or of any kind.
+bool hasMatte(LayerSet layers, MatteKind kind);
+bool hasMattes(LayerSet layers);
+
 /// Returns the names of the layers, separated by commas; `none` for an empty set.
 std::string layerText(LayerSet layers);
 
@@ -59,7 +66,7 @@ enum class LayerSum : std::uint32_t {
 };
 
 /// Returns the mask of the sums from which the layers are computed. `variance` and `samples` need none, because the
-/// film has them.
+/// film has them, and mattes are counts.
 std::uint32_t layerSumsOf(LayerSet layers);
 /// Returns the number of records of a pixel with these sums, the header included; 0 for no sums.
 std::uint32_t layerRowCount(std::uint32_t sums);
@@ -92,6 +99,7 @@ struct LayerSample {
     double depth = 0;
     glm::dvec3 position{0};
     glm::dvec2 texCoord{0};
+    std::uint32_t primitive = 0;
   };
   std::optional<FirstHit> hit;              ///< empty: the camera ray hit nothing
   std::optional<glm::dvec3> unscattered;    ///< the path's radiance before the first scattering's light was added

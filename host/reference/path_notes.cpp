@@ -44,7 +44,8 @@ void PathNotes::firstHit(const Hit& hit, const Surface& surface, const SurfaceMa
                                               .albedo = material.albedo(),
                                               .depth = hit.distance,
                                               .position = surface.position,
-                                              .texCoord = surface.attributes.texCoords[0]};
+                                              .texCoord = surface.attributes.texCoords[0],
+                                              .primitive = hit.primitive};
 }
 
 void PathNotes::scattered(std::uint32_t scatterings, const dvec3& radiance) {

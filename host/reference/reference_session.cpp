@@ -73,6 +73,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
+    if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene);
     film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
     empty();
   });
@@ -133,7 +134,7 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
     TileJob job(*tracer_, tile, range.end, control,
                 {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas,
-                 settings_.image.hasAlpha()});
+                 settings_.image.hasAlpha(), matteIds_ ? &*matteIds_ : nullptr});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;

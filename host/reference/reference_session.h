@@ -1,10 +1,12 @@
 // A scene prepared for the reference tracer, and the film that it renders.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "host/reference/replicas.h"
 #include "host/render/film_coverage.h"
 #include "host/render/session.h"
+#include "host/scene/object_names.h"
 
 namespace candela::reference {
 
@@ -34,6 +36,7 @@ class ReferenceSession final : public render::Session {
 
   render::RenderSettings settings_;
   std::unique_ptr<PixelTracer> tracer_;
+  std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
   image::Film film_;
   render::FilmCoverage coverage_;
   render::PathRecords paths_;

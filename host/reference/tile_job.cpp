@@ -32,7 +32,7 @@ TileJob::TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t s
       tilesAcross_(divideUp(output.film.width(), tile.width)),
       tileCount_(std::uint64_t{tilesAcross_} * divideUp(output.film.height(), tile.height)),
       totalSamples_(samplesLacking(output, sampleEnd)),
-      hasLayers_(!output.film.layerRows().empty()) {}
+      hasSums_(!output.film.layerRows().empty()) {}
 
 Counters TileJob::run(std::uint32_t threads) {
   std::vector<Counters> counters(threads);
@@ -86,10 +86,20 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
     const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
     const std::uint64_t verticesBefore = counters.vertices;
     image::LayerSample layers;
-    const dvec3 radiance = traceSample(place, pixel, counters, {record, hasLayers_ ? &layers : nullptr});
+    const bool wantsLayers = hasSums_ || output_.matteIds != nullptr;
+    const dvec3 radiance = traceSample(place, pixel, counters, {record, wantsLayers ? &layers : nullptr});
     output_.film.addSample(x, y, radiance, i);
-    if (hasLayers_) output_.film.addLayers(x, y, layers, radiance);
+    if (hasSums_) output_.film.addLayers(x, y, layers, radiance);
+    if (output_.matteIds != nullptr) addIds(x, y, layers);
     if (output_.countsHits && counters.vertices > verticesBefore) output_.film.addHit(x, y);
+  }
+}
+
+void TileJob::addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample& sample) {
+  for (const image::MatteKind kind : image::kMatteKinds) {
+    if (output_.film.ids(kind).empty()) continue;
+    const std::uint32_t id = sample.hit ? output_.matteIds->of(kind, sample.hit->primitive) : image::kNoId;
+    image::addIds(output_.film.idsAt(kind, x, y), {id, 1});
   }
 }
 

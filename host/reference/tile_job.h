@@ -7,6 +7,7 @@
 #include "host/reference/pixel_tracer.h"
 #include "host/render/replicas.h"
 #include "host/render/session.h"
+#include "host/scene/object_names.h"
 
 namespace candela::reference {
 
@@ -17,8 +18,9 @@ struct JobOutput {
   std::uint32_t firstSample;   ///< index of the first sample of each pixel in the film
   render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
   render::ReplicaRecords& replicas;
-  std::uint32_t replicaCount;  ///< 0: none are traced
-  bool countsHits;             ///< samples whose camera ray hits something are counted
+  std::uint32_t replicaCount;       ///< 0: none are traced
+  bool countsHits;                  ///< samples whose camera ray hits something are counted
+  const scene::MatteIds* matteIds;  ///< null: ids are not counted
 };
 
 /// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. The arguments that are references must outlive
@@ -39,6 +41,7 @@ class TileJob {
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
   void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
   dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters, SampleOutputs outputs);
+  void addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample& sample);
   void reportProgress();
 
   const PixelTracer& tracer_;
@@ -49,7 +52,7 @@ class TileJob {
   std::uint32_t tilesAcross_;
   std::uint64_t tileCount_;
   double totalSamples_;
-  bool hasLayers_;
+  bool hasSums_;  ///< of layers
   std::atomic<std::uint64_t> nextTile_{0};
   std::atomic<std::uint64_t> samplesDone_{0};
   std::uint64_t samplesReported_ = 0;

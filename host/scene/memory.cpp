@@ -33,7 +33,8 @@ SceneMemory memoryOf(const Scene& scene) {
   memory.triangleCount = countTriangles(scene);
   for (const Mesh& mesh : scene.meshes) memory.triangles += bytesOf(mesh);
   memory.total = memory.triangles + bytesOf(scene.materials, scene.primitives, scene.spheres, scene.boxes, scene.cones,
-                                            scene.planes, scene.pointLights, scene.punctualLights);
+                                            scene.planes, scene.pointLights, scene.punctualLights, scene.objectStarts,
+                                            scene.objectNames, scene.materialNames);
   memory.triangles += memory.triangleCount * sizeof(Primitive);
   for (const TextureImage& image : scene.images) memory.textures += sizeof(TextureImage) + bytesOf(image.texels);
   memory.total += memory.textures;

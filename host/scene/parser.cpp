@@ -24,7 +24,9 @@ void checkSurplus(Parser& parser) {
 void parseStatement(Parser& parser, const Keyword& keyword) {
   parser.keyword = parser.in.begin(keyword.form).position;
   try {
+    const std::size_t first = parser.scene.primitives.size();
     keyword.parse(parser);
+    if (parser.scene.primitives.size() > first) parser.scene.objectStarts.push_back(static_cast<std::uint32_t>(first));
     ++parser.counts[std::string(keyword.countedAs)];
     checkSurplus(parser);
   } catch (StatementError& error) {

@@ -135,6 +135,11 @@ struct Scene {
   std::vector<Box> boxes;
   std::vector<Cone> cones;
   std::vector<Plane> planes;
+  /// The first primitive of each object, rising; the objects divide all primitives. An object is a statement of NFF or
+  /// a node of glTF, see object_names.h.
+  std::vector<std::uint32_t> objectStarts;
+  std::vector<std::string> objectNames;    ///< one for each object; empty: the format has no names
+  std::vector<std::string> materialNames;  ///< one for each material; empty: the format has no names
   std::vector<PointLight> pointLights;
   std::vector<PunctualLight> punctualLights;
 

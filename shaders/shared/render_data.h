@@ -20,7 +20,7 @@ struct RenderConstants {
   vec3 lensRight;             // a u
   float inverseFocal;         // 1 / focal
   vec3 lensUp;                // a v
-  uint firstSurfaceRow;  // first record of the parameters of surfaces
+  uint firstSurfaceRow;       // first record of the parameters of surfaces
   vec3 background;
   float aoDistance;  // maximum distance of ambient occlusion rays
   uint imageWidth;   // pixels of the film
@@ -39,14 +39,14 @@ struct RenderConstants {
   uint firstSkyRow;
   uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
-  vec3 gridLow;     // lower corner
-  float gridReach;  // the grid's largest coordinate in magnitude
-  vec3 gridHigh;    // upper corner
+  vec3 gridLow;         // lower corner
+  float gridReach;      // the grid's largest coordinate in magnitude
+  vec3 gridHigh;        // upper corner
   uint firstEnergyRow;  // first record of the energy tables
-  vec3 gridScale;  // cells per unit of length, 0 on axes of one cell
+  vec3 gridScale;       // cells per unit of length, 0 on axes of one cell
   uint firstTextureRow;
-  vec3 gridWidth;  // size of a cell
-  float indirectLimit;  // maximum of a contribution of light that was scattered twice or more
+  vec3 gridWidth;                // size of a cell
+  float indirectLimit;           // maximum of a contribution of light that was scattered twice or more
   uvec3 gridSides;               // cells along each axis
   uint firstItemRow;             // first record of the grid's items
   uvec3 gridStrides;             // the index of cell (x, y, z) is dot(gridStrides, (x, y, z))
@@ -100,6 +100,9 @@ struct PathState {
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
 };
+
+// Length of a pixel's list of hits, which is read by the host after every as many samples.
+CANDELA_CONST uint kListedHits = 32u;
 
 CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 

@@ -20,9 +20,10 @@ CANDELA_CONST uint kSpecRowsAhead = 28u;     // these records are read before an
 // Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
-CANDELA_CONST uint kSpecView = 50u;  // kView...
+CANDELA_CONST uint kSpecView = 50u;            // kView...
 CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
 CANDELA_CONST uint kSpecLayerSums = 93u;       // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
+CANDELA_CONST uint kSpecListsHits = 94u;       // the film has a list of the primitives that camera rays hit
 CANDELA_CONST uint kSpecTextureSlots = 92u;    // a bit for each texture slot that some material of the scene uses
 CANDELA_CONST uint kSpecBackdrop = 91u;        // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.
@@ -47,7 +48,7 @@ CANDELA_CONST uint kSamplerSobol = 2u;
 CANDELA_CONST uint kBackdropEnvironment = 0u;  // camera rays see what lights the scene
 CANDELA_CONST uint kBackdropColour = 1u;
 CANDELA_CONST uint kBackdropNone = 2u;  // the film counts the samples that hit something
-CANDELA_CONST uint kViewNone = 0u;  // an image of light
+CANDELA_CONST uint kViewNone = 0u;      // an image of light
 CANDELA_CONST uint kViewAo = 1u;
 CANDELA_CONST uint kViewNormal = 2u;
 CANDELA_CONST uint kViewAlbedo = 3u;

@@ -1,0 +1,58 @@
+// Ranks the ids of a pixel, and describes them.
+#include "host/image/cryptomatte.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <nlohmann/json.hpp>
+
+#include "host/image/murmur_hash.h"
+
+namespace candela::image {
+namespace {
+
+const char* layerNameOf(MatteKind kind) { return kind == MatteKind::object ? "CryptoObject" : "CryptoMaterial"; }
+
+std::vector<std::string> channelNamesOf(MatteKind kind) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < 2 * kMatteRanks; ++i) {
+    names.push_back(fmt::format("{}{:02}.{}", layerNameOf(kind), i / 4, "rgba"[i % 4]));
+  }
+  return names;
+}
+
+// The entry of a rank; one without samples if the pixel has fewer ids.
+IdCount rankOf(const IdCounts& counts, std::size_t rank) {
+  IdCounts sorted = counts;
+  std::erase_if(sorted, [](const IdCount& entry) { return entry.id == kNoId; });
+  if (rank >= sorted.size()) return {};
+  std::ranges::stable_sort(sorted, std::greater{}, &IdCount::count);  // equal counts stay sorted by their ids
+  return sorted[rank];
+}
+
+}  // namespace
+
+std::span<const std::string> cryptomatteChannelNames(MatteKind kind) {
+  static const std::array names{channelNamesOf(MatteKind::object), channelNamesOf(MatteKind::material)};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+float cryptomatteValue(const IdCounts& counts, std::size_t channel) {
+  const IdCount entry = rankOf(counts, channel / 2);
+  if (entry.count == 0) return 0;
+  if (channel % 2 == 0) return std::bit_cast<float>(entry.id);
+  return static_cast<float>(double{static_cast<double>(entry.count)} / sampleCountOf(counts));
+}
+
+std::map<std::string, std::string> cryptomatteMetadata(MatteKind kind, std::span<const std::string> names) {
+  nlohmann::ordered_json manifest = nlohmann::ordered_json::object();
+  for (const std::string& name : names) manifest[name] = fmt::format("{:08x}", matteId(name));
+  const std::string key = fmt::format("cryptomatte/{:.7}/", fmt::format("{:08x}", murmurHash3(layerNameOf(kind))));
+  return {{key + "name", layerNameOf(kind)},
+          {key + "hash", "MurmurHash3_32"},
+          {key + "conversion", "uint32_to_float32"},
+          {key + "manifest", manifest.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)}};
+}
+
+}  // namespace candela::image

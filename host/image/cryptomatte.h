@@ -1,0 +1,27 @@
+// Mattes as channels and metadata of the Cryptomatte specification 1.2 (Friedman and Jones, 2015).
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+
+#include "host/image/film.h"
+#include "host/image/mattes.h"
+
+namespace candela::image {
+
+/// The number of ids of a pixel that files have: those with the largest coverage.
+inline constexpr std::size_t kMatteRanks = 6;
+
+/// Returns the names of the channels of a layer, such as `CryptoObject00.r`: id and coverage of each rank, two ranks
+/// for each four channels.
+std::span<const std::string> cryptomatteChannelNames(MatteKind kind);
+
+/// Returns the value of a channel, an index into cryptomatteChannelNames(), at a pixel: the bits of an id as a number,
+/// or the fraction of the samples with the id. Ranks are sorted by falling coverage, then by rising id. Samples that
+/// hit nothing have no rank.
+float cryptomatteValue(const IdCounts& counts, std::size_t channel);
+
+/// Returns the metadata of a layer whose ids belong to these names.
+std::map<std::string, std::string> cryptomatteMetadata(MatteKind kind, std::span<const std::string> names);
+
+}  // namespace candela::image
