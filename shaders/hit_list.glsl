@@ -3,13 +3,18 @@
 #ifndef CANDELA_HIT_LIST_GLSL
 #define CANDELA_HIT_LIST_GLSL
 #include "dispatch.glsl"
+#include "layers.glsl"
 
 layout(set = 0, binding = kBindingFilm, std430) buffer HitLists { uint listedHits[]; };
 
-// Stores the primitive of a sample; kRecordMiss: none. Storing it twice does no harm.
-void listHit(uint pixelIndex, uint sampleIndex, uint primitive) {
+// Stores the primitive that the ray of a depth has hit; kRecordMiss: none. Rays after the first count as long as the
+// layers show what is behind everything before.
+void listHit(uint pixelIndex, uint sampleIndex, uint depth, uint primitive) {
   uint first = dispatch.bandPixels * (kFilmRows + (kLayerSums != 0u ? kLayerRows : 0u)) * 4u;
-  listedHits[first + pixelIndex * kListedHits + sampleIndex % kListedHits] = primitive;
+  uint place = first + pixelIndex * kListedHits + sampleIndex % kListedHits;
+  if (depth > 1u && listedHits[place] != kSeenThrough) return;
+  bool isSeenThrough = kThroughSpecular && seenThrough && primitive != kRecordMiss;
+  listedHits[place] = isSeenThrough ? kSeenThrough : primitive;
 }
 
 #endif

@@ -48,7 +48,7 @@ void advancePixel(uvec2 inRegion) {
     Decisions decisions;
     bool goesOn = extendSample(path, key, work, counts, decisions);
     if (kRecordPaths) record(pixelIndex, depth, decisions);
-    if (kListsHits && depth == 1u) listHit(pixelIndex, sampleIndex, decisions.index);
+    if (kListsHits && (depth == 1u || kThroughSpecular)) listHit(pixelIndex, sampleIndex, depth, decisions.index);
     if (!goesOn) {
       addSample(sums, path.radiance, sampleIndex);
       if (kCountsHits && (depth > 1u || decisions.index != kRecordMiss)) addHit(sums);

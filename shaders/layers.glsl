@@ -14,6 +14,7 @@ layout(set = 0, binding = kBindingFilm, std430) buffer Layers { uvec4 layerRows[
 // What the current sample will add.
 const uint kPendingHit = 1u;
 const uint kPendingScatteredOnce = 2u;
+const uint kPendingUnscattered = kThroughSpecular ? 4u : kPendingHit;
 struct LayerSample {
   uint stored;  // kPending...: the members that have a value
   vec3 normal;
@@ -68,14 +69,38 @@ void loadPendingLayers(uint pixelIndex) {
   if (kSumsScatteredOnce) pending.scatteredOnce = pendingVector(header + kScatteredOnceSumRow);
 }
 
-// Notes what the hit of a camera ray adds. `radiance` is the path's up to here.
-void noteFirstHit(Ray ray, Surface surface, Material material, float t, vec3 radiance) {
-  pending.stored = kPendingHit;
+// Whether the ray of this segment has hit a surface that layers show something behind.
+bool seenThrough = false;
+
+// Returns whether the layers show what is behind the surface: a perfect mirror, or smooth glass alone.
+bool isPerfect(Material m) {
+  bool isGlass = kHasDielectric && m.dielectricWeight > 0.0 && m.diffuseWeight == 0.0 && m.glossyWeight == 0.0;
+  return !(kHasSurfaces && m.isSurface) && (kHasMirror && m.mirror || isGlass);
+}
+
+// Notes the length of a path whose hits before this one were seen through. Returns whether the layers show this hit.
+bool showsHit(Material material, float t, uint depth) {
+  if (depth == 1u) pending.depthTexCoord.x = 0.0;
+  seenThrough = isPerfect(material);
+  if ((pending.stored & kPendingHit) != 0u) return false;
+  pending.depthTexCoord.x += t;
+  return !seenThrough;
+}
+
+// Notes what a hit adds, which is that of the camera ray unless layers show what is behind it. `radiance` is the path's
+// up to here.
+void noteFirstHit(Ray ray, Surface surface, Material material, float t, uint depth, vec3 radiance) {
+  if (depth == 1u) pending.stored = kThroughSpecular ? kPendingUnscattered : kPendingHit;
+  if (depth == 1u && kSumsUnscattered) pending.unscattered = radiance;
+  if (kThroughSpecular) {
+    if (!showsHit(material, t, depth)) return;
+    pending.stored |= kPendingHit;
+    t = pending.depthTexCoord.x;
+  }
   if (kSumsNormal) pending.normal = normalsTowards(surface, -ray.direction).shading;
   if (kSumsAlbedo) pending.albedo = albedo(material);
   if (kSumsDepth || kSumsTexCoord) pending.depthTexCoord = vec3(t, surface.texCoords.xy);
   if (kSumsPosition) pending.position = surface.position;
-  if (kSumsUnscattered) pending.unscattered = radiance;
 }
 
 // Notes the path's radiance before it is scattered for the second time.
@@ -115,6 +140,7 @@ vec3 partOf(vec3 kept, vec3 part) {
 void gatherLayers(vec3 radiance) {
   bool hit = (pending.stored & kPendingHit) != 0u;
   bool scattered = (pending.stored & kPendingScatteredOnce) != 0u;
+  bool hasScattered = (pending.stored & kPendingUnscattered) != 0u;
   bool bad = false;
   if (kSumsNormal) addParts(gathered.normal, hit ? layerValue(pending.normal, bad) : vec3(0.0));
   if (kSumsAlbedo) addParts(gathered.albedo, hit ? layerValue(pending.albedo, bad) : vec3(0.0));
@@ -124,7 +150,7 @@ void gatherLayers(vec3 radiance) {
   }
   if (kSumsPosition) addParts(gathered.position, hit ? layerValue(pending.position, bad) : vec3(0.0));
   vec3 kept = keptRadiance(radiance);
-  if (kSumsUnscattered) addParts(gathered.unscattered, partOf(kept, hit ? pending.unscattered : radiance));
+  if (kSumsUnscattered) addParts(gathered.unscattered, partOf(kept, hasScattered ? pending.unscattered : radiance));
   if (kSumsScatteredOnce) addParts(gathered.scatteredOnce, partOf(kept, scattered ? pending.scatteredOnce : radiance));
   if (kSumsRootRadiance) addParts(gathered.rootRadiance, sqrt(kept));
   if (kSumsAlbedoSquared) {
@@ -176,7 +202,7 @@ void storeLayers(uint pixelIndex) {
 }
 
 #else
-#define noteFirstHit(ray, surface, material, t, radiance)
+#define noteFirstHit(ray, surface, material, t, depth, radiance)
 #define noteScatteredOnce(radiance)
 #endif
 

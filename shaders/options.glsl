@@ -13,6 +13,7 @@ layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
 layout(constant_id = kSpecLayerSums) const uint kLayerSums = 0u;
 layout(constant_id = kSpecListsHits) const bool kListsHits = false;
+layout(constant_id = kSpecThroughSpecular) const bool kThroughSpecular = false;
 layout(constant_id = kSpecTextureSlots) const uint kTextureSlots = 0xffffffffu;
 layout(constant_id = kSpecBackdrop) const uint kBackdrop = kBackdropEnvironment;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;

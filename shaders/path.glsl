@@ -189,7 +189,9 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
     path.radiance += limitedContribution(found, path.depth - 1u);
   }
-  if (kLayerSums != 0u && path.depth == 1u) noteFirstHit(path.ray, surface, material, hit.t, path.radiance);
+  if ((kLayerSums != 0u || kListsHits && kThroughSpecular) && (path.depth == 1u || kThroughSpecular)) {
+    noteFirstHit(path.ray, surface, material, hit.t, path.depth, path.radiance);
+  }
   if (kSumsScatteredOnce && path.depth == 2u) noteScatteredOnce(path.radiance);
   if (path.depth >= constants.maxDepth) return false;
 

@@ -2,8 +2,8 @@
 // for the shadow ray, which is enqueued.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "hit_list.glsl"
 #include "wavefront.glsl"
+#include "hit_list.glsl"
 
 void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
   waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.end.distance));
@@ -30,12 +30,13 @@ void main() {
   RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
-  if (kLayerSums != 0u && depth <= 2u) loadPendingLayers(pixelIndex);
+  bool changesLayers = kLayerSums != 0u && (depth <= 2u || kThroughSpecular);
+  if (changesLayers) loadPendingLayers(pixelIndex);
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
   bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
-  if (kLayerSums != 0u && depth <= 2u) storeLayers(pixelIndex);
+  if (changesLayers) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
@@ -44,7 +45,9 @@ void main() {
     shadedDepthOf(waves[pixelIndex]) = decisions.index == kRecordMiss ? depth - 1u : depth;
   }
   if (kRecordPaths) record(pixelIndex, depth, decisions);
-  if (kListsHits && depth == 1u) listHit(pixelIndex, sampleIndexOf(state), decisions.index);
+  if (kListsHits && (depth == 1u || kThroughSpecular)) {
+    listHit(pixelIndex, sampleIndexOf(state), depth, decisions.index);
+  }
   if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);
   if (!kHasLights || !shadow.wanted) return;

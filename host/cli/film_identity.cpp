@@ -34,8 +34,9 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
   for (const Option& option : optionTable()) {
     if (!isSetting(option)) continue;
     const std::vector<std::string> values = option.show(job.arguments);
-    // Films that were begun before there was this option go on without it.
+    // Films that were begun before there were these options go on without them.
     if (option.name() == "--background" && values.front() == option.defaultText) continue;
+    if (option.name() == "--aov-through-specular" && !job.settings.image.layersThroughSpecular) continue;
     settings[option.name().substr(2)] = film::validText(values.empty() ? "off" : values.front());
   }
   if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";

@@ -63,6 +63,8 @@ std::vector<Option> imageOptions() {
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
     valued({"--background", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "what camera rays see where they hit nothing: `env`: what lights the scene (environment, sky or background colour); `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light stays the same"},
            choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.settings.image.backdrop; }),
+    flag({"--aov-through-specular", kRender | kView, kGroup, "layers show the first hit that is neither a perfect mirror nor glass; the parts of the light stay as they are"},
+         [](auto& a) -> auto& { return a.settings.image.layersThroughSpecular; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),
   };

@@ -10,7 +10,7 @@ void addHits(std::span<const std::uint32_t> list, image::MatteKind kind, std::ui
              const scene::MatteIds& ids, image::IdCounts& counts) {
   for (std::uint32_t i = first; i < sampleEnd; ++i) {
     const std::uint32_t primitive = list[i % gpu::kListedHits];
-    const std::uint32_t id = primitive == gpu::kRecordMiss ? image::kNoId : ids.of(kind, primitive);
+    const std::uint32_t id = primitive >= gpu::kSeenThrough ? image::kNoId : ids.of(kind, primitive);
     addIds(counts, {id, 1});
   }
 }

@@ -72,6 +72,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
                                                 {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
                                                 {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
+                                                {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
                                                 {gpu::kSpecTextureSlots, flat.textureSlots},
                                                 {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},

@@ -18,6 +18,12 @@ double powerHeuristic(double pdf, double otherPdf) {
   return 1 / (1 + ratio * ratio);
 }
 
+// A mirror, or smooth glass without another lobe: light-transport.md section 10.1.
+bool isPerfect(const scene::Material& material) {
+  if (material.surface) return false;
+  return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
+}
+
 double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
 }  // namespace
@@ -123,6 +129,8 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
   dvec3 beta(1);
   std::optional<double> pdf;
   Volumes volumes(scene());
+  bool isShown = true;  // the layers show the next hit
+  double shownDistance = 0;
   for (std::uint32_t depth = 1;; ++depth) {
     notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
     rounding.startVertex(depth, ray);
@@ -143,7 +151,10 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     alignGrain(scene(), surface, material, rounding);
     mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
-    if (depth == 1) notes.firstHit(hit, surface, material);
+    if (isShown) shownDistance += hit.distance;
+    const bool isSeenThrough = settings_.image.layersThroughSpecular && isPerfect(scene().materials[surface.material]);
+    if (isShown && !isSeenThrough) notes.firstHit(hit, shownDistance, surface, material);
+    isShown = isShown && isSeenThrough;
     radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
     notes.scattered(depth - 1, radiance);
     if (depth == settings_.image.maxDepth) return radiance;

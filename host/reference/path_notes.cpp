@@ -38,11 +38,11 @@ void PathNotes::hit(const Hit& hit, const Surface& surface) {
                                        .fromOutside = surface.fromOutside};
 }
 
-void PathNotes::firstHit(const Hit& hit, const Surface& surface, const SurfaceMaterial& material) {
+void PathNotes::firstHit(const Hit& hit, double distance, const Surface& surface, const SurfaceMaterial& material) {
   if (!layers_) return;
   layers_->hit = image::LayerSample::FirstHit{.normal = surface.shadingNormal,
                                               .albedo = material.albedo(),
-                                              .depth = hit.distance,
+                                              .depth = distance,
                                               .position = surface.position,
                                               .texCoord = surface.attributes.texCoords[0],
                                               .primitive = hit.primitive};

@@ -25,8 +25,8 @@ class PathNotes {
   void startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
                    const dvec3& radiance, SampleNumbers& numbers);
   void hit(const Hit& hit, const Surface& surface);
-  /// The camera ray has hit this surface, whose normal map is applied.
-  void firstHit(const Hit& hit, const Surface& surface, const SurfaceMaterial& material);
+  /// The layers show this surface, whose normal map is applied. `distance` is the length of the path up to it.
+  void firstHit(const Hit& hit, double distance, const Surface& surface, const SurfaceMaterial& material);
   /// `radiance` has all light of the path that was scattered `scatterings` times or less.
   void scattered(std::uint32_t scatterings, const dvec3& radiance);
   /// `radiance` is already multiplied by its weight.

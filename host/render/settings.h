@@ -80,6 +80,7 @@ struct ImageSettings {
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
   Backdrop backdrop = Backdrop::environment;  ///< path tracer only
   image::LayerSet layers;                     ///< beside the film; path tracer only
+  bool layersThroughSpecular = false;         ///< layers show what is seen in perfect mirrors and through smooth glass
   bool oneSided = false;                      ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.

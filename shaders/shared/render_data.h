@@ -103,6 +103,8 @@ struct PathState {
 
 // Length of a pixel's list of hits, which is read by the host after every as many samples.
 CANDELA_CONST uint kListedHits = 32u;
+// Entry of a sample whose path has only hit perfect mirrors and glass so far.
+CANDELA_CONST uint kSeenThrough = 0xfffffffeu;
 
 CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 

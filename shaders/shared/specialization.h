@@ -20,12 +20,13 @@ CANDELA_CONST uint kSpecRowsAhead = 28u;     // these records are read before an
 // Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
-CANDELA_CONST uint kSpecView = 50u;            // kView...
-CANDELA_CONST uint kSpecLimitsIndirect = 90u;  // contributions of indirect light have a maximum
-CANDELA_CONST uint kSpecLayerSums = 93u;       // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
-CANDELA_CONST uint kSpecListsHits = 94u;       // the film has a list of the primitives that camera rays hit
-CANDELA_CONST uint kSpecTextureSlots = 92u;    // a bit for each texture slot that some material of the scene uses
-CANDELA_CONST uint kSpecBackdrop = 91u;        // kBackdrop...
+CANDELA_CONST uint kSpecView = 50u;             // kView...
+CANDELA_CONST uint kSpecLimitsIndirect = 90u;   // contributions of indirect light have a maximum
+CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
+CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
+CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
+CANDELA_CONST uint kSpecTextureSlots = 92u;     // a bit for each texture slot that some material of the scene uses
+CANDELA_CONST uint kSpecBackdrop = 91u;         // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
 // Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.

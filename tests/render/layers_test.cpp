@@ -1,4 +1,5 @@
 // Layers: equal bytes however a device works.
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
 
@@ -10,11 +11,16 @@ using namespace candela::device;
 
 namespace {
 
+std::array<std::vector<image::IdCounts>, 2> idsOf(const image::Film& film) {
+  return {film.ids(image::MatteKind::object), film.ids(image::MatteKind::material)};
+}
+
 // Requires that `settings` change neither the film nor its layers.
 void requireSameLayers(const scene::Scene& scene, const render::RenderSettings& settings, const image::Film& expected) {
   const image::Film film = renderOnDevice(scene, settings).film;
   CHECK(film.hash() == expected.hash());
   CHECK(film.layerRows() == expected.layerRows());
+  CHECK(idsOf(film) == idsOf(expected));
 }
 
 render::RenderSettings divisionSettings() {
@@ -66,6 +72,7 @@ TEST_CASE("a crop has the layers of the full image") {
     for (std::uint32_t y = 0; y < crop.height(); ++y) {
       for (std::uint32_t x = 0; x < crop.width(); ++x) {
         REQUIRE(std::ranges::equal(crop.layerRowsAt(x, y), full.layerRowsAt(5 + x, 9 + y)));
+        REQUIRE(crop.idsAt(image::MatteKind::object, x, y) == full.idsAt(image::MatteKind::object, 5 + x, 9 + y));
       }
     }
   });
@@ -89,9 +96,11 @@ TEST_CASE("layers have the film's samples where a session was stopped, and go on
     second->load(partial);
     CHECK(second->advance({0, 4}, {}));
     CHECK(second->film().layerRows() == whole.layerRows());
+    CHECK(idsOf(second->film()) == idsOf(whole));
     stop = false;
     CHECK(first->advance({0, 4}, {}));
     CHECK(first->film().layerRows() == whole.layerRows());
+    CHECK(idsOf(first->film()) == idsOf(whole));
   };
   SECTION("device") { check(testRenderer()); }
   SECTION("device, in bands") {
@@ -112,6 +121,7 @@ TEST_CASE("layers of parts of the samples add up to the layers of all") {
     image::Film sum = filmOf({0, 2});
     sum.merge(filmOf({2, 6}));
     CHECK(sum.layerRows() == filmOf({0, 6}).layerRows());
+    CHECK(idsOf(sum) == idsOf(filmOf({0, 6})));
   };
   SECTION("device") { check(testRenderer()); }
   SECTION("reference") { check(*reference::makeReferenceRenderer()); }
