@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/core/log.h"
+#include "host/core/tcp_client.h"
 #include "host/image/image.h"
 #include "host/render/session.h"
 #include "host/render/settings.h"
@@ -86,6 +87,7 @@ struct Arguments {
   bool untuned = false;  ///< `auto` has its built-in meaning
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
+  std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
   bool denoise = false;  ///< of a render: its images are denoised, and its films have what that needs
   image::DisplayTransform display;
   std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image

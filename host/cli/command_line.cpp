@@ -129,7 +129,7 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
 void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  if (!arguments.checkpoint.empty()) return;
+  if (!arguments.checkpoint.empty() || arguments.displayServer) return;
   fail(Command::render,
        "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with --stats "
        "or --json FILE");

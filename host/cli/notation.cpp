@@ -147,6 +147,19 @@ Notation<image::LayerSet> layerList() {
           image::layerText};
 }
 
+Notation<ServerAddress> serverAddress() {
+  const auto parse = [](const std::string& word) -> std::optional<ServerAddress> {
+    const std::size_t colon = std::min(word.rfind(':'), word.size());
+    std::string host = word.substr(0, colon);
+    const auto port = parseWhole(std::string_view(word).substr(std::min(colon + 1, word.size())), 1, 65535);
+    const bool isBracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+    if (isBracketed) host = host.substr(1, host.size() - 2);
+    if (!port || host.empty() || (!isBracketed && host.find(':') != std::string::npos)) return std::nullopt;
+    return ServerAddress{host, static_cast<std::uint16_t>(*port)};
+  };
+  return {"HOST:PORT", "HOST:PORT with a port from 1 to 65535", parse, addressText};
+}
+
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty) {
   const auto parse = [](const std::string& word) { return word.empty() ? std::nullopt : std::optional(word); };
   const auto print = [empty](const std::string& value) { return value.empty() ? empty : value; };

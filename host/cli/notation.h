@@ -44,6 +44,8 @@ Notation<render::SampleRange> sampleRange(std::uint32_t highest);
 Notation<render::Window> window(std::uint32_t highest);
 /// Names of layers, separated by commas, in any order; `none` for no layers.
 Notation<image::LayerSet> layerList();
+/// "HOST:PORT"; a host with colons is in brackets.
+Notation<ServerAddress> serverAddress();
 /// Any text; an empty value, which can only be the default, prints as `empty`.
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
 /// One of a list of names.

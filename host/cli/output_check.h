@@ -17,7 +17,8 @@ void requireSeparateFiles(const Arguments& arguments);
 /// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not go on
 /// from it: its samples are not to be lost.
 void requireCheckpoint(const Arguments& arguments);
-/// Throws UsageError if layers (--aov) are requested and there is no EXR or film file that they could be written to.
+/// Throws UsageError if layers (--aov) are requested and there is no EXR or film file, and no display
+/// server, that they could be written to.
 void requireLayerFile(const Arguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);

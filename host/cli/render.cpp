@@ -8,6 +8,7 @@
 #include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
 #include "host/cli/denoise_film.h"
+#include "host/cli/display_stream.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_images.h"
@@ -36,6 +37,11 @@ image::Image imageOf(const RenderJob& job, const render::RenderResult& result, c
   return image;
 }
 
+// The name of the image in a display server.
+std::string shownName(const RenderJob& job) {
+  return job.arguments.outputs.empty() ? job.scene.name : job.arguments.outputs.front().filename().string();
+}
+
 }  // namespace
 
 ExitCode runRender(const Arguments& arguments, const Log& log) {
@@ -50,7 +56,12 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   std::atomic<bool>* const writeRequested = arguments.checkpoint.empty() ? nullptr : &watchWriteRequests();
   const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
   requireDenoisable(job);
-  const TraceControl control{watchInterrupts(), writeRequested};
+  TraceControl control{watchInterrupts(), writeRequested};
+  std::optional<DisplayStream> display;
+  if (arguments.displayServer) {
+    display.emplace(*arguments.displayServer, shownName(job), log);
+    control.show = [&](const image::Film& film) { display->show(pictureOf(film, job.settings.image.hasAlpha(), {})); };
+  }
   const TracedFilm traced = traceFilm(job, start, control, log);
   const render::RenderResult& result = traced.result;
 

@@ -13,7 +13,7 @@ RenderWatch::RenderWatch(double deadline, const std::atomic<bool>& interrupted, 
 
 void RenderWatch::goOn() {
   const std::scoped_lock lock(mutex_);
-  nextWrite_ = std::numeric_limits<double>::infinity();
+  nextWrite_ = nextShow_ = std::numeric_limits<double>::infinity();
   if (writeRequested_ != nullptr) writeRequested_->store(false);
   stop_.store(false);
 }
@@ -23,10 +23,23 @@ void RenderWatch::writeAt(double time) {
   nextWrite_ = time;
 }
 
+void RenderWatch::showAt(double time) {
+  const std::scoped_lock lock(mutex_);
+  nextShow_ = time;
+}
+
+bool RenderWatch::isWriteDue() const {
+  return (writeRequested_ != nullptr && writeRequested_->load()) || monotonicSeconds() >= nextWrite_;
+}
+
+bool RenderWatch::mustWrite() const {
+  const std::scoped_lock lock(mutex_);
+  return isWriteDue();
+}
+
 void RenderWatch::look() {
   const std::scoped_lock lock(mutex_);
-  const bool write = (writeRequested_ != nullptr && writeRequested_->load()) || monotonicSeconds() >= nextWrite_;
-  if (write || mustEnd()) stop_.store(true);
+  if (isWriteDue() || monotonicSeconds() >= nextShow_ || mustEnd()) stop_.store(true);
 }
 
 void RenderWatch::run(const std::stop_token& ended) {

@@ -25,17 +25,23 @@ class RenderWatch {
   void goOn();
   /// The film is to be written at `time`, of monotonicSeconds().
   void writeAt(double time);
+  /// The film is to be shown at `time`, of monotonicSeconds().
+  void showAt(double time);
+  /// Whether the film is to be written, by request or by its time.
+  bool mustWrite() const;
 
  private:
   bool isInterrupted() const { return interrupted_.load(std::memory_order_relaxed); }
   void run(const std::stop_token& ended);
   void look();
+  bool isWriteDue() const;
 
   const std::atomic<bool>& interrupted_;
   std::atomic<bool>* writeRequested_;
   double deadline_;
-  std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than goOn()
+  mutable std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than goOn()
   double nextWrite_ = std::numeric_limits<double>::infinity();
+  double nextShow_ = std::numeric_limits<double>::infinity();
   std::atomic<bool> stop_{false};
   std::jthread thread_;  ///< last, so that it ends first
 };

@@ -25,6 +25,8 @@ std::vector<Option> outputOptions() {
           [](auto& a) -> auto& { return a.outputs; }),
     valued({"--aov", kRender | kView, kGroup, fmt::format("layers that EXR files and films get beside the image, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.settings.image.layers; }),
+    valued({"--display-server", kRender, kGroup, "show the image in the viewer tev, which listens there, while it is rendered (tev's port: 14158)"},
+           orAbsent(serverAddress(), "none"), [](auto& a) -> auto& { return a.displayServer; }),
     flag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels; a film of --checkpoint is not denoised, and gets what `candela denoise` needs"},
          [](auto& a) -> auto& { return a.denoise; }),
     valued({"--tonemap", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},

@@ -72,7 +72,8 @@ class FilmTrace {
   void inherit();
   void goOn();
   void advance();
-  void pause();
+  void pause(bool mustWrite);
+  void show();
   void scheduleWrite(double start);
   film::FilmHeader headerOf(const image::Film& film) const;
   TracedFilm end();
@@ -171,12 +172,23 @@ void FilmTrace::scheduleWrite(double start) {
 }
 
 // Work that was truncated must not reach a film file.
-void FilmTrace::pause() {
+void FilmTrace::pause(bool mustWrite) {
   const double start = monotonicSeconds();
   const render::RenderStatistics statistics = session_->statistics();
   requireComplete(statistics);
-  if (hasFile()) checkpoints_->write(session_->film(), statistics, start);
+  if (hasFile() && mustWrite) checkpoints_->write(session_->film(), statistics, start);
   scheduleWrite(start);
+  show();
+}
+
+// At most five times per second, which takes at most a tenth of the time.
+void FilmTrace::show() {
+  constexpr double kMinSeconds = 0.2, kMinTimesItsCost = 10;
+  if (!control_.show) return;
+  const double start = monotonicSeconds();
+  control_.show(session_->film());
+  const double end = monotonicSeconds();
+  watch_.showAt(end + std::max(kMinSeconds, kMinTimesItsCost * (end - start)));
 }
 
 void FilmTrace::advance() {
@@ -186,12 +198,14 @@ void FilmTrace::advance() {
   const render::RenderControl control{&watch_.stop(),
                                       [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
   scheduleWrite(monotonicSeconds());
+  show();
   while (!session_->advance(range_, control)) {
     isInterrupted_ = watch_.mustEnd();
     if (isInterrupted_) return;
     filmProgress.endOfCall();
+    const bool mustWrite = watch_.mustWrite();
     watch_.goOn();
-    pause();
+    pause(mustWrite);
   }
 }
 
@@ -208,6 +222,7 @@ TracedFilm FilmTrace::end() {
   traced.result.statistics = session_->statistics();
   requireComplete(traced.result.statistics);
   traced.header = headerOf(traced.result.film);
+  if (control_.show) control_.show(traced.result.film);
   if (checkpoints_) {
     traced.isFilmLost = !checkpoints_->write(traced.result.film, traced.result.statistics, monotonicSeconds());
     traced.work = checkpoints_->work();

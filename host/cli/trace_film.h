@@ -16,6 +16,7 @@ struct TraceControl {
   const std::atomic<bool>& stop;                        ///< true: the render ends with the samples so far
   std::atomic<bool>* writeRequested = nullptr;          ///< true: the film is written, and the flag reset; null: never
   std::function<void(double, std::uint64_t)> report{};  ///< as FilmProgress::Report; empty: a line on stderr
+  std::function<void(const image::Film&)> show{};  ///< gets the film from time to time, and at the end; may be empty
 };
 
 struct DeviceFailure {

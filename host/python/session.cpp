@@ -56,7 +56,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
   result.interrupted = done_ < wanted_;
   const cli::RenderJob job = jobSoFar();
   film::FilmHeader header = filmHeaderOf(job, result.statistics);
-  setContent(header, result.film, job.scene, first_.value_or(0));
+  cli::setContent(header, result.film, job.scene, first_.value_or(0));
   const film::WorkReport work = film::workOf(result.statistics);
   return filmOf(job, std::move(result), std::move(header), work, seconds_, *log_);
 }

@@ -18,7 +18,8 @@ std::string kindName(PrimitiveKind kind) {
 }
 
 std::size_t countOf(const Scene& scene, image::MatteKind kind) {
-  return kind == image::MatteKind::object ? scene.objectStarts.size() : scene.materials.size();
+  return kind == image::MatteKind::object ? std::max<std::size_t>(scene.objectStarts.size(), 1)
+                                          : scene.materials.size();
 }
 
 std::string nameOf(const Scene& scene, image::MatteKind kind, std::size_t index) {
@@ -54,6 +55,7 @@ std::vector<std::string> namesOf(const Scene& scene, const image::Film& film, im
 
 std::string objectName(const Scene& scene, std::size_t object) {
   if (!scene.objectNames.empty()) return scene.objectNames[object];
+  if (scene.objectStarts.empty()) return "scene";
   return fmt::format("{}.{}", kindName(scene.primitives[scene.objectStarts[object]].kind), object);
 }
 
@@ -68,8 +70,8 @@ MatteIds::MatteIds(const Scene& scene)
 
 std::uint32_t MatteIds::of(image::MatteKind kind, std::uint32_t primitive) const {
   if (kind == image::MatteKind::material) return materials_[scene_.primitives[primitive].material];
-  const auto next = std::ranges::upper_bound(scene_.objectStarts, primitive);
-  return objects_[static_cast<std::size_t>(next - scene_.objectStarts.begin()) - 1];
+  const auto next = std::ranges::upper_bound(scene_.objectStarts, primitive) - scene_.objectStarts.begin();
+  return objects_[static_cast<std::size_t>(std::max<std::ptrdiff_t>(next, 1) - 1)];
 }
 
 image::MatteNames matteNamesOf(const Scene& scene, const image::Film& film) {

@@ -11,7 +11,7 @@ PROGRAM = os.environ["CANDELA_PROGRAM"]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CORNELL = SOURCE / "scenes/cornell.p3f"
 DEVICE = os.environ.get("CANDELA_TEST_DEVICE", "llvmpipe")
-FLAGS = ("one_sided", "resume_anyway", "denoise")
+FLAGS = ("one_sided", "resume_anyway", "denoise", "aov_through_specular")
 SMALL = {"size": (24, 20), "spp": 4}
 
 

@@ -15,6 +15,7 @@ RENDERS = {
     "one sample": {"device": DEVICE, "spp": 0},
     "layers": {"device": "cpu", "aovs": ["normal", "albedo", "depth", "samples"]},
     "layers of a device": {"device": DEVICE, "aovs": "indirect,uv"},
+    "mattes": {"device": DEVICE, "aovs": ["crypto-object", "crypto-material"], "aov_through_specular": True},
     "no layers": {"device": "cpu", "aovs": []},
     "denoised": {"device": "cpu", "denoise": True},
     "denoised by a device": {"device": DEVICE, "denoise": True, "aovs": ["position"]},

@@ -15,7 +15,8 @@ _Progress = Callable[[float, int], object]  #: gets the fraction that is done an
 _Vector = Sequence[float] | numpy.typing.NDArray[Any]
 _Integrator = Literal["path", "whitted", "ao", "normal", "albedo", "depth", "id", "cost"]
 _Layer = Literal[
-    "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments"
+    "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments",
+    "crypto-object", "crypto-material",
 ]
 _Floats = numpy.typing.NDArray[numpy.float32]
 
@@ -169,6 +170,7 @@ class Session:
         no_cache: bool | None = None,
         threads: int | None = None,
         aovs: Sequence[_Layer] | str | None = None,
+        aov_through_specular: bool | None = None,
         denoise: bool | None = None,
     ) -> None: ...
     def advance(self, samples: int | range | None = None, *, progress: _Progress | None = None) -> None: ...
@@ -276,6 +278,7 @@ def render(
     samples: range | str | None = None,
     crop: tuple[int, int, int, int] | str | None = None,
     aovs: Sequence[_Layer] | str | None = None,
+    aov_through_specular: bool | None = None,
     denoise: bool | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
