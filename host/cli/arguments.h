@@ -48,6 +48,7 @@ struct PixelPlace {
 
 /// What `candela conformance` runs, and what it expects.
 struct ConformanceArguments {
+  bool variants = false;                 ///< the cases are kernels against variants of them
   bool list = false;                     ///< print the names of the cases, and run none
   std::string cases = "*";               ///< pattern of their names
   std::optional<std::uint32_t> jobs;     ///< child processes at a time; empty: one per core

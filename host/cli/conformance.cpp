@@ -27,7 +27,8 @@ using conformance::CaseResult;
 using conformance::Cases;
 
 Cases chosenCases(const ConformanceArguments& arguments) {
-  Cases chosen = conformance::casesNamed(conformance::allCases(), arguments.cases);
+  const Cases all = arguments.variants ? conformance::variantCases() : conformance::allCases();
+  Cases chosen = conformance::casesNamed(all, arguments.cases);
   if (!chosen.empty()) return chosen;
   throw UsageError(fmt::format("--cases {}: no case has such a name; `candela conformance --list` prints all names",
                                arguments.cases));

@@ -21,6 +21,10 @@ Cases pictureCases();
 
 /// Returns all of the above.
 Cases allCases();
+
+/// Kernels against forms of them that must compute the same: `candela conformance --variants`.
+Cases variantCases();
+
 /// Returns the cases of `cases` whose name matches `glob`, a pattern with *, ? and [...] as in a shell.
 Cases casesNamed(const Cases& cases, const std::string& glob);
 

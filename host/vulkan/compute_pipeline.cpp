@@ -1,6 +1,8 @@
 // Creates compute pipelines from SPIR-V.
 #include "host/vulkan/compute_pipeline.h"
 
+#include <cstddef>
+
 #include "host/vulkan/compute_pipeline_impl.h"
 #include "host/vulkan/device.h"
 #include "host/vulkan/reduced_spirv.h"
@@ -26,12 +28,33 @@ vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::Descript
   return {device, info};
 }
 
-vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout,
-                                std::span<const std::uint32_t> code, const PipelineOptions& options) {
-  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
+ShaderCode codeFor(const Device::Impl& device, std::span<const std::uint32_t> spirv, const PipelineOptions& options) {
+  if (options.isFinal) return {{spirv.begin(), spirv.end()}};
+  if (device.options.prepareShader) return device.options.prepareShader(spirv, options.specialisations);
+  return {reducedSpirv(spirv, options.specialisations)};
+}
+
+std::vector<vk::SpecializationMapEntry> entriesOf(const std::vector<Specialisation>& specialisations) {
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (const Specialisation& one : specialisations) {
+    const auto offset = static_cast<std::uint32_t>(entries.size() * sizeof one + offsetof(Specialisation, value));
+    entries.emplace_back(one.id, offset, sizeof one.value);
+  }
+  return entries;
+}
+
+vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout, const ShaderCode& code,
+                                const PipelineOptions& options) {
+  const std::span<const std::uint32_t> words(code.words);
+  const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, words.size_bytes(), words.data()));
+  const std::vector<vk::SpecializationMapEntry> entries = entriesOf(code.specialisations);
+  const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         code.specialisations.size() * sizeof(Specialisation),
+                                         code.specialisations.data());
   const vk::PipelineShaderStageRequiredSubgroupSizeCreateInfoEXT size(device.options.subgroupSize);
   vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
   if (device.options.subgroupSize > 0) stage.pNext = &size;
+  if (!entries.empty()) stage.pSpecializationInfo = &constants;
   return {device.handle, device.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 
@@ -57,12 +80,11 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     const vk::raii::Device& handle = device.impl()->handle;
     impl_->setLayout = makeSetLayout(handle, options.bindings);
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
-    const std::vector<std::uint32_t> code = options.isFinal ? std::vector(spirv.begin(), spirv.end())
-                                                            : reducedSpirv(spirv, options.specialisations);
+    const ShaderCode code = codeFor(*device.impl(), spirv, options);
     impl_->handle = makePipeline(*device.impl(), *impl_->layout, code, options);
     if (Recording* const recording = device.impl()->options.recording.get()) {
       impl_->index = static_cast<std::uint32_t>(recording->shaders.size());
-      recording->shaders.push_back({code, options});
+      recording->shaders.push_back({code.words, options});
     }
   });
   impl_->device->residents.add(impl_);

@@ -6,18 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "host/vulkan/shader_code.h"
+
 namespace candela::vulkan {
 
 class Device;
 
 enum class BindingKind { storageBuffer, uniformTexelBuffer, uniformBuffer };
-
-/// The value of a 32-bit specialisation constant; bool: 0 or 1; float: its bits.
-struct Specialisation {
-  std::uint32_t id = 0;
-  std::uint32_t value = 0;
-  bool operator==(const Specialisation&) const = default;
-};
 
 struct PipelineOptions {
   std::vector<BindingKind> bindings;    ///< bindings[i] is layout(set = 0, binding = i)

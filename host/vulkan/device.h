@@ -11,6 +11,7 @@
 
 #include "host/vulkan/command_recorder.h"
 #include "host/vulkan/device_info.h"
+#include "host/vulkan/shader_code.h"
 
 namespace candela::vulkan {
 
@@ -37,6 +38,8 @@ struct DeviceOptions {
   std::uint32_t subgroupSize = 0;
   /// Receives everything that the device is given from its opening on; null: nothing is recorded.
   std::shared_ptr<Recording> recording{};
+  /// Makes the code of every pipeline, unless PipelineOptions::isFinal; empty: reducedSpirv() does.
+  PrepareShader prepareShader{};
   /// Instance extensions of a window system. If there are any, the device can present to its windows, provided that it
   /// has VK_KHR_swapchain: see Device::canPresent().
   std::vector<std::string> windowExtensions{};
