@@ -1,5 +1,7 @@
 // A case of the conformance run: a question about a device, with its answer.
 #pragma once
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,12 +31,22 @@ Finding skipped(std::string missingFeature);
 /// Returns the finding with Finding::isPerInvocation.
 Finding perInvocation(Finding finding);
 
+/// Limits of a search for the smallest difference.
+struct ShrinkLimits {
+  std::chrono::milliseconds trial{60'000};  ///< of each run of the case
+  double seconds = 60;                      ///< for the whole search
+  const std::atomic<bool>* stop = nullptr;  ///< polled
+};
+
 struct Case {
   std::string name;   ///< parts of letters, digits and underscores, separated by dots
   std::string group;  ///< cases of one group may run in one child process, because they share kernels or images
   std::function<Finding(Workbench&)> run;
   /// Captures the case in a way of its own; empty: captureCase() records the work of run().
   std::function<capture::Capture(const vulkan::DeviceInfo&)> capture{};
+  /// Describes the smallest difference after a failure; empty: the case does not shrink. Call it while the process has
+  /// one thread.
+  std::function<std::string(const vulkan::DeviceInfo&, const ShrinkLimits&)> shrink{};
 };
 
 using Cases = std::vector<Case>;

@@ -6,11 +6,16 @@
 
 namespace candela::conformance {
 
-Workbench::Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording)
-    : info_(std::move(info)), recording_(std::move(recording)), reference_(reference::makeReferenceRenderer()) {}
+Workbench::Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording,
+                     vulkan::PrepareShader prepareShader)
+    : info_(std::move(info)),
+      recording_(std::move(recording)),
+      prepareShader_(std::move(prepareShader)),
+      reference_(reference::makeReferenceRenderer()) {}
 
 vulkan::Device Workbench::open(vulkan::DeviceOptions options) const {
   options.recording = recording_;
+  options.prepareShader = prepareShader_;
   return vulkan::Device::open(info_, options);
 }
 

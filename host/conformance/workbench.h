@@ -1,8 +1,11 @@
 // What the cases of one child process share: the open device and the two tracers.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "host/conformance/observation.h"
 #include "host/render/renderer.h"
 #include "host/vulkan/device.h"
 
@@ -10,8 +13,10 @@ namespace candela::conformance {
 
 class Workbench {
  public:
-  /// `recording` receives everything that the devices of open() are given; null: nothing is recorded.
-  explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {});
+  /// `recording` receives everything that the devices of open() are given; null: nothing is recorded. `prepareShader`
+  /// is DeviceOptions::prepareShader.
+  explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {},
+                     vulkan::PrepareShader prepareShader = {});
 
   const vulkan::DeviceInfo& info() const { return info_; }
   /// Opens the device with these options.
@@ -22,13 +27,17 @@ class Workbench {
   render::Renderer& renderer();
   /// Returns the reference tracer.
   render::Renderer& reference() { return *reference_; }
+  /// What cases of a group compare with, by the name of the group.
+  std::map<std::string, Observation>& observations() { return observations_; }
 
  private:
   vulkan::DeviceInfo info_;
   std::shared_ptr<vulkan::Recording> recording_;
+  vulkan::PrepareShader prepareShader_;
   std::optional<vulkan::Device> device_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::Renderer> reference_;
+  std::map<std::string, Observation> observations_;
 };
 
 }  // namespace candela::conformance

@@ -48,7 +48,7 @@ Ids operations(const Module& module) {
   return found;
 }
 
-bool forbids(const Instruction& one) { return one.opcode == kOpDecorate && one.words[2] == kNoContraction; }
+bool forbids(const Instruction& one) { return one.opcode == kOpDecorate && one.words[2] == kDecorationNoContraction; }
 
 Ids decoratedIds(const Module& module) {
   Ids decorated;
@@ -59,7 +59,7 @@ Ids decoratedIds(const Module& module) {
 }
 
 Instruction decoration(std::uint32_t id) {
-  return {kOpDecorate, 0, 0, {(3u << 16) | kOpDecorate, id, kNoContraction}, {1}};
+  return {kOpDecorate, 0, 0, {(3u << 16) | kOpDecorate, id, kDecorationNoContraction}, {1}};
 }
 
 }  // namespace

@@ -1,31 +1,60 @@
 // Forms of a shader that must compute the same.
 #pragma once
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/variants/module.h"
+#include "host/variants/mutation.h"
 #include "host/vulkan/shader_code.h"
 
 namespace candela::variants {
 
+enum class StepKind { pass, requestUnrolling, mutation };
+
 /// A transformation of a module that keeps what it computes.
 struct Step {
-  std::string pass;  ///< of spirv-opt
+  StepKind kind = StepKind::pass;
+  std::string pass{};   ///< of spirv-opt
+  Mutation mutation{};  ///< of the project's own generator
+
   bool operator==(const Step&) const = default;
+  /// Returns e.g. "spirv-opt --ccp" or "mutation 3 of seed 1".
+  std::string text() const;
+};
+
+/// How specialisation constants get their values.
+enum class Constants {
+  reduced,  ///< they are frozen, and what is never reached is removed, as in kernels in use:
+            ///< host/vulkan/reduced_spirv.h
+  frozen,   ///< they are frozen
+  open      ///< the driver sets them
 };
 
 struct Variant {
   std::string name;
-  std::vector<Step> steps;
+  std::vector<Step> steps;  ///< in their order
+  Constants constants = Constants::reduced;
   bool forbidsContraction = true;  ///< every floating-point operation is NoContraction
 };
 
 /// The form that the others are compared with: without steps.
 Variant plainVariant();
 /// Returns all others.
-std::vector<Variant> allVariants();
+const std::vector<Variant>& allVariants();
+/// Returns the variant without NoContraction, which a compiler may round in another way.
+Variant withContraction(Variant variant);
 
-/// Returns a function that makes this form of a module.
-vulkan::PrepareShader preparation(const Variant& variant);
+/// Limits and observes what preparation() does.
+struct PreparationScope {
+  /// Returns whether a module is to be transformed; empty: all are. The others get the plain form.
+  std::function<bool(std::span<const std::uint32_t> spirv)> isMeant{};
+  /// Receives what each step did to each module, if it did anything; may be null.
+  std::function<void(std::span<const std::uint32_t> spirv, const std::string& text)> note{};
+};
+
+/// Returns a function that makes this form of a module. It throws InternalError if the optimiser refuses a module.
+vulkan::PrepareShader preparation(const Variant& variant, const PreparationScope& scope = {});
 
 }  // namespace candela::variants

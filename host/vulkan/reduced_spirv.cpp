@@ -9,36 +9,51 @@
 namespace candela::vulkan {
 namespace {
 
+void registerFreezing(spvtools::Optimizer& optimizer, std::span<const Specialisation> specialisations) {
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
+  for (const Specialisation& constant : specialisations) values[constant.id] = {constant.value};
+  optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass());
+}
+
 void registerRemoval(spvtools::Optimizer& optimizer) {
   optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
       .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
-                                        std::span<const Specialisation> specialisations) {
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
-  for (const Specialisation& constant : specialisations) values[constant.id] = {constant.value};
-  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
-  optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
-      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass());
-  // Branches on constants alone are removed first, so that constants are propagated through the functions that remain.
-  registerRemoval(optimizer);
-  optimizer.RegisterPass(spvtools::CreateCCPPass());
-  registerRemoval(optimizer);
+std::vector<std::uint32_t> run(spvtools::Optimizer& optimizer, std::span<const std::uint32_t> spirv) {
   std::string problems;
   optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
     problems += std::string(" ") + message;
   });
-  std::vector<std::uint32_t> reduced;
+  std::vector<std::uint32_t> result;
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);
-  if (!optimizer.Run(spirv.data(), spirv.size(), &reduced, options)) {
+  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options)) {
     throw InternalError("the SPIR-V optimiser refused a kernel:" + problems);
   }
-  return reduced;
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
+                                        std::span<const Specialisation> specialisations) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+  registerFreezing(optimizer, specialisations);
+  // Branches on constants alone are removed first, so that constants are propagated through the functions that remain.
+  registerRemoval(optimizer);
+  optimizer.RegisterPass(spvtools::CreateCCPPass());
+  registerRemoval(optimizer);
+  return run(optimizer, spirv);
+}
+
+std::vector<std::uint32_t> frozenSpirv(std::span<const std::uint32_t> spirv,
+                                       std::span<const Specialisation> specialisations) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+  registerFreezing(optimizer, specialisations);
+  return run(optimizer, spirv);
 }
 
 }  // namespace candela::vulkan

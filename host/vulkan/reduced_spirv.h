@@ -1,4 +1,4 @@
-// SPIR-V without the code that specialisation constants disable.
+// SPIR-V whose specialisation constants have their values.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,5 +14,9 @@ namespace candela::vulkan {
 /// optimiser refuses the module.
 std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
                                         std::span<const Specialisation> specialisations);
+
+/// Returns the module with the constants at their values. Throws as reducedSpirv() does.
+std::vector<std::uint32_t> frozenSpirv(std::span<const std::uint32_t> spirv,
+                                       std::span<const Specialisation> specialisations);
 
 }  // namespace candela::vulkan

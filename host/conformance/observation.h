@@ -1,0 +1,22 @@
+// What a form of a kernel gives, so that two forms can be compared.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "host/image/film.h"
+
+namespace candela::conformance {
+
+struct Observation {
+  std::string key;     ///< forms agree if their keys are equal
+  std::string text{};  ///< of a case that does not pass: what differs
+  image::Film film{};  ///< of a picture
+};
+
+/// The key of a case that the device cannot answer; Observation::text names the missing feature.
+inline constexpr std::string_view kSkipped = "Skip";
+
+/// Returns what differs, in a sentence; empty: the keys are equal. Of films, it names the first pixel that differs.
+std::string differenceBetween(const Observation& plain, const Observation& other, const std::string& otherName);
+
+}  // namespace candela::conformance

@@ -1,0 +1,45 @@
+// Modules that the tests of variants change.
+#pragma once
+#include <span>
+#include <spirv-tools/libspirv.hpp>
+#include <string>
+#include <vector>
+
+#include "host/variants/module.h"
+#include "host/vulkan/reduced_spirv.h"
+#include "spirv/control.h"
+#include "spirv/memory.h"
+#include "spirv/path.h"
+#include "spirv/views.h"
+#include "spirv/wave_extend.h"
+#include "spirv/wave_shade.h"
+#include "spirv/whitted.h"
+
+namespace candela::variants {
+
+struct NamedModule {
+  const char* name;
+  std::span<const std::uint32_t> spirv;
+};
+
+inline std::vector<NamedModule> testModules() {
+  return {{"path", spirv::path},
+          {"views", spirv::views},
+          {"whitted", spirv::whitted},
+          {"wave_extend", spirv::wave_extend},
+          {"wave_shade", spirv::wave_shade},
+          {"control", spirv::control},
+          {"memory", spirv::memory}};
+}
+
+/// Returns what the validator has against a module; empty: nothing.
+inline std::string validationOf(const Code& code) {
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  std::string problems;
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+    problems += std::string(message) + "\n";
+  });
+  return tools.Validate(code) ? std::string() : "invalid: " + problems;
+}
+
+}  // namespace candela::variants
