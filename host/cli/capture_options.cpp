@@ -15,7 +15,7 @@ std::vector<Option> captureOptions() {
            orAbsent(pixelPlace(kMaxSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
     valued({"--expect", kCapture, kGroup, "expect the bits that another device computes, named as by --device; without this option, what the host computes is expected, with a tolerance for each value"},
            text("DEVICE", "a device"), [](auto& a) -> auto& { return a.capture.expect; }),
-    valued({"--shrink-time", kCapture, kGroup, "if the device is wrong: time for leaving parts of the scene out that do not matter; 0s: none"},
+    valued({"--shrink-time", kCapture | kConformance, kGroup, "if the device is wrong: time for leaving parts of the scene out that do not matter, or transformations of a variant; 0s: none"},
            duration(0), [](auto& a) -> auto& { return a.capture.shrinkSeconds; }),
   };
 }

@@ -8,16 +8,15 @@
 
 #include "host/capture/folder.h"
 #include "host/cli/commands.h"
+#include "host/cli/conformance_failures.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/text_output.h"
-#include "host/conformance/capture_case.h"
 #include "host/conformance/case_tables.h"
 #include "host/conformance/results.h"
 #include "host/core/interrupt.h"
 #include "host/core/stopwatch.h"
 #include "host/doctor/devices.h"
-#include "host/process/child_process.h"
 #include "host/vulkan/device_choice.h"
 
 namespace candela::cli {
@@ -26,12 +25,18 @@ namespace {
 using conformance::CaseResult;
 using conformance::Cases;
 
+[[noreturn]] void refuseNames(const ConformanceArguments& arguments) {
+  const bool needsVariants = !arguments.variants && arguments.cases.rfind("variants.", 0) == 0;
+  throw UsageError(fmt::format("--cases {}: no case has such a name{}; `candela conformance{} --list` prints all names",
+                               arguments.cases, needsVariants ? " without --variants" : "",
+                               needsVariants || arguments.variants ? " --variants" : ""));
+}
+
 Cases chosenCases(const ConformanceArguments& arguments) {
   const Cases all = arguments.variants ? conformance::variantCases() : conformance::allCases();
   Cases chosen = conformance::casesNamed(all, arguments.cases);
-  if (!chosen.empty()) return chosen;
-  throw UsageError(fmt::format("--cases {}: no case has such a name; `candela conformance --list` prints all names",
-                               arguments.cases));
+  if (chosen.empty()) refuseNames(arguments);
+  return chosen;
 }
 
 void printNames(const Cases& cases) {
@@ -65,34 +70,6 @@ bool isWorthALine(const CaseResult& result, const Log& log) {
          log.verbosity() == Verbosity::verbose;
 }
 
-constexpr std::chrono::minutes kCaptureLimit{5};
-
-// A driver that crashes ends a child alone.
-void captureFailure(const conformance::Case& question, const vulkan::DeviceInfo& device,
-                    const std::filesystem::path& folder, const Log& log) {
-  const process::ChildResult result = process::runInChild(kCaptureLimit, [&] {
-    capture::writeFolder(conformance::captureCase(question, device), folder / question.name);
-    return nlohmann::json(true);
-  });
-  if (result.failure.empty()) {
-    log.note(fmt::format("{}: captured in {}", question.name, (folder / question.name).string()));
-  } else {
-    log.warning(fmt::format("{}: capturing it {}", question.name, result.failure));
-  }
-}
-
-void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const Cases& cases,
-                     const vulkan::DeviceInfo& device, const Log& log) {
-  const std::filesystem::path& folder = arguments.conformance.captures;
-  if (folder.empty()) return;
-  for (const CaseResult& result : run.cases) {
-    if (result.verdict.status != conformance::Status::fail || watchInterrupts()) continue;
-    std::error_code ignored;
-    std::filesystem::create_directory(folder, ignored);
-    captureFailure(*std::ranges::find(cases, result.name, &conformance::Case::name), device, folder, log);
-  }
-}
-
 void requireWritableOutputs(const Arguments& arguments) {
   if (!arguments.conformance.captures.empty()) capture::requireNewFolder(arguments.conformance.captures);
   for (const std::string& target : {arguments.conformance.csv, arguments.json, arguments.junit}) {
@@ -123,7 +100,8 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   log.note(fmt::format("{} cases on {} ({}), {} at a time", cases.size(), device.name, device.driver, options.jobs));
   options.stop = &watchInterrupts();
   Stopwatch watch;
-  const conformance::RunResult run = conformance::runCases(cases, device, options);
+  conformance::RunResult run = conformance::runCases(cases, device, options);
+  shrinkFailures(arguments, run, cases, device, log);
   const double seconds = watch.lap();
   if (asText) std::cout << fmt::format("{} ({:.1f} s)\n", countsOf(run), seconds) << std::flush;
   writeText(arguments.conformance.csv, toCsv(run));

@@ -16,7 +16,7 @@ std::vector<Option> conformanceOptions() {
   return {
     valued({"--cases", kConformance, kGroup, "run the cases whose names match a pattern with *, ? and [...]"},
            text("GLOB", "a pattern"), [](auto& a) -> auto& { return a.conformance.cases; }),
-    flag({"--variants", kConformance, kGroup, "run kernels against variants of them that must compute the same, instead of the other cases"}, [](auto& a) -> auto& { return a.conformance.variants; }),
+    flag({"--variants", kConformance, kGroup, "compare shaders with variants of them that must compute the same, instead of the other cases"}, [](auto& a) -> auto& { return a.conformance.variants; }),
     flag({"--list", kConformance, kGroup, "print the names of the cases, and run none"}, [](auto& a) -> auto& { return a.conformance.list; }),
     valued({"--jobs", kConformance, kGroup, "number of child processes at a time; `auto`: one per core"},
            orAbsent(wholeNumber(1, kMaxJobs), "auto"), [](auto& a) -> auto& { return a.conformance.jobs; }),

@@ -63,9 +63,7 @@ class Workshop {
 
   void finishPasses() {
     if (pending_.empty()) return;
-    Code changed = optimised(code_, pending_);
-    if (changed != code_) note_(fmt::format("{} passes of spirv-opt", pending_.size()));
-    code_ = std::move(changed);
+    code_ = optimised(code_, pending_);
     pending_.clear();
   }
 

@@ -50,7 +50,7 @@ Variant withContraction(Variant variant);
 struct PreparationScope {
   /// Returns whether a module is to be transformed; empty: all are. The others get the plain form.
   std::function<bool(std::span<const std::uint32_t> spirv)> isMeant{};
-  /// Receives what each step did to each module, if it did anything; may be null.
+  /// Receives what each step but a pass did to each module, if it did anything; may be empty.
   std::function<void(std::span<const std::uint32_t> spirv, const std::string& text)> note{};
 };
 
