@@ -34,9 +34,4 @@ ProgramResult runIn(const std::string& folder, const std::vector<std::string>& e
   return runProgram("/bin/sh", {"-c", "cd \"$0\" && " + command, folder}, {.environment = environment});
 }
 
-std::vector<std::string> miscompiled(const std::string& change) {
-  return {"VK_LAYER_PATH=" CANDELA_MISCOMPILER_LAYERS, "VK_INSTANCE_LAYERS=VK_LAYER_CANDELA_miscompiler",
-          "CANDELA_MISCOMPILE=" + change};
-}
-
 }  // namespace candela

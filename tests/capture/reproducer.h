@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/capture/miscompiled.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -21,8 +22,5 @@ ProgramResult runIn(const std::string& folder, const std::vector<std::string>& e
 
 /// A change of miscompiler.cpp: OpISubBorrow instead of OpIAddCarry.
 inline constexpr const char* kBorrowsInsteadOfCarrying = "149:all:150";
-
-/// The environment in which the layer of miscompiler.cpp makes a change, as CANDELA_MISCOMPILE states it.
-std::vector<std::string> miscompiled(const std::string& change);
 
 }  // namespace candela

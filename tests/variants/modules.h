@@ -12,6 +12,7 @@
 #include "spirv/path.h"
 #include "spirv/views.h"
 #include "spirv/wave_extend.h"
+#include "spirv/wave_renew.h"
 #include "spirv/wave_shade.h"
 #include "spirv/whitted.h"
 
@@ -30,6 +31,11 @@ inline std::vector<NamedModule> testModules() {
           {"wave_shade", spirv::wave_shade},
           {"control", spirv::control},
           {"memory", spirv::memory}};
+}
+
+/// Returns those that take little time.
+inline std::vector<NamedModule> smallModules() {
+  return {{"wave_renew", spirv::wave_renew}, {"control", spirv::control}};
 }
 
 /// Returns what the validator has against a module; empty: nothing.
