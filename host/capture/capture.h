@@ -12,7 +12,7 @@ namespace candela::capture {
 
 using Content = std::vector<std::byte>;
 
-/// A file for people in the folder of a capture.
+/// A further file in the folder of a capture.
 struct TextFile {
   std::string name;
   std::string text;
@@ -25,7 +25,7 @@ struct Capture {
   std::string capturedOn;         ///< name and driver of this device
   std::size_t differing = 0;      ///< number of values that differ there
   std::string note;               ///< sentences about what is rendered; may be empty
-  std::vector<TextFile> files;    ///< beside the program, e.g. the scene
+  std::vector<TextFile> files;    ///< beside the program, e.g. the scene, or other forms of modules
   vulkan::Recording work;         ///< the commands whose results are expected; buffers have no other use
   std::vector<Content> contents;  ///< of each buffer before the first command; what was never written is 0
   ExpectedValues expected;        ///< of the buffers of the last dispatch

@@ -18,6 +18,14 @@ namespace {
 
 using vulkan::RecordedDispatch;
 
+std::unique_ptr<render::Renderer> rendererOn(const TrialDevice& device, std::shared_ptr<vulkan::Recording> recording) {
+  vulkan::DeviceOptions options;
+  options.subgroupSize = device.subgroupSize;
+  options.prepareShader = device.prepareShader;
+  options.recording = std::move(recording);
+  return device::makeGpuRenderer(vulkan::Device::open(device.info, options));
+}
+
 image::Film renderSample(render::Renderer& renderer, const scene::Scene& scene, const Sample& sample) {
   const std::unique_ptr<render::Session> session = renderer.prepare(scene, sample.settings);
   session->advance({sample.index, sample.index + 1}, {});
@@ -69,13 +77,11 @@ void takeFewestSegments(SampleTrial& trial, const scene::Scene& scene, Sample& s
 
 }  // namespace
 
-SampleTrial::SampleTrial(const vulkan::DeviceInfo& device, std::uint32_t subgroupSize,
-                         const std::optional<vulkan::DeviceInfo>& other)
-    : info_(device),
+SampleTrial::SampleTrial(const TrialDevice& device, const std::optional<TrialDevice>& other)
+    : info_(device.info),
       recording_(std::make_shared<vulkan::Recording>()),
-      device_(device::makeGpuRenderer(
-          vulkan::Device::open(device, {.subgroupSize = subgroupSize, .recording = recording_}))),
-      expected_(other ? device::makeGpuRenderer(vulkan::Device::open(*other)) : reference::makeReferenceRenderer()),
+      device_(rendererOn(device, recording_)),
+      expected_(other ? rendererOn(*other, {}) : reference::makeReferenceRenderer()),
       expectsBits_(other.has_value()) {}
 
 image::Film SampleTrial::render(const scene::Scene& scene, const Sample& sample) {

@@ -17,12 +17,18 @@ struct Sample {
   std::uint32_t index = 0;
 };
 
+/// A device, and what its pipelines have: see DeviceOptions.
+struct TrialDevice {
+  vulkan::DeviceInfo info;
+  std::uint32_t subgroupSize = 0;
+  vulkan::PrepareShader prepareShader{};
+};
+
 class SampleTrial {
  public:
-  /// Opens the devices; pipelines on the first have this subgroup size (DeviceOptions::subgroupSize). `other` is the
-  /// one whose bits are expected; absent: the reference's values are. Throws NoDeviceError.
-  SampleTrial(const vulkan::DeviceInfo& device, std::uint32_t subgroupSize,
-              const std::optional<vulkan::DeviceInfo>& other);
+  /// Opens the devices. `other` is the one whose bits are expected; absent: the reference's values are. Throws
+  /// NoDeviceError.
+  SampleTrial(const TrialDevice& device, const std::optional<TrialDevice>& other);
 
   /// Returns how many values of the film differ from the expected ones, of which there may be none. Throws as
   /// Renderer::prepare() does.

@@ -57,7 +57,7 @@ Remainder shrink(SampleTrial& trial, const scene::Scene& scene, const SceneParts
 }  // namespace
 
 Capture captureScene(const scene::Scene& scene, const SceneParts& parts, const SceneRequest& request) {
-  SampleTrial trial(request.device, request.subgroupSize, request.expect);
+  SampleTrial trial(request.device, request.expect);
   const Remainder left = shrink(trial, scene, parts, request);
   const bool isWhole = left.parts.size() == parts.count();
   const scene::Scene smaller = isWhole ? scene : parts.with(left.parts);
@@ -69,13 +69,13 @@ Capture captureScene(const scene::Scene& scene, const SceneParts& parts, const S
                     titleOf(scene, request.sample)));
   }
   capture.title = titleOf(scene, request.sample);
-  capture.expectedBy = request.expect ? fmt::format("{} ({})", request.expect->name, request.expect->driver)
+  capture.expectedBy = request.expect ? fmt::format("{} ({})", request.expect->info.name, request.expect->info.driver)
                                       : "the reference tracer";
-  capture.capturedOn = fmt::format("{} ({})", request.device.name, request.device.driver);
+  capture.capturedOn = fmt::format("{} ({})", request.device.info.name, request.device.info.driver);
   capture.note = fmt::format("It renders {}, with {} of {} {} of the scene. The film is in binding {}.",
                              regionText(left.sample), left.parts.size(), parts.count(), parts.noun(), kFilmBinding);
   if (const std::string text = parts.textWith(left.parts); !text.empty()) capture.files.push_back({"scene.p3f", text});
-  check(capture, request.device);
+  check(capture, request.device.info);
   requireRunning(request);
   return capture;
 }

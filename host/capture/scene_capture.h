@@ -11,11 +11,10 @@ namespace candela::capture {
 struct SceneRequest {
   render::RenderSettings settings;
   render::PixelSample sample;
-  vulkan::DeviceInfo device;
-  std::optional<vulkan::DeviceInfo> expect;  ///< whose bits are expected; absent: the reference's values
-  std::uint32_t subgroupSize = 0;            ///< that pipelines on `device` require; 0: as the driver chooses
-  double shrinkSeconds = 60;                 ///< time for leaving parts of the scene out; 0: the scene stays as it is
-  const std::atomic<bool>* stop = nullptr;   ///< polled
+  TrialDevice device;
+  std::optional<TrialDevice> expect;        ///< whose bits are expected; absent: the reference's values
+  double shrinkSeconds = 60;                ///< time for leaving parts of the scene out; 0: the scene stays as it is
+  const std::atomic<bool>* stop = nullptr;  ///< polled
 };
 
 /// Renders the sample and returns its work. If the device fails, region, workgroup, path and scene are shrunk while it

@@ -73,8 +73,8 @@ Capture captureOfScene(const Arguments& arguments, const Log& log) {
   capture::SceneRequest request;
   request.sample = sampleAskedFor(job);
   request.settings = job.settings;
-  request.device = vulkan::selectDevice(arguments.device);
-  request.expect = otherDevice(arguments, request.device);
+  request.device.info = vulkan::selectDevice(arguments.device);
+  if (const auto other = otherDevice(arguments, request.device.info)) request.expect = {*other};
   request.shrinkSeconds = arguments.capture.shrinkSeconds;
   request.stop = &watchInterrupts();
   return captureScene(job.scene, *partsOf(job), request);
@@ -94,9 +94,13 @@ bool looksLikeCase(const std::string& word) {
                   word, didYouMean(word, names)));
 }
 
+Cases casesFor(const std::string& word) {
+  return word.rfind("variants.", 0) == 0 ? conformance::variantCases() : conformance::allCases();
+}
+
 Capture captureOf(const Arguments& arguments, const Log& log) {
   const std::string& word = arguments.files.front();
-  const Cases cases = conformance::allCases();
+  const Cases cases = casesFor(word);
   const auto found = std::ranges::find(cases, word, &Case::name);
   if (found != cases.end()) return captureOfCase(*found, arguments);
   if (looksLikeCase(word)) refuseUnknown(word, cases);

@@ -34,13 +34,14 @@ capture::Capture captureOf(const vulkan::Recording& recording, const Finding& fi
 
 }  // namespace
 
-capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device) {
+capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device,
+                             const vulkan::PrepareShader& prepareShader) {
   capture::Capture capture;
   if (question.capture) {
     capture = question.capture(device);
   } else {
     const auto recording = std::make_shared<vulkan::Recording>();
-    Workbench workbench(device, recording);
+    Workbench workbench(device, recording, prepareShader);
     const Finding finding = question.run(workbench);
     requireCapturable(question, finding, device);
     capture = captureOf(*recording, finding, device);

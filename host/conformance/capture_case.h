@@ -7,7 +7,9 @@
 namespace candela::conformance {
 
 /// Runs a case on the device and returns its last dispatch, whose results the case states. Capture::found has what
-/// differs. Throws UsageError if the case states no result of a single dispatch, or if the device lacks what it needs.
-capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device);
+/// differs. `prepareShader` is DeviceOptions::prepareShader; cases that are captured in a way of their own ignore it.
+/// Throws UsageError if the case states no result of a single dispatch, or if the device lacks what it needs.
+capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device,
+                             const vulkan::PrepareShader& prepareShader = {});
 
 }  // namespace candela::conformance

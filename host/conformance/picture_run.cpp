@@ -15,8 +15,6 @@
 namespace candela::conformance {
 namespace {
 
-constexpr double kShrinkSeconds = 20;
-
 std::string explanationOf(const scene::Scene& scene, const render::RenderSettings& settings,
                           const verify::PixelAgreement& pixels, render::Renderer& device, render::Renderer& reference) {
   if (settings.image.integrator != render::Integrator::path) return "first differences:" + pixels.causesText();
@@ -53,8 +51,9 @@ Finding comparePicture(const Picture& picture, Workbench& workbench) {
   return compareOn(*device::makeGpuRenderer(device), picture, workbench.reference());
 }
 
-capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device) {
-  Workbench workbench(device);
+capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,
+                                const vulkan::PrepareShader& prepareShader) {
+  Workbench workbench(device, {}, prepareShader);
   const scene::Scene& scene = sceneNamed(picture.scene);
   render::BadSampleTallies ignored;
   const auto pixels = verify::comparePaths(scene, picture.settings, workbench.renderer(), workbench.reference(),
@@ -63,9 +62,8 @@ capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo
   request.settings = picture.settings;
   request.settings.image.sampleCount = 1;
   request.sample = {pixels->worstX, pixels->worstY, 0};
-  request.device = device;
-  request.subgroupSize = picture.subgroupSize;
-  request.shrinkSeconds = kShrinkSeconds;
+  request.device = {device, picture.subgroupSize, prepareShader};
+  request.shrinkSeconds = kPictureShrinkSeconds;
   return capture::captureScene(scene, *capture::primitivesOf(scene), request);
 }
 

@@ -10,6 +10,9 @@ namespace candela::conformance {
 /// Probability that a picture of a correct device fails.
 inline constexpr double kPictureAlpha = 1e-5;
 
+/// Time for leaving parts of a scene out that is captured.
+inline constexpr double kPictureShrinkSeconds = 20;
+
 struct Picture {
   std::string scene = "cornell";  ///< see scenes.h
   render::RenderSettings settings;
@@ -23,6 +26,7 @@ struct Picture {
 Finding comparePicture(const Picture& picture, Workbench& workbench);
 
 /// Captures sample 0 of the pixel of the picture that differs most. Throws as capture::captureScene() does.
-capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device);
+capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,
+                                const vulkan::PrepareShader& prepareShader = {});
 
 }  // namespace candela::conformance

@@ -8,6 +8,7 @@
 #include "host/conformance/case_tables.h"
 #include "host/conformance/picture_run.h"
 #include "host/conformance/scenes.h"
+#include "host/conformance/variant_capture.h"
 #include "host/conformance/variant_question.h"
 #include "host/conformance/variant_shrink.h"
 #include "host/conformance/workbench.h"
@@ -56,11 +57,11 @@ Observation observeFinding(const Finding& finding) {
   return {finding.outcome == Outcome::pass ? "Pass" : "Fail", finding.text};
 }
 
-Case caseOf(const std::string& name, const VariantQuestion& question) {
-  return {name,
-          question.group,
-          [question](Workbench& bench) { return compareForms(question, bench); },
-          {},
+using CaptureVariant = std::function<capture::Capture(const Variant&, const vulkan::DeviceInfo&)>;
+
+Case caseOf(const std::string& name, const VariantQuestion& question, const CaptureVariant& capture) {
+  return {name, question.group, [question](Workbench& bench) { return compareForms(question, bench); },
+          [=](const vulkan::DeviceInfo& device) { return capture(question.variant, device); },
           [question](const vulkan::DeviceInfo& device, const ShrinkLimits& limits) {
             return smallestDifference(question, device, limits);
           }};
@@ -72,7 +73,8 @@ void addFilms(const KernelRow& row, Cases& cases) {
     for (const Variant& variant : variants::allVariants()) {
       cases.push_back(caseOf(fmt::format("variants.{}.{}.{}", row.name, variant.name, scene),
                              {fmt::format("variants.{}.{}", row.name, scene), variant,
-                              [picture](Workbench& bench) { return observeFilm(picture, bench); }}));
+                              [picture](Workbench& bench) { return observeFilm(picture, bench); }},
+                             std::bind_front(captureForms, picture)));
     }
   }
 }
@@ -84,7 +86,8 @@ void addVerdicts(const KernelRow& row, Cases& cases) {
     if (variant.steps.empty()) continue;
     cases.push_back(caseOf(fmt::format("variants.{}.{}_undecorated.{}", row.name, variant.name, picture.scene),
                            {fmt::format("variants.{}.undecorated", row.name), withContraction(variant),
-                            [picture](Workbench& bench) { return observeFinding(comparePicture(picture, bench)); }}));
+                            [picture](Workbench& bench) { return observeFinding(comparePicture(picture, bench)); }},
+                           std::bind_front(captureVerdict, picture)));
   }
 }
 
@@ -99,7 +102,8 @@ void addModules(const Cases& table, Cases& cases) {
     for (const Variant& variant : variants::allVariants()) {
       cases.push_back(caseOf(fmt::format("variants.module.{}.{}", variant.name, one.name),
                              {"variants.module." + one.name, variant,
-                              [run = one.run](Workbench& bench) { return observeFinding(run(bench)); }}));
+                              [run = one.run](Workbench& bench) { return observeFinding(run(bench)); }},
+                             std::bind_front(captureModule, one)));
     }
   }
 }

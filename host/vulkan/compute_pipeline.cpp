@@ -34,6 +34,10 @@ ShaderCode codeFor(const Device::Impl& device, std::span<const std::uint32_t> sp
   return {reducedSpirv(spirv, options.specialisations)};
 }
 
+std::vector<std::uint32_t> withoutConstants(const ShaderCode& code) {
+  return code.specialisations.empty() ? code.words : frozenSpirv(code.words, code.specialisations);
+}
+
 std::vector<vk::SpecializationMapEntry> entriesOf(const std::vector<Specialisation>& specialisations) {
   std::vector<vk::SpecializationMapEntry> entries;
   for (const Specialisation& one : specialisations) {
@@ -84,7 +88,7 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     impl_->handle = makePipeline(*device.impl(), *impl_->layout, code, options);
     if (Recording* const recording = device.impl()->options.recording.get()) {
       impl_->index = static_cast<std::uint32_t>(recording->shaders.size());
-      recording->shaders.push_back({code.words, options});
+      recording->shaders.push_back({withoutConstants(code), options});
     }
   });
   impl_->device->residents.add(impl_);
