@@ -101,6 +101,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--junit", "FILE", ""},
       {"--explain", "", ""},
       {"--cases", "GLOB", "*"},
+      {"--variants", "", ""},
       {"--list", "", ""},
       {"--jobs", "N", "auto"},
       {"--shuffle", "N", "off"},
