@@ -32,7 +32,7 @@ TEST_CASE("capture: a variant differs in the program, and the plain form beside 
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output, faulty, "./reproduce --module 0 plain_0.spv").exitCode == 0);
   CHECK(runIn(output).exitCode == 0);
-  CHECK_THAT(readFile(output + "/README.md"), Contains("`./reproduce --module 0 plain_0.spv`"));
+  CHECK_THAT(readText(output + "/README.md"), Contains("`./reproduce --module 0 plain_0.spv`"));
 }
 
 TEST_CASE("capture: a variant of a kernel expects the bits of the plain form, and one pixel suffices",
