@@ -93,6 +93,8 @@ struct Arguments {
   image::DisplayTransform display;
   std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
 
+  std::optional<double> noiseThreshold;  ///< relative error at which regions stop; empty: all have the same samples
+
   std::optional<render::SampleRange> samples;  ///< part of the samples of each pixel; empty: all
   std::filesystem::path checkpoint;            ///< film file; empty for none
   double checkpointEvery = 60;                 ///< minimum time between two writes in seconds

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/cli/adaptive_report.h"
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
 
@@ -50,6 +51,10 @@ FilmDescription describe(const film::FilmHeader& header, const image::Film& film
     description.samples += pixel.sampleCount;
     description.badSamples += pixel.badCount;
   }
+  if (const auto plan = planOf(header)) {
+    description.adaptive = adaptiveText(film);
+    description.adaptiveFigures = adaptiveJson(*plan, film, header.samplesPerPixel);
+  }
   std::vector<film::SampleBox> boxes = header.covered;
   boxes.insert(boxes.end(), header.begun.begin(), header.begun.end());
   description.missing = missingBoxes(boxes, {render::windowOf(header.size), {0, header.samplesPerPixel}});
@@ -71,6 +76,7 @@ std::string toText(const FilmDescription& description) {
   text += rows("interrupted in", textsOf(header.begun));
   text += rows("lacks", textsOf(description.missing));
   text += row("samples", fmt::to_string(description.samples));
+  if (description.adaptive) text += row("adaptive", *description.adaptive);
   text += row("bad samples", fmt::to_string(description.badSamples));
   text += rows("made by", tracerTexts(header.tracers));
   text += rows("mixed", header.mixed);
@@ -85,24 +91,26 @@ std::string toText(const FilmDescription& description) {
 
 ordered_json toJson(const FilmDescription& description) {
   const film::FilmHeader& header = description.header;
-  return {{"sceneHash", header.sceneHash},
-          {"size", render::extentText(header.size)},
-          {"samplesPerPixel", header.samplesPerPixel},
-          {"seed", header.seed},
-          {"settings", header.settings},
-          {"layers", layerText(header.layers)},
-          {"crop", render::windowText(header.window)},
-          {"complete", header.isComplete()},
-          {"covered", textsOf(header.covered)},
-          {"interrupted", textsOf(header.begun)},
-          {"missing", textsOf(description.missing)},
-          {"samples", description.samples},
-          {"badSamples", description.badSamples},
-          {"tracers", film::tracersJson(header.tracers)},
-          {"isMixed", header.isMixed()},
-          {"mixed", header.mixed},
-          {"filmHash", description.filmHash},
-          {"work", film::toJson(description.work)}};
+  ordered_json json{{"sceneHash", header.sceneHash},
+                    {"size", render::extentText(header.size)},
+                    {"samplesPerPixel", header.samplesPerPixel},
+                    {"seed", header.seed},
+                    {"settings", header.settings},
+                    {"layers", layerText(header.layers)},
+                    {"crop", render::windowText(header.window)},
+                    {"complete", header.isComplete()},
+                    {"covered", textsOf(header.covered)},
+                    {"interrupted", textsOf(header.begun)},
+                    {"missing", textsOf(description.missing)},
+                    {"samples", description.samples},
+                    {"badSamples", description.badSamples},
+                    {"tracers", film::tracersJson(header.tracers)},
+                    {"isMixed", header.isMixed()},
+                    {"mixed", header.mixed},
+                    {"filmHash", description.filmHash},
+                    {"work", film::toJson(description.work)}};
+  if (description.adaptive) json["adaptive"] = description.adaptiveFigures;
+  return json;
 }
 
 }  // namespace candela::cli

@@ -1,6 +1,6 @@
 // The report of `candela film` and `candela merge` about a film file.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +16,8 @@ struct FilmDescription {
   std::uint64_t badSamples = 0;
   std::vector<film::SampleBox> missing;  ///< of the image
   film::WorkReport work;
+  std::optional<std::string> adaptive{};     ///< numbers of samples of adaptive sampling, in words
+  nlohmann::ordered_json adaptiveFigures{};  ///< see adaptiveJson()
 };
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work);

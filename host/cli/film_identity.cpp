@@ -35,7 +35,8 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     if (!isSetting(option)) continue;
     const std::vector<std::string> values = option.show(job.arguments);
     // Films that were begun before there were these options go on without them.
-    if (option.name() == "--background" && values.front() == option.defaultText) continue;
+    const bool isNew = option.name() == "--background" || option.name() == "--noise-threshold";
+    if (isNew && values.front() == option.defaultText) continue;
     if (option.name() == "--aov-through-specular" && !job.settings.image.layersThroughSpecular) continue;
     settings[option.name().substr(2)] = film::validText(values.empty() ? "off" : values.front());
   }

@@ -23,9 +23,11 @@ class FilmProgress {
 
   void update(std::uint64_t samplesDone) {
     current_ = samplesDone;
-    const double done = static_cast<double>(before_ + earlier_ + current_);
+    const double done = static_cast<double>(before_ + earlier_ + current_ + skipped_);
     report_(std::min(1.0, done / total_), earlier_ + current_);
   }
+  /// Sets the number of samples that will not be traced.
+  void skip(std::uint64_t samples) { skipped_ = samples; }
   void endOfCall() {
     earlier_ += current_;
     current_ = 0;
@@ -35,7 +37,7 @@ class FilmProgress {
   Report report_;
   double total_;
   std::uint64_t before_;
-  std::uint64_t earlier_ = 0, current_ = 0;
+  std::uint64_t earlier_ = 0, current_ = 0, skipped_ = 0;
 };
 
 }  // namespace candela::cli

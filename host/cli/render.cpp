@@ -5,6 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "host/cli/adaptive_report.h"
 #include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
 #include "host/cli/denoise_film.h"
@@ -26,6 +27,8 @@ void summarise(const RenderReport& report, const Log& log) {
   const std::string done = report.result.interrupted
                                ? fmt::format("interrupted; the {} samples rendered so far are written",
                                              report.result.statistics.samples)
+                           : report.job.arguments.noiseThreshold
+                               ? adaptiveText(report.result.film)
                                : fmt::format("{} samples per pixel", settings.image.sampleCount);
   log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(settings.image.window().extent()), done,
                        report.totalSeconds, report.result.statistics.device));

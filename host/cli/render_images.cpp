@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/cli/adaptive_report.h"
 #include "host/cli/bias_text.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
@@ -16,6 +17,14 @@
 #include "host/verify/film_test.h"
 
 namespace candela::cli {
+namespace {
+
+void addBias(Metadata& metadata, const std::string& sentence) {
+  std::string& bias = metadata[verify::kBiasMetadata];
+  bias += (bias.empty() ? "" : "; ") + sentence;
+}
+
+}  // namespace
 
 namespace {
 
@@ -48,6 +57,8 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   }
   addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene, result.film), metadata);
   if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
+  if (const auto& threshold = job.arguments.noiseThreshold)
+    addBias(metadata, adaptiveBiasText(fmt::to_string(*threshold)));
   return metadata;
 }
 
@@ -61,6 +72,8 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
   const auto limit = header.settings.find("clamp-indirect");
   if (limit != header.settings.end() && limit->second != "off")
     metadata[verify::kBiasMetadata] = biasText(limit->second);
+  if (const auto threshold = header.settings.find("noise-threshold"); threshold != header.settings.end())
+    addBias(metadata, adaptiveBiasText(threshold->second));
   return metadata;
 }
 

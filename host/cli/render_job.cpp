@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "host/cli/adaptive_report.h"
 #include "host/cli/memory_check.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
@@ -109,6 +110,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
   render::requireIntegrator(scene, arguments.settings);
   requirePixelLimit(arguments.settings.image.size);
   requireCropWithin(arguments.settings.image);
+  requireAdaptable(arguments);
   requireMemoryForRender(scene, arguments);
   noteIdleOptions(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/bench/measure.h"
+#include "host/cli/adaptive_report.h"
 #include "host/cli/bad_samples.h"
 #include "host/cli/option_table.h"
 #include "host/core/hash_text.h"
@@ -131,6 +132,9 @@ ordered_json toJson(const RenderReport& report) {
   json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
   json["textureBytes"] = memory.textures;
   json["samples"] = statistics.samples;
+  if (const auto plan = planOf(report.job.arguments)) {
+    json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings.image.sampleCount);
+  }
   json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;
   json["verticesPerSample"] = ratio(static_cast<double>(statistics.vertices), static_cast<double>(statistics.samples));

@@ -37,6 +37,15 @@ std::uint64_t sampleCount(const image::Film& film) {
   return samples;
 }
 
+// Number of samples that pixels outside of the mask lack.
+std::uint64_t samplesLeftOut(const image::Film& film, const render::PixelMask& mask, std::uint32_t sampleEnd) {
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+    if (!render::isSelected(mask, i)) samples += sampleEnd - film.pixels()[i].sampleCount;
+  }
+  return samples;
+}
+
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
   if (watch.isTimeUp()) log.note("--time-limit: the time is up");
   if (job.arguments.checkpoint.empty()) return;
@@ -72,6 +81,9 @@ class FilmTrace {
   void inherit();
   void goOn();
   void advance();
+  bool trace(const render::SampleRange& range, const render::RenderControl& control, FilmProgress& progress);
+  void traceAdaptively(const render::AdaptivePlan& plan, const render::RenderControl& control, FilmProgress& progress);
+  image::Film storableFilm();
   void pause(bool mustWrite);
   void show();
   void scheduleWrite(double start);
@@ -104,6 +116,8 @@ class FilmTrace {
   film::WorkReport lost_;                   ///< of all sessions that failed
   std::uint64_t samplesBefore_ = 0;         ///< in the film that the session went on from
   bool isInterrupted_ = false;
+  /// The film of the last decision of adaptive sampling, as long as that of the session does not show the decision.
+  std::optional<image::Film> decided_;
 };
 
 Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
@@ -176,7 +190,7 @@ void FilmTrace::pause(bool mustWrite) {
   const double start = monotonicSeconds();
   const render::RenderStatistics statistics = session_->statistics();
   requireComplete(statistics);
-  if (hasFile() && mustWrite) checkpoints_->write(session_->film(), statistics, start);
+  if (hasFile() && mustWrite) checkpoints_->write(storableFilm(), statistics, start);
   scheduleWrite(start);
   show();
 }
@@ -191,6 +205,38 @@ void FilmTrace::show() {
   watch_.showAt(end + std::max(kMinSeconds, kMinTimesItsCost * (end - start)));
 }
 
+image::Film FilmTrace::storableFilm() { return decided_ ? *decided_ : session_->film(); }
+
+// Returns false if the render is interrupted.
+bool FilmTrace::trace(const render::SampleRange& range, const render::RenderControl& control, FilmProgress& progress) {
+  while (!session_->advance(range, control)) {
+    isInterrupted_ = watch_.mustEnd();
+    if (isInterrupted_) return false;
+    progress.endOfCall();
+    const bool mustWrite = watch_.mustWrite();
+    watch_.goOn();
+    pause(mustWrite);
+  }
+  progress.endOfCall();
+  return true;
+}
+
+void FilmTrace::traceAdaptively(const render::AdaptivePlan& plan, const render::RenderControl& control,
+                                FilmProgress& progress) {
+  image::Film film = session_->film();
+  while (const std::optional<render::AdaptiveStep> step = plan.next(film)) {
+    session_->restrictTo(step->pixels);
+    progress.skip(samplesLeftOut(film, step->pixels, range_.end));
+    if (step->indivisible > 0) {
+      decided_ = std::move(film);
+      if (!trace({0, step->indivisible}, control, progress)) return;
+      decided_.reset();
+    }
+    if (!trace({0, step->sampleEnd}, control, progress)) return;
+    film = session_->film();
+  }
+}
+
 void FilmTrace::advance() {
   Progress line(std::cerr, control_.report ? ProgressStyle::none : progressStyle(log_.verbosity()));
   const auto showLine = [&](double fraction, std::uint64_t samples) { line.update(fraction, samples); };
@@ -199,13 +245,10 @@ void FilmTrace::advance() {
                                       [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
   scheduleWrite(monotonicSeconds());
   show();
-  while (!session_->advance(range_, control)) {
-    isInterrupted_ = watch_.mustEnd();
-    if (isInterrupted_) return;
-    filmProgress.endOfCall();
-    const bool mustWrite = watch_.mustWrite();
-    watch_.goOn();
-    pause(mustWrite);
+  if (const auto plan = planOf(header_)) {
+    traceAdaptively(*plan, control, filmProgress);
+  } else {
+    trace(range_, control, filmProgress);
   }
 }
 
@@ -218,7 +261,7 @@ film::FilmHeader FilmTrace::headerOf(const image::Film& film) const {
 TracedFilm FilmTrace::end() {
   TracedFilm traced;
   traced.result.interrupted = isInterrupted_;
-  traced.result.film = session_->film();
+  traced.result.film = storableFilm();
   traced.result.statistics = session_->statistics();
   requireComplete(traced.result.statistics);
   traced.header = headerOf(traced.result.film);
@@ -244,6 +287,8 @@ TracedFilm FilmTrace::attempt() {
 // Destroys the session after taking its film.
 void FilmTrace::salvage() {
   if (isReady_) kept_ = session_->salvage();
+  if (kept_ && decided_) kept_->film = std::move(*decided_);
+  decided_.reset();
   session_.reset();
   renderer_.reset();
   isReady_ = false;

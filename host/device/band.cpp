@@ -24,6 +24,7 @@ constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // path states ar
 
 // A pixel's state starts with a PathState or a TreeState, both of which have the sample index at the same offset.
 constexpr std::size_t kSampleIndexOffset = offsetof(gpu::PathState, radianceSample) + 3 * sizeof(gpu::uint);
+constexpr std::uint32_t kNever = 0x80000000u;  // index of a sample beyond every range
 static_assert(offsetof(gpu::TreeState, radianceSample) == offsetof(gpu::PathState, radianceSample));
 static_assert(offsetof(gpu::WaveState, path) == 0);
 
@@ -125,8 +126,9 @@ std::uint32_t Band::setWidth(std::uint32_t width) {
 }
 
 void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
-                std::uint32_t firstSample) {
+                std::uint32_t firstSample, const render::PixelMask& mask) {
   rows_ = rows;
+  setSweep(mask);
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
   volumeFaultsBefore_ = 0;
@@ -139,20 +141,46 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span
     recorder.fillBuffer(counters_, 0);
   });
   samplesSeen_ = 0;
-  if (film.empty() && firstSample == 0) return;
+  if (film.empty() && firstSample == 0 && mask.empty()) return;
   if (!film.empty()) film_.upload(std::as_bytes(film));
   if (!film.empty() && !layers.empty()) film_.upload(std::as_bytes(layers), std::as_bytes(film).size());
-  setFirstSamples(film, firstSample);
+  setFirstSamples(film, firstSample, mask);
 }
 
-// All other words of a state whose sample has not started are 0.
-void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample) {
+void Band::setSweep(const render::PixelMask& mask) {
+  sweep_ = {0, 0, width_, rows_.height};
+  selectedInRows_.assign(rows_.height, width_);
+  if (mask.empty()) return;
+  std::uint32_t left = width_, right = 0;
+  for (std::uint32_t y = 0; y < rows_.height; ++y) {
+    selectedInRows_[y] = 0;
+    for (std::uint32_t x = 0; x < width_; ++x) {
+      if (!mask[std::size_t{width_} * (rows_.first + y) + x]) continue;
+      ++selectedInRows_[y];
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+    }
+  }
+  const auto isUsed = [](std::uint32_t count) { return count > 0; };
+  const auto first = std::ranges::find_if(selectedInRows_, isUsed);
+  if (first == selectedInRows_.end()) return;
+  const auto end = std::ranges::find_if(selectedInRows_.rbegin(), selectedInRows_.rend(), isUsed).base();
+  sweep_ = {left, static_cast<std::uint32_t>(first - selectedInRows_.begin()), right - left,
+            static_cast<std::uint32_t>(end - first)};
+  selectedInRows_ = std::vector<std::uint32_t>(first, end);
+}
+
+// All other words of a state whose sample has not started are 0. Kernels skip pixels whose index is at the end.
+void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample,
+                           const render::PixelMask& mask) {
   const std::uint64_t size = kernel_.stateBytes;
   const std::uint64_t chunk = std::min(pixels(), kChunkBytes / size);
   for (std::uint64_t first = 0; first < pixels(); first += chunk) {
     std::vector<std::byte> states(std::min(chunk, pixels() - first) * size);
     for (std::uint64_t i = 0; i * size < states.size(); ++i) {
-      const std::uint32_t index = firstSample + (film.empty() ? 0 : film[first + i].sampleCount);
+      const std::uint64_t place = std::uint64_t{width_} * rows_.first + first + i;
+      const bool getsSamples = render::isSelected(mask, place);
+      const std::uint32_t index = getsSamples ? firstSample + (film.empty() ? 0 : film[first + i].sampleCount) : kNever;
       std::memcpy(&states[i * size + kSampleIndexOffset], &index, sizeof index);
       samplesBefore_ += index;
     }
@@ -213,20 +241,19 @@ std::uint64_t Band::takeFinishedSamples() {
 
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const render::Extent corner{std::min(width_, workgroup.width), std::min(rows_.height, workgroup.height)};
-  dispatch({0, 0, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
+  const render::Extent corner{std::min(sweep_.width, workgroup.width), std::min(sweep_.height, workgroup.height)};
+  dispatch({sweep_.x, sweep_.y, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  const render::Extent extent{width_, rows_.height};
-  if (!cursor_) cursor_ = cursorOver(extent, settings_);
+  if (!cursor_) cursor_ = cursorOver({sweep_.width, sweep_.height}, settings_);
   if (!governor_) {
     governor_.emplace(governorOptions(settings_, budget, pixels()));
     governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
   }
-  UnfinishedRows unfinished(extent);
+  UnfinishedRows unfinished(sweep_.width, selectedInRows_);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
   while (counters().finishedPixels < pixelsLeft) {
     if (control.stop != nullptr && *control.stop) {
@@ -238,7 +265,8 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;
     const Plan plan{lanes, governor_->segmentsFor(active)};
-    const double seconds = dispatch(region, plan.segments, sampleEnd, budget);
+    const Rect inBand{sweep_.x + region.x, sweep_.y + region.y, region.width, region.height};
+    const double seconds = dispatch(inBand, plan.segments, sampleEnd, budget);
     governor_->record(plan, active, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);
     statistics.dispatchSeconds.push_back(seconds);

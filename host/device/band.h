@@ -41,9 +41,9 @@ class Band {
 
   /// Makes these rows the band. `film` contains their pixels, row by row, with consecutive samples from `firstSample`
   /// on, and `layers` the records of their layers; if `film` is empty, no pixel has a sample. Paths start with the
-  /// first sample that their pixel lacks.
+  /// first sample that their pixel lacks. Pixels of the film that `mask` does not select get no samples.
   void load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
-            std::uint32_t firstSample);
+            std::uint32_t firstSample, const render::PixelMask& mask);
   /// Changes the width of the image, and returns the number of its rows that fit into the buffers. load() follows.
   std::uint32_t setWidth(std::uint32_t width);
   /// The film of the rows: FilmRows for each pixel, row by row, then the records of layers.
@@ -77,7 +77,9 @@ class Band {
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
   double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget,
                   vulkan::Patience patience = vulkan::Patience::normal);
-  void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample);
+  void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample,
+                       const render::PixelMask& mask);
+  void setSweep(const render::PixelMask& mask);
   void clearCounters();
   /// Offset of the path records in results_.
   std::uint64_t recordOffset() const;
@@ -91,10 +93,12 @@ class Band {
   std::uint32_t width_;
   std::uint64_t maxPixels_;  ///< for which the buffers have room
   BandRows rows_;
-  std::uint32_t samplesSeen_ = 0;         ///< last value of the wrapping counter
-  std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels
-  std::uint64_t truncatedBefore_ = 0;     ///< in ranges that are finished
-  std::uint64_t volumeFaultsBefore_ = 0;  ///< in ranges that are finished
+  Rect sweep_;                                 ///< bounding box of the pixels that get samples
+  std::vector<std::uint32_t> selectedInRows_;  ///< number of such pixels in each row of sweep_
+  std::uint32_t samplesSeen_ = 0;              ///< last value of the wrapping counter
+  std::uint64_t samplesBefore_ = 0;            ///< sum of the sample indices at which load() started the pixels
+  std::uint64_t truncatedBefore_ = 0;          ///< in ranges that are finished
+  std::uint64_t volumeFaultsBefore_ = 0;       ///< in ranges that are finished
   std::optional<TileCursor>
       cursor_;  ///< continues from one range to the next, so that every tile is processed regularly
   std::optional<Governor> governor_;  ///< preserves its measurements from one range to the next

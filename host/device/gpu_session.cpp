@@ -29,11 +29,16 @@ void describeBuild(const render::StructureSettings& structure, render::RenderSta
   statistics.bvhQuality = flatten::buildQualityName(structure.bvhQuality);
 }
 
-// Returns the number of pixels that lack samples before `sampleEnd`. Each pixel has consecutive samples from
-// `firstSample` on.
-std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd) {
-  return static_cast<std::uint64_t>(std::ranges::count_if(
-      film, [&](const image::FilmPixel& pixel) { return firstSample + pixel.sampleCount < sampleEnd; }));
+// Returns the number of pixels of the mask that lack samples before `sampleEnd`. Each pixel has consecutive samples
+// from `firstSample` on. The first of `film` is the pixel `firstPixel` of the mask.
+std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd,
+                           const render::PixelMask& mask, std::size_t firstPixel) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const bool lacks = firstSample + film[i].sampleCount < sampleEnd && render::isSelected(mask, firstPixel + i);
+    count += lacks ? 1 : 0;
+  }
+  return count;
 }
 
 }  // namespace
@@ -129,6 +134,7 @@ void GpuSession::startCounting() {
 void GpuSession::empty() {
   film_.clear();
   coverage_ = {};
+  mask_.clear();
   resident_.reset();
   startCounting();
 }
@@ -224,16 +230,27 @@ void GpuSession::makeBand() {
   statistics_.deviceBytes = prepared_.deviceBytes;
 }
 
+// Takes the results of the resident band from the device.
+void GpuSession::retire() {
+  if (!resident_) return;
+  fetchFilm();
+  band_->addCounts(statistics_);
+  if (settings_.execution.recordPaths) band_->readRecords(paths_);
+  resident_.reset();
+}
+
+void GpuSession::restrictTo(const render::PixelMask& mask) {
+  retire();
+  mask_ = mask;
+  coverage_.samples = render::FilmCoverage::kUneven;
+}
+
 void GpuSession::makeResident(std::uint32_t index) {
   if (resident_ == index) return;
-  if (resident_) {
-    fetchFilm();
-    band_->addCounts(statistics_);
-    if (settings_.execution.recordPaths) band_->readRecords(paths_);
-  }
+  retire();
   const BandRows rows = bandAt(index);
   band_->load(rows, coverage_.isEmpty() ? std::span<const image::FilmPixel>{} : filmOf(rows), layersOf(rows),
-              coverage_.first);
+              coverage_.first, mask_);
   resident_ = index;
 }
 
@@ -241,7 +258,7 @@ std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) 
   if (coverage_.samples != render::FilmCoverage::kUneven) {
     return coverage_.first + coverage_.samples < sampleEnd ? filmOf(rows).size() : 0;
   }
-  return countLacking(filmOf(rows), coverage_.first, sampleEnd);
+  return countLacking(filmOf(rows), coverage_.first, sampleEnd, mask_, std::size_t{film_.width()} * rows.first);
 }
 
 // A pixel's list of hits has room for kListedHits samples. The host counts them before more are traced, so that film_
@@ -252,8 +269,9 @@ bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const ren
   bool finished = true;
   while (finished && end < sampleEnd) {
     end = std::min(end + gpu::kListedHits, sampleEnd);
-    finished = band_->finish(end, countLacking(filmOf(rows), coverage_.first, end), budget_, control, statistics_,
-                             samplesFinished);
+    const std::uint64_t lacking = countLacking(filmOf(rows), coverage_.first, end, mask_,
+                                               std::size_t{film_.width()} * rows.first);
+    finished = band_->finish(end, lacking, budget_, control, statistics_, samplesFinished);
     fetchFilm();
   }
   return finished;
@@ -299,7 +317,8 @@ bool GpuSession::advance(render::SampleRange range, const render::RenderControl&
   for (std::uint32_t i = 0; i < bandCount() && finished; ++i) {
     finished = advanceBand(i, range.end, control, count);
   }
-  coverage_.samples = finished ? range.end - coverage_.first : render::FilmCoverage::kUneven;
+  const bool isEven = finished && mask_.empty();
+  coverage_.samples = isEven ? range.end - coverage_.first : render::FilmCoverage::kUneven;
   return finished;
 }
 

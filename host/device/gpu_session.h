@@ -22,6 +22,7 @@ class GpuSession final : public render::Session {
   GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scene& scene, const render::RenderSettings& settings);
 
   bool advance(render::SampleRange range, const render::RenderControl& control) override;
+  void restrictTo(const render::PixelMask& mask) override;
   image::Film film() override;
   void reset(std::uint32_t seed) override;
   void setCamera(const scene::Camera& camera) override;
@@ -52,6 +53,7 @@ class GpuSession final : public render::Session {
   void makeBand();
   std::uint32_t preferredBandHeight() const;
   void fitBand();
+  void retire();
   void makeResident(std::uint32_t index);
   void fetchFilm();
   std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
@@ -74,6 +76,7 @@ class GpuSession final : public render::Session {
 
   image::Film film_;                       ///< except for the resident band, whose newer film is on the device
   render::FilmCoverage coverage_;          ///< of the film, including the part on the device
+  render::PixelMask mask_;                 ///< pixels to which advance() is restricted
   std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
   render::RenderStatistics prepared_;      ///< of preparation
   render::RenderStatistics statistics_;    ///< of all work, except for the resident band's counts

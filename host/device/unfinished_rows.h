@@ -1,6 +1,7 @@
 // Estimates for each row of a band how many pixels still have samples to do.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/device/tile_cursor.h"
@@ -13,6 +14,10 @@ class UnfinishedRows {
  public:
   explicit UnfinishedRows(const render::Extent& band)
       : width_(band.width), rows_(band.height, static_cast<double>(band.width)) {}
+
+  /// `unfinished` has the number of such pixels of each row, all of them at first.
+  UnfinishedRows(std::uint32_t width, std::span<const std::uint32_t> unfinished)
+      : width_(width), rows_(unfinished.begin(), unfinished.end()) {}
 
   /// Number of pixels of the region that have work left, at least 1.
   std::uint64_t activeIn(const Rect& region) const;

@@ -4,14 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+
+#include "host/core/errors.h"
+#include "host/render/film_coverage.h"
 
 namespace candela::film {
 namespace {
+
+constexpr const char* kThresholdSetting = "noise-threshold";
 
 // The samples from `first` to `end`, unless there are none.
 std::vector<SampleBox> boxOf(const render::Window& window, std::uint32_t first, std::uint32_t end) {
   if (first == end) return {};
   return {{window, {first, end}}};
+}
+
+// Whether an adaptively sampled film is finished follows from its pixels alone.
+void setAdaptiveCoverage(FilmHeader& header, const image::Film& film, const render::AdaptivePlan& plan) {
+  const bool isFinished = !plan.next(film);
+  const std::uint32_t end = isFinished ? header.samplesPerPixel : render::minSampleCount(film.pixels());
+  header.covered = boxOf(header.window, 0, end);
+  header.begun = boxOf(header.window, end, header.samplesPerPixel);
 }
 
 std::string clause(const std::string& what, const std::string& inA, const std::string& inB, const std::string& a,
@@ -65,13 +79,34 @@ bool FilmHeader::isComplete() const {
 
 std::uint32_t FilmHeader::format() const {
   if (hasMattes(layers)) return 5;
+  if (settings.contains(kThresholdSetting)) return 4;
   if (!layers.isEmpty()) return 3;
   return hasAlpha() ? 2 : 1;
 }
 
 bool FilmHeader::hasAlpha() const { return settingOf(*this, "background") == "none"; }
 
+std::optional<double> FilmHeader::noiseThreshold() const {
+  const auto found = settings.find(kThresholdSetting);
+  if (found == settings.end()) return std::nullopt;
+  const std::string& text = found->second;
+  double threshold = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threshold);
+  if (error == std::errc() && end == text.data() + text.size() && threshold > 0) return threshold;
+  throw FileError("the noise threshold of the film is not a number above 0");
+}
+
+std::optional<render::AdaptivePlan> planOf(const FilmHeader& header) {
+  const std::optional<double> threshold = header.noiseThreshold();
+  if (!threshold) return std::nullopt;
+  return render::AdaptivePlan(header.window, *threshold, header.samplesPerPixel);
+}
+
 void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first) {
+  if (const auto plan = planOf(header)) {
+    setAdaptiveCoverage(header, film, *plan);
+    return;
+  }
   const auto [min, max] = std::ranges::minmax(film.pixels(), {}, &image::FilmPixel::sampleCount);
   header.covered = boxOf(header.window, first, first + min.sampleCount);
   header.begun = boxOf(header.window, first + min.sampleCount, first + max.sampleCount);

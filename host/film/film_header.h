@@ -9,6 +9,7 @@
 
 #include "host/film/sample_boxes.h"
 #include "host/image/film.h"
+#include "host/render/adaptive_plan.h"
 
 namespace candela::film {
 
@@ -44,15 +45,22 @@ struct FilmHeader {
 
   /// Whether the film has hit counts, which the setting `background` says.
   bool hasAlpha() const;
+  /// Threshold of adaptive sampling, which the setting `noise-threshold` says. Throws FileError if that is no number.
+  std::optional<double> noiseThreshold() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Whether every pixel of the image has all samples.
   bool isComplete() const;
-  /// Version of the format of its file: 5 with mattes, 3 with other layers, 2 with alpha alone, else 1.
+  /// Version of the format of its file: 5 with mattes, 4 with a noise threshold, 3 with other layers, 2 with alpha
+  /// alone, else 1.
   std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };
 
-/// Sets `covered` and `begun` of a film whose pixels hold consecutive samples from `first` on.
+/// The plan by which a film is sampled adaptively; nothing without a noise threshold. Throws as noiseThreshold() does.
+std::optional<render::AdaptivePlan> planOf(const FilmHeader& header);
+
+/// Sets `covered` and `begun` of a film whose pixels hold consecutive samples from `first` on. An adaptively sampled
+/// film that is finished covers all samples, although not every pixel has them.
 void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first);
 
 /// The index of the first sample of each pixel of a film that a session can continue: all pixels of the window hold

@@ -200,6 +200,8 @@ void check(const FilmHeader& header) {
   }
   if (header.tracers.empty() || !isSortedSet(header.tracers)) refuse("tracers");
   if (!isSortedSet(header.mixed)) refuse("mixed");
+  if (header.noiseThreshold() && header.samplesPerPixel <= render::pilotSamples(*header.noiseThreshold()))
+    refuse("samplesPerPixel");
 }
 
 ordered_json parsed(const std::string& text) {

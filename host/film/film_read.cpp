@@ -57,13 +57,15 @@ std::size_t rowsWithin(const SampleBox& box, std::uint32_t y) {
 // Throws unless every pixel of a row holds as many samples as the coverage says.
 void checkCounts(const FilmHeader& header, std::uint32_t y, std::span<const image::FilmPixel> row) {
   std::vector<std::uint32_t> least(row.size()), most(row.size());
+  const std::optional<double> threshold = header.noiseThreshold();
   const auto count = [&](const std::vector<SampleBox>& boxes, bool certainly) {
     for (const SampleBox& box : boxes) {
       if (rowsWithin(box, y) == 0) continue;
       const std::uint32_t left = box.window.x - header.window.x;
       for (std::uint32_t x = left; x < left + box.window.width; ++x) {
         most[x] += box.samples.end - box.samples.first;
-        if (certainly) least[x] = most[x];
+        const bool mayHaveStopped = threshold && box.samples.end == header.samplesPerPixel;
+        if (certainly) least[x] = mayHaveStopped ? render::pilotSamples(*threshold) : most[x];
       }
     }
   };

@@ -26,7 +26,7 @@ const FunctionOptions kSessionOptions{"Session",
                                       Command::render,
                                       {OptionGroup::image, OptionGroup::execution},
                                       {"--crop", "--aov", "--denoise"},
-                                      {"--memory", "--fallback"}};
+                                      {"--memory", "--fallback", "--noise-threshold"}};
 const FunctionOptions kVerifyOptions{"verify",
                                      Command::verify,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::verification},

@@ -86,6 +86,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
 void ReferenceSession::empty() {
   film_.clear();
   coverage_ = {};
+  mask_.clear();
   paths_.clear();
   if (settings_.execution.recordPaths) paths_.resize(film_.pixels().size());
   const std::uint32_t replicaCount = settings_.execution.replicas;
@@ -93,6 +94,11 @@ void ReferenceSession::empty() {
   replicas_.deviations.assign(replicaCount > 0 ? film_.pixels().size() : 0, {});
   statistics_ = prepared_;
   badSamplesLoaded_ = 0;
+}
+
+void ReferenceSession::restrictTo(const render::PixelMask& mask) {
+  mask_ = mask;
+  coverage_.samples = render::FilmCoverage::kUneven;
 }
 
 void ReferenceSession::reset(std::uint32_t seed) {
@@ -134,11 +140,12 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
     TileJob job(*tracer_, tile, range.end, control,
                 {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas,
-                 settings_.image.hasAlpha(), matteIds_ ? &*matteIds_ : nullptr});
+                 settings_.image.hasAlpha(), matteIds_ ? &*matteIds_ : nullptr, mask_});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;
-    coverage_.samples = job.wasInterrupted() ? render::FilmCoverage::kUneven : range.end - coverage_.first;
+    const bool isUneven = job.wasInterrupted() || !mask_.empty();
+    coverage_.samples = isUneven ? render::FilmCoverage::kUneven : range.end - coverage_.first;
     return !job.wasInterrupted();
   });
 }

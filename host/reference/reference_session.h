@@ -16,6 +16,7 @@ class ReferenceSession final : public render::Session {
   ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings);
 
   bool advance(render::SampleRange range, const render::RenderControl& control) override;
+  void restrictTo(const render::PixelMask& mask) override;
   image::Film film() override { return film_; }
   void reset(std::uint32_t seed) override;
   void setCamera(const scene::Camera& camera) override;
@@ -39,6 +40,7 @@ class ReferenceSession final : public render::Session {
   std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
   image::Film film_;
   render::FilmCoverage coverage_;
+  render::PixelMask mask_;
   render::PathRecords paths_;
   render::ReplicaRecords replicas_;
   render::RenderStatistics prepared_;  ///< statistics of the preparation

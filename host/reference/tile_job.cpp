@@ -13,9 +13,10 @@ namespace {
 
 double samplesLacking(const JobOutput& output, std::uint32_t sampleEnd) {
   double samples = 0;
-  for (const image::FilmPixel& pixel : output.film.pixels()) {
-    const std::uint32_t next = output.firstSample + pixel.sampleCount;
-    samples += next < sampleEnd ? sampleEnd - next : 0;
+  const std::vector<image::FilmPixel>& pixels = output.film.pixels();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const std::uint32_t next = output.firstSample + pixels[i].sampleCount;
+    samples += next < sampleEnd && render::isSelected(output.mask, i) ? sampleEnd - next : 0;
   }
   return samples;
 }
@@ -81,6 +82,7 @@ bool TileJob::renderTile(std::uint32_t left, std::uint32_t top, Counters& counte
 
 void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
   const std::size_t pixel = std::size_t{y} * output_.film.width() + x;
+  if (!render::isSelected(output_.mask, pixel)) return;
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
     const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};

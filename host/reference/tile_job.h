@@ -21,6 +21,7 @@ struct JobOutput {
   std::uint32_t replicaCount;       ///< 0: none are traced
   bool countsHits;                  ///< samples whose camera ray hits something are counted
   const scene::MatteIds* matteIds;  ///< null: ids are not counted
+  const render::PixelMask& mask;    ///< pixels that get samples
 };
 
 /// Traces the samples up to `sampleEnd`, exclusive, that pixels lack. The arguments that are references must outlive

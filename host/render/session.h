@@ -10,6 +10,7 @@
 #include "host/render/extent.h"
 #include "host/render/path_record.h"
 #include "host/render/path_trace.h"
+#include "host/render/pixel_mask.h"
 #include "host/render/replicas.h"
 #include "host/render/statistics.h"
 #include "host/scene/scene.h"
@@ -58,6 +59,10 @@ class Session {
   /// samples that were finished, and a later call with the same range completes them. Throws UsageError for any other
   /// range.
   virtual bool advance(SampleRange range, const RenderControl& control) = 0;
+  /// Restricts the following calls of advance() to the pixels of `mask`, which has an entry for each pixel of the film
+  /// or is empty; all others keep the samples that they have. No call of advance() may be unfinished. Whatever empties
+  /// or replaces the film lifts the restriction.
+  virtual void restrictTo(const PixelMask&) { throw InternalError("the session traces all pixels"); }
   /// Returns the film so far.
   virtual image::Film film() = 0;
   /// Empties the film and starts again with other random numbers.

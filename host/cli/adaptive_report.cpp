@@ -1,0 +1,67 @@
+// Describes adaptively sampled films.
+#include "host/cli/adaptive_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/core/errors.h"
+#include "host/render/adaptive_summary.h"
+
+namespace candela::cli {
+
+using nlohmann::ordered_json;
+
+void requireAdaptable(const Arguments& arguments) {
+  if (!arguments.noiseThreshold) return;
+  const render::ImageSettings& image = arguments.settings.image;
+  const std::uint32_t pilot = render::pilotSamples(*arguments.noiseThreshold);
+  if (image.sampleCount <= pilot) {
+    throw UsageError(
+        fmt::format("--noise-threshold {}: every pixel has {} samples before it may stop; state the "
+                    "maximum, above {}, with --spp",
+                    *arguments.noiseThreshold, pilot, pilot));
+  }
+  if (arguments.samples) {
+    throw UsageError(
+        "--samples: a part of the samples cannot tell where to stop; with --noise-threshold, divide the image by "
+        "--crop");
+  }
+  if (image.crop) requireAligned(*image.crop, image.size);
+}
+
+std::optional<render::AdaptivePlan> planOf(const Arguments& arguments) {
+  if (!arguments.noiseThreshold) return std::nullopt;
+  const render::ImageSettings& image = arguments.settings.image;
+  return render::AdaptivePlan(image.window(), *arguments.noiseThreshold, image.sampleCount);
+}
+
+std::string adaptiveText(const image::Film& film) {
+  std::uint32_t min = film.pixels().front().sampleCount, max = min;
+  double samples = 0;
+  for (const image::FilmPixel& pixel : film.pixels()) {
+    min = std::min(min, pixel.sampleCount);
+    max = std::max(max, pixel.sampleCount);
+    samples += pixel.sampleCount;
+  }
+  return fmt::format("{} to {} samples per pixel, {:.1f} on average", min, max,
+                     samples / static_cast<double>(film.pixels().size()));
+}
+
+ordered_json adaptiveJson(const render::AdaptivePlan& plan, const image::Film& film, std::uint32_t maxSamples) {
+  const render::AdaptiveSummary summary = summarise(plan, film);
+  ordered_json halfRegions = ordered_json::object();
+  for (const auto& [samples, count] : summary.halfRegions) halfRegions[fmt::to_string(samples)] = count;
+  const double saved = 1 - summary.meanSamples / maxSamples;
+  return {{"minSamples", summary.minSamples}, {"meanSamples", summary.meanSamples},
+          {"maxSamples", summary.maxSamples}, {"samplesSaved", saved},
+          {"halfRegions", halfRegions},       {"meanError", summary.meanError},
+          {"maxError", summary.maxError}};
+}
+
+std::string adaptiveBiasText(const std::string& threshold) {
+  return fmt::format("--noise-threshold {}: numbers of samples depend on the samples (docs/adaptive-sampling.md)",
+                     threshold);
+}
+
+}  // namespace candela::cli

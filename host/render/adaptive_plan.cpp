@@ -1,0 +1,121 @@
+// Recognises where the blocks of a film stand by the numbers of samples of their pixels.
+#include "host/render/adaptive_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/core/errors.h"
+
+namespace candela::render {
+namespace {
+
+bool isAligned(std::uint32_t first, std::uint32_t length, std::uint32_t whole) {
+  const std::uint32_t end = first + length;
+  return first % kBlockSide == 0 && (end % kBlockSide == 0 || end == whole);
+}
+
+// Calls use(x, y, number of samples) for each pixel, row by row from the top.
+template <class Use>
+void forEachPixel(const image::Film& film, Use&& use) {
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) use(x, y, film.at(x, y).sampleCount);
+  }
+}
+
+}  // namespace
+
+std::uint32_t pilotSamples(double threshold) {
+  constexpr std::uint32_t kMin = 16, kMax = 1u << 20;
+  constexpr double kNumerator = 0.64;
+  std::uint32_t samples = kMin;
+  while (samples < kMax && samples * threshold * threshold < kNumerator) samples *= 2;
+  return samples;
+}
+
+void requireAligned(const Window& window, const Extent& size) {
+  if (isAligned(window.x, window.width, size.width) && isAligned(window.y, window.height, size.height)) return;
+  throw UsageError(fmt::format(
+      "--crop {}: with --noise-threshold, each edge of the crop must be at a multiple of {} pixels or at an "
+      "edge of the image",
+      windowText(window), kBlockSide));
+}
+
+// The number of samples at which the decision after that at `samples` is made.
+std::uint32_t AdaptivePlan::levelAbove(std::uint32_t samples) const {
+  std::uint32_t level = pilot_;
+  while (level <= samples) level *= 2;
+  return std::min(level, maxSamples_);
+}
+
+// Pixels that the last decision stopped have at most as many samples as it was made with.
+void AdaptivePlan::setRange(Block& block) const {
+  if (block.max <= pilot_) {
+    block.end = pilot_;
+    return;
+  }
+  std::uint32_t level = pilot_;
+  while (2 * level < block.max) level *= 2;
+  block.active = level + 1;
+  block.end = levelAbove(level);
+}
+
+std::vector<AdaptivePlan::Block> AdaptivePlan::blocksOf(const image::Film& film) const {
+  std::vector<Block> blocks(regions_.blockCount());
+  forEachPixel(film, [&](std::uint32_t x, std::uint32_t y, std::uint32_t samples) {
+    Block& block = blocks[regions_.blockAt(x, y)];
+    block.max = std::max(block.max, samples);
+  });
+  for (Block& block : blocks) setRange(block);
+  forEachPixel(film, [&](std::uint32_t x, std::uint32_t y, std::uint32_t samples) {
+    Block& block = blocks[regions_.blockAt(x, y)];
+    if (samples >= block.active && samples < block.end) block.isPending = true;
+  });
+  return blocks;
+}
+
+// Returns which half-regions of the blocks that are not pending go on.
+std::vector<bool> AdaptivePlan::decide(const image::Film& film, const std::vector<Block>& blocks) const {
+  const std::vector<std::uint32_t> counts = regions_.countsOf(film);
+  const std::vector<double> errors = regions_.errorsOf(film, counts);
+  std::vector<bool> noisy(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) noisy[i] = errors[i] > threshold_;
+  std::vector<bool> goesOn = regions_.dilated(noisy);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const Block& block = blocks[regions_.blockOfHalfRegion(i)];
+    goesOn[i] = goesOn[i] && !block.isPending && block.end < maxSamples_ && counts[i] == block.end;
+  }
+  return goesOn;
+}
+
+void AdaptivePlan::applyDecisions(const std::vector<bool>& goesOn, std::vector<Block>& blocks) const {
+  for (std::size_t i = 0; i < goesOn.size(); ++i) {
+    Block& block = blocks[regions_.blockOfHalfRegion(i)];
+    if (!goesOn[i] || block.isDecided) continue;
+    block.isDecided = true;
+    block.active = block.end;
+    block.end = levelAbove(block.end);
+  }
+}
+
+// Blocks that merged parts of a film have at different levels are brought to the same one first.
+std::optional<AdaptiveStep> AdaptivePlan::next(const image::Film& film) const {
+  std::vector<Block> blocks = blocksOf(film);
+  const std::vector<bool> goesOn = decide(film, blocks);
+  applyDecisions(goesOn, blocks);
+  AdaptiveStep step{PixelMask(film.pixels().size()), 0, maxSamples_ + 1};
+  for (const Block& block : blocks) {
+    if (block.isPending || block.isDecided) step.sampleEnd = std::min(step.sampleEnd, block.end);
+  }
+  if (step.sampleEnd > maxSamples_) return std::nullopt;
+  forEachPixel(film, [&](std::uint32_t x, std::uint32_t y, std::uint32_t samples) {
+    const Block& block = blocks[regions_.blockAt(x, y)];
+    if (block.end != step.sampleEnd || samples < block.active || samples >= block.end) return;
+    if (block.isDecided && !goesOn[regions_.halfRegionAt(x, y)]) return;
+    step.pixels[std::size_t{y} * film.width() + x] = true;
+    if (block.isDecided) step.indivisible = block.active + 1;
+  });
+  return step;
+}
+
+}  // namespace candela::render

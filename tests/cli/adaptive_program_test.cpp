@@ -1,0 +1,123 @@
+// Adaptive sampling as a person uses it, on the reference tracer.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "host/image/image.h"
+#include "tests/cli/adaptive_runs.h"
+
+namespace candela {
+namespace {
+
+using Catch::Contains;
+using std::chrono::milliseconds;
+
+const FilmRuns kAdaptive{adaptiveOptions({"--device", "cpu", "--size", "72x68"})};
+
+}  // namespace
+
+TEST_CASE("adaptive: a film has the same bytes however it was interrupted, divided into crops and resumed") {
+  const TemporaryFolder folder;
+  requireEqualAdaptiveFilms(kAdaptive, folder, 6);
+}
+
+TEST_CASE("adaptive: renders that are killed at any moment go on to the bytes of one run") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const std::string whole = kAdaptive.film(scene, folder.path("whole.exr"));
+  const std::string film = folder.path("killed.exr");
+  for (int time = 50; time < 400; time += 70) {
+    Surroundings surroundings;
+    surroundings.interruptAfter = milliseconds(time);
+    surroundings.signal = SIGKILL;
+    surroundings.writeRequestsFrom = milliseconds(40);
+    surroundings.writeRequestsEvery = milliseconds(10);
+    std::filesystem::remove(film);
+    kAdaptive.run(scene, {"--checkpoint", film}, surroundings);
+    const bool exists = std::filesystem::exists(film);
+    INFO("killed after " << time << " ms, film: " << exists);
+    CHECK(kAdaptive.film(scene, film,
+                         exists ? std::vector<std::string>{"--resume", film} : std::vector<std::string>{}) == whole);
+  }
+}
+
+TEST_CASE("adaptive: a film goes on to more samples per pixel as if they had been asked for at once") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const std::string film = folder.path("a.exr");
+  kAdaptive.film(scene, film, {"--spp", "50"});
+  CHECK(kAdaptive.film(scene, film, {"--spp", "100", "--resume", film}) ==
+        kAdaptive.film(scene, folder.path("whole.exr"), {"--spp", "100"}));
+}
+
+TEST_CASE("adaptive: options that exclude it are refused, and the message says what to do") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const auto message = [&](const std::vector<std::string>& options) {
+    const ProgramResult result = kAdaptive.run(scene, options);
+    CHECK(result.exitCode == 1);
+    return result.err;
+  };
+  const std::string film = folder.path("a.exr");
+  CHECK_THAT(message({"--checkpoint", film, "--samples", "0:32"}), Contains("--samples") && Contains("--crop"));
+  CHECK_THAT(message({"--checkpoint", film, "--crop", "0,0,40,68"}), Contains("multiple of 64 pixels"));
+  CHECK_THAT(message({"--checkpoint", film, "--spp", "16"}), Contains("above 16, with --spp"));
+  CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0.01", "--spp", "4096"}), Contains("8192"));
+  CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0"}), Contains("--noise-threshold"));
+  for (const char* command : {"compare", "verify", "bench"}) {
+    const ProgramResult result = runCandela({command, scene, "--noise-threshold", "0.1"});
+    CHECK(result.exitCode == 1);
+    CHECK_THAT(result.err, Contains("--noise-threshold"));
+  }
+}
+
+TEST_CASE("adaptive: a film goes on with its threshold only") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const std::string film = folder.path("a.exr");
+  kAdaptive.film(scene, film);
+  CHECK_THAT(kAdaptive.refusal(scene, {"--noise-threshold", "0.3", "--resume", film}),
+             Contains("--noise-threshold is 0.2 in the film and 0.3 in this render"));
+  CHECK_THAT(kAdaptive.refusal(scene, {"--noise-threshold", "off", "--resume", film}),
+             Contains("--noise-threshold is 0.2 in the film and absent in this render"));
+  const std::string crop = folder.path("b.exr");
+  const std::string rest = folder.path("c.exr");
+  kAdaptive.film(scene, crop, {"--crop", "0,0,64,68"});
+  kAdaptive.film(scene, rest, {"--crop", "64,0,8,68", "--noise-threshold", "0.3"});
+  const ProgramResult merged = runCandela({"merge", crop, rest, "-o", folder.path("m.exr")});
+  CHECK(merged.exitCode == 2);
+  CHECK_THAT(merged.err, Contains("--noise-threshold is 0.2 in") && Contains("0.3 in"));
+}
+
+TEST_CASE("adaptive: reports, films and images say how many samples there are") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const std::string film = folder.path("a.exr");
+  const std::string picture = folder.path("b.exr");
+  const ProgramResult result = kAdaptive.run(scene, {"--checkpoint", film, "-o", picture, "--json", "-", "--denoise"});
+  REQUIRE(result.exitCode == 0);
+  const auto report = nlohmann::json::parse(result.out)["adaptive"];
+  CHECK(report["minSamples"] == 16);
+  CHECK(report["maxSamples"] == 96);
+  CHECK(report["samplesSaved"].get<double>() == Approx(1 - report["meanSamples"].get<double>() / 96));
+  CHECK(report["halfRegions"].contains("16"));
+  CHECK(report["meanError"] > 0);
+  CHECK(report["maxError"] >= report["meanError"]);
+  const auto described = nlohmann::json::parse(runCandela({"film", film, "--json", "-"}).out);
+  CHECK(described["adaptive"] == report);
+  CHECK(described["complete"] == true);
+  CHECK(described["settings"]["noise-threshold"] == "0.2");
+  CHECK_THAT(runCandela({"film", film}).out, Contains("16 to 96 samples per pixel"));
+  const image::Image image = image::readImage(picture);
+  CHECK_THAT(image.metadata.at("candela.bias"), Contains("--noise-threshold 0.2"));
+  CHECK_THAT(runCandela({"compare", picture, picture, "--alpha", "0.01"}).err, Contains("biased on purpose"));
+}
+
+TEST_CASE("adaptive: with off, films are those that they always were") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  CHECK(kReference.film(scene, folder.path("a.exr"), {"--noise-threshold", "off"}) ==
+        kReference.film(scene, folder.path("b.exr")));
+}
+
+}  // namespace candela

@@ -1,0 +1,232 @@
+// The decisions of adaptive sampling, on films that are filled with random numbers instead of light.
+#include "host/render/adaptive_plan.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "host/core/errors.h"
+#include "host/render/adaptive_summary.h"
+
+using namespace candela;
+using namespace candela::render;
+
+namespace {
+
+/// Radiance of a sample of a pixel, by which films are filled.
+using Light = std::function<double(std::uint32_t x, std::uint32_t y, std::uint32_t sample)>;
+
+// Hash of four words: a number in [0, 1).
+double uniformAt(std::uint32_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+  std::seed_seq words{seed, x, y, sample};
+  std::uint32_t word = 0;
+  words.generate(&word, &word + 1);
+  return word * 0x1p-32;
+}
+
+// Adds to selected pixels the samples that they lack before `end`.
+void fill(image::Film& film, const PixelMask& mask, std::uint32_t end, const Light& light) {
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) {
+      if (!isSelected(mask, std::size_t{y} * film.width() + x)) continue;
+      for (std::uint32_t i = film.at(x, y).sampleCount; i < end; ++i) {
+        film.addSample(x, y, glm::dvec3(light(x, y, i)), i);
+      }
+    }
+  }
+}
+
+image::Film sampled(const AdaptivePlan& plan, const Extent& size, const Light& light) {
+  image::Film film(size.width, size.height);
+  while (const auto step = plan.next(film)) fill(film, step->pixels, step->sampleEnd, light);
+  return film;
+}
+
+std::uint32_t countAt(const image::Film& film, std::uint32_t x, std::uint32_t y) { return film.at(x, y).sampleCount; }
+
+}  // namespace
+
+TEST_CASE("adaptive: the pilot grows with the square of the reciprocal threshold") {
+  CHECK(pilotSamples(10) == 16);
+  CHECK(pilotSamples(0.2) == 16);
+  CHECK(pilotSamples(0.1) == 64);
+  CHECK(pilotSamples(0.05) == 256);
+  CHECK(pilotSamples(1e-6) == 1u << 20);
+}
+
+TEST_CASE("adaptive: the error of a half-region is the noise of the other half, relative to its brightness") {
+  // Pixels of one half are 2 or 4 in turn, those of the other half are always 1.
+  const Light light = [](std::uint32_t x, std::uint32_t y, std::uint32_t i) {
+    return halfOf(x, y) == 0 ? 2.0 + 2.0 * (i % 2) : 1.0;
+  };
+  image::Film film(16, 16);
+  fill(film, {}, 100, light);
+  const AdaptiveRegions regions({0, 0, 16, 16});
+  const std::vector<double> errors = regions.errorsOf(film, {100, 400});
+  REQUIRE(errors.size() == 2);
+  CHECK(errors[0] == Approx(0).margin(1e-4));
+  CHECK(errors[1] == Approx(std::sqrt(100.0 / 99 / 9.01 / 400)).epsilon(1e-6));
+}
+
+TEST_CASE("adaptive: a pixel belongs to the same half in every crop") {
+  const AdaptiveRegions whole({0, 0, 128, 128});
+  const AdaptiveRegions crop({64, 64, 64, 64});
+  for (std::uint32_t x = 0; x < 32; ++x) CHECK(whole.halfRegionAt(64 + x, 67) % 2 == crop.halfRegionAt(x, 3) % 2);
+}
+
+TEST_CASE("adaptive: regions stop at the first level at which their error is at most the threshold") {
+  // Squared relative errors of one sample are 0, 4 and 29, so that 0, 100 and 725 samples are needed.
+  const Extent size{192, 64};
+  const image::Film film = sampled(AdaptivePlan(windowOf(size), 0.2, 512), size, [](auto x, auto y, auto i) {
+    const double mean = x < 64 ? 1 : x < 128 ? 5 : 30;
+    return mean * (uniformAt(1, x, y, i) < 1 / mean);
+  });
+  CHECK(countAt(film, 5, 5) == 16);
+  CHECK(countAt(film, 63, 63) == 16);
+  CHECK(countAt(film, 64, 63) == 128);
+  CHECK(countAt(film, 127, 5) == 128);
+  CHECK(countAt(film, 128, 5) == 512);
+  CHECK(countAt(film, 191, 5) == 512);
+}
+
+TEST_CASE("adaptive: a half stops by the samples of the other half alone") {
+  const Extent size{64, 64};
+  const AdaptivePlan plan(windowOf(size), 0.2, 64);
+  const image::Film film = sampled(plan, size, [](auto x, auto y, auto i) {
+    return halfOf(x, y) == 0 ? 100.0 * (uniformAt(2, x, y, i) < 0.01) : 1.0;
+  });
+  for (std::uint32_t x = 0; x < 64; ++x) CHECK(countAt(film, x, 9) == (halfOf(x, 9) == 0 ? 16 : 64));
+}
+
+TEST_CASE("adaptive: the neighbours of a noisy region go on, within its block") {
+  const Extent size{128, 64};
+  const AdaptivePlan plan(windowOf(size), 0.2, 64);
+  // Noise in the region from (48, 16), which is at the right edge of its block.
+  const image::Film film = sampled(plan, size, [](auto x, auto y, auto i) {
+    const bool isNoisy = x / 16 == 3 && y / 16 == 1;
+    return isNoisy ? 100.0 * (uniformAt(3, x, y, i) < 0.01) : 1.0;
+  });
+  CHECK(countAt(film, 50, 20) == 64);
+  CHECK(countAt(film, 33, 1) == 64);
+  CHECK(countAt(film, 33, 40) == 64);
+  CHECK(countAt(film, 31, 20) == 16);
+  CHECK(countAt(film, 50, 50) == 16);
+  CHECK(countAt(film, 64, 20) == 16);  // another block
+}
+
+TEST_CASE("adaptive: black regions stop behind the pilot") {
+  const Extent size{64, 64};
+  const AdaptivePlan plan(windowOf(size), 0.001, 1u << 20);
+  image::Film film(64, 64);
+  fill(film, {}, 16, [](auto, auto, auto) { return 0.0; });
+  CHECK(AdaptivePlan(windowOf(size), 0.2, 256).next(film) == std::nullopt);
+  CHECK(plan.next(film)->sampleEnd == pilotSamples(0.001));
+}
+
+TEST_CASE("adaptive: halves of too few pixels decide nothing") {
+  const Extent size{65, 3};
+  const image::Film film = sampled(AdaptivePlan(windowOf(size), 0.2, 32), size, [](auto, auto, auto) { return 1.0; });
+  CHECK(countAt(film, 0, 0) == 32);
+  CHECK(countAt(film, 64, 0) == 32);
+}
+
+TEST_CASE("adaptive: a film that was stopped anywhere goes on to the same counts and sums") {
+  const Extent size{96, 80};
+  const AdaptivePlan plan(windowOf(size), 0.2, 200);
+  const Light light = [](auto x, auto y, auto i) {
+    const double mean = x < 40 ? 6.0 : y < 64 ? 2.5 : 1.0;
+    return mean * (uniformAt(4, x, y, i) < 1 / mean);
+  };
+  const image::Film whole = sampled(plan, size, light);
+  CHECK(summarise(plan, whole).halfRegions.size() > 2);
+  image::Film film(size.width, size.height);
+  std::mt19937 random(5);
+  while (const auto step = plan.next(film)) {
+    fill(film, step->pixels, step->indivisible, light);
+    // Some pixels get all their samples, some get a few of them, and then the film is looked at again.
+    PixelMask chosen = step->pixels;
+    for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = chosen[i] && random() % 3 == 0;
+    fill(film, chosen,
+         step->indivisible + static_cast<std::uint32_t>(random() % (step->sampleEnd - step->indivisible + 1)), light);
+    if (random() % 4 == 0) fill(film, step->pixels, step->sampleEnd, light);
+  }
+  CHECK(film.hash() == whole.hash());
+}
+
+TEST_CASE("adaptive: crops of whole blocks decide as the image does") {
+  const Extent size{160, 96};
+  const Light light = [](auto x, auto y, auto i) { return 1 + (x / 8 % 3) * 10 * (uniformAt(6, x, y, i) < 0.02); };
+  const image::Film whole = sampled(AdaptivePlan(windowOf(size), 0.2, 128), size, light);
+  const Window window{64, 0, 96, 64};
+  requireAligned(window, size);
+  const image::Film crop = sampled(AdaptivePlan(window, 0.2, 128), window.extent(),
+                                   [&](auto x, auto y, auto i) { return light(window.x + x, window.y + y, i); });
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 96; ++x) REQUIRE(countAt(crop, x, y) == countAt(whole, 64 + x, y));
+  }
+}
+
+TEST_CASE("adaptive: a finished film goes on to a higher maximum as if that had been asked for at once") {
+  const Extent size{64, 64};
+  const Light light = [](auto x, auto y, auto i) { return x < 20 ? 30 * (uniformAt(7, x, y, i) < 0.03) : 1.0; };
+  const image::Film whole = sampled(AdaptivePlan(windowOf(size), 0.2, 400), size, light);
+  image::Film film = sampled(AdaptivePlan(windowOf(size), 0.2, 100), size, light);
+  const AdaptivePlan more(windowOf(size), 0.2, 400);
+  while (const auto step = more.next(film)) fill(film, step->pixels, step->sampleEnd, light);
+  CHECK(film.hash() == whole.hash());
+}
+
+TEST_CASE("adaptive: crops that are not aligned are refused") {
+  CHECK_NOTHROW(requireAligned({64, 0, 36, 64}, {100, 80}));
+  CHECK_THROWS_AS(requireAligned({32, 0, 64, 64}, {128, 128}), UsageError);
+  CHECK_THROWS_AS(requireAligned({0, 0, 64, 60}, {128, 128}), UsageError);
+}
+
+namespace {
+
+/// Means over films of one region with independent noise: of all pixels, and of the estimated squared error.
+struct Simulation {
+  double mean = 0, meanError = 0;    ///< of the films' means, and the standard error of their mean
+  double estimate = 0, squared = 0;  ///< mean squared relative error, estimated and actual
+};
+
+// `probability` is that with which a sample has the value 1 / probability, so that the mean is 1.
+Simulation simulate(double probability, double threshold, std::uint32_t runs) {
+  const Extent size{16, 16};
+  const AdaptivePlan plan(windowOf(size), threshold, 1024);
+  Simulation result;
+  double squares = 0;
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    std::minstd_rand random(run + 1);
+    const std::uint64_t limit = static_cast<std::uint64_t>(probability * 2147483646.0);
+    const image::Film film = sampled(plan, size,
+                                     [&](auto, auto, auto) { return random() <= limit ? 1 / probability : 0.0; });
+    double mean = 0;
+    for (std::uint32_t y = 0; y < 16; ++y) {
+      for (std::uint32_t x = 0; x < 16; ++x) {
+        mean += film.mean(x, y).x / 256;
+        result.squared += std::pow(film.mean(x, y).x - 1, 2) / 256 / runs;
+      }
+    }
+    result.mean += mean / runs;
+    squares += mean * mean / runs;
+    result.estimate += std::pow(summarise(plan, film).meanError, 2) / runs;
+  }
+  result.meanError = std::sqrt((squares - result.mean * result.mean) / runs);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("adaptive: stopping by the other half leaves the mean as it is") {
+  // Frequent light, light of the caustics, and rare light that half of the pilots of half-regions do not see.
+  for (const auto& [probability, threshold] : {std::pair{0.2, 0.1}, std::pair{0.01, 0.5}, std::pair{4e-4, 2.0}}) {
+    const Simulation result = simulate(probability, threshold, 400);
+    INFO(probability << ": mean " << result.mean << " +- " << result.meanError << ", squared error " << result.squared
+                     << ", estimate " << result.estimate);
+    CHECK(std::abs(result.mean - 1) < 4 * result.meanError);
+    // Light that pilots do not see is not in the estimate either.
+    if (probability > 0.001) CHECK(result.estimate == Approx(result.squared).epsilon(0.03));
+  }
+}
