@@ -24,10 +24,6 @@ void addBias(Metadata& metadata, const std::string& sentence) {
   bias += (bias.empty() ? "" : "; ") + sentence;
 }
 
-}  // namespace
-
-namespace {
-
 void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Metadata& metadata) {
   for (const image::MatteKind kind : image::kMatteKinds) {
     if (hasMatte(layers, kind)) metadata.merge(cryptomatteMetadata(kind, names[static_cast<std::size_t>(kind)]));
