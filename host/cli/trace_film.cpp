@@ -15,6 +15,7 @@
 #include "host/cli/option_table.h"
 #include "host/cli/render_watch.h"
 #include "host/cli/rescue_file.h"
+#include "host/cli/sample_loop.h"
 
 namespace candela::cli {
 namespace {
@@ -34,15 +35,6 @@ std::optional<film::FilmReader> openFilm(const RenderJob& job) {
 std::uint64_t sampleCount(const image::Film& film) {
   std::uint64_t samples = 0;
   for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
-  return samples;
-}
-
-// Number of samples that pixels outside of the mask lack.
-std::uint64_t samplesLeftOut(const image::Film& film, const render::PixelMask& mask, std::uint32_t sampleEnd) {
-  std::uint64_t samples = 0;
-  for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-    if (!render::isSelected(mask, i)) samples += sampleEnd - film.pixels()[i].sampleCount;
-  }
   return samples;
 }
 
@@ -81,9 +73,6 @@ class FilmTrace {
   void inherit();
   void goOn();
   void advance();
-  bool trace(const render::SampleRange& range, const render::RenderControl& control, FilmProgress& progress);
-  void traceAdaptively(const render::AdaptivePlan& plan, const render::RenderControl& control, FilmProgress& progress);
-  image::Film storableFilm();
   void pause(bool mustWrite);
   void show();
   void scheduleWrite(double start);
@@ -116,8 +105,7 @@ class FilmTrace {
   film::WorkReport lost_;                   ///< of all sessions that failed
   std::uint64_t samplesBefore_ = 0;         ///< in the film that the session went on from
   bool isInterrupted_ = false;
-  /// The film of the last decision of adaptive sampling, as long as that of the session does not show the decision.
-  std::optional<image::Film> decided_;
+  std::optional<SampleLoop> loop_;  ///< around `session_`
 };
 
 Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
@@ -165,6 +153,7 @@ void FilmTrace::begin() {
   if (usesReference_) arguments.device = "cpu";
   renderer_ = makeRenderer(arguments, log_);
   session_ = renderer_->prepare(job_.scene, settings_);
+  loop_.emplace(*session_, watch_, [this](bool mustWrite) { pause(mustWrite); });
   if (kept_) {
     goOn();
   } else {
@@ -190,7 +179,7 @@ void FilmTrace::pause(bool mustWrite) {
   const double start = monotonicSeconds();
   const render::RenderStatistics statistics = session_->statistics();
   requireComplete(statistics);
-  if (hasFile() && mustWrite) checkpoints_->write(storableFilm(), statistics, start);
+  if (hasFile() && mustWrite) checkpoints_->write(loop_->storableFilm(), statistics, start);
   scheduleWrite(start);
   show();
 }
@@ -205,51 +194,15 @@ void FilmTrace::show() {
   watch_.showAt(end + std::max(kMinSeconds, kMinTimesItsCost * (end - start)));
 }
 
-image::Film FilmTrace::storableFilm() { return decided_ ? *decided_ : session_->film(); }
-
-// Returns false if the render is interrupted.
-bool FilmTrace::trace(const render::SampleRange& range, const render::RenderControl& control, FilmProgress& progress) {
-  while (!session_->advance(range, control)) {
-    isInterrupted_ = watch_.mustEnd();
-    if (isInterrupted_) return false;
-    progress.endOfCall();
-    const bool mustWrite = watch_.mustWrite();
-    watch_.goOn();
-    pause(mustWrite);
-  }
-  progress.endOfCall();
-  return true;
-}
-
-void FilmTrace::traceAdaptively(const render::AdaptivePlan& plan, const render::RenderControl& control,
-                                FilmProgress& progress) {
-  image::Film film = session_->film();
-  while (const std::optional<render::AdaptiveStep> step = plan.next(film)) {
-    session_->restrictTo(step->pixels);
-    progress.skip(samplesLeftOut(film, step->pixels, range_.end));
-    if (step->indivisible > 0) {
-      decided_ = std::move(film);
-      if (!trace({0, step->indivisible}, control, progress)) return;
-      decided_.reset();
-    }
-    if (!trace({0, step->sampleEnd}, control, progress)) return;
-    film = session_->film();
-  }
-}
-
 void FilmTrace::advance() {
   Progress line(std::cerr, control_.report ? ProgressStyle::none : progressStyle(log_.verbosity()));
   const auto showLine = [&](double fraction, std::uint64_t samples) { line.update(fraction, samples); };
   FilmProgress filmProgress(job_, range_, samplesBefore_, control_.report ? control_.report : showLine);
-  const render::RenderControl control{&watch_.stop(),
-                                      [&](double, std::uint64_t samples) { filmProgress.update(samples); }};
   scheduleWrite(monotonicSeconds());
   show();
-  if (const auto plan = planOf(header_)) {
-    traceAdaptively(*plan, control, filmProgress);
-  } else {
-    trace(range_, control, filmProgress);
-  }
+  const auto plan = planOf(header_);
+  isInterrupted_ = plan ? !loop_->traceAdaptively(*plan, range_.end, filmProgress)
+                        : !loop_->trace(range_, filmProgress);
 }
 
 film::FilmHeader FilmTrace::headerOf(const image::Film& film) const {
@@ -261,7 +214,7 @@ film::FilmHeader FilmTrace::headerOf(const image::Film& film) const {
 TracedFilm FilmTrace::end() {
   TracedFilm traced;
   traced.result.interrupted = isInterrupted_;
-  traced.result.film = storableFilm();
+  traced.result.film = loop_->storableFilm();
   traced.result.statistics = session_->statistics();
   requireComplete(traced.result.statistics);
   traced.header = headerOf(traced.result.film);
@@ -287,8 +240,9 @@ TracedFilm FilmTrace::attempt() {
 // Destroys the session after taking its film.
 void FilmTrace::salvage() {
   if (isReady_) kept_ = session_->salvage();
-  if (kept_ && decided_) kept_->film = std::move(*decided_);
-  decided_.reset();
+  auto decided = loop_ ? loop_->takeDecided() : std::nullopt;
+  if (kept_ && decided) kept_->film = std::move(*decided);
+  loop_.reset();
   session_.reset();
   renderer_.reset();
   isReady_ = false;

@@ -128,7 +128,7 @@ std::uint32_t Band::setWidth(std::uint32_t width) {
 void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
                 std::uint32_t firstSample, const render::PixelMask& mask) {
   rows_ = rows;
-  setSweep(mask);
+  sweep_ = sweepOf(rows, width_, mask);
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
   volumeFaultsBefore_ = 0;
@@ -145,29 +145,6 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span
   if (!film.empty()) film_.upload(std::as_bytes(film));
   if (!film.empty() && !layers.empty()) film_.upload(std::as_bytes(layers), std::as_bytes(film).size());
   setFirstSamples(film, firstSample, mask);
-}
-
-void Band::setSweep(const render::PixelMask& mask) {
-  sweep_ = {0, 0, width_, rows_.height};
-  selectedInRows_.assign(rows_.height, width_);
-  if (mask.empty()) return;
-  std::uint32_t left = width_, right = 0;
-  for (std::uint32_t y = 0; y < rows_.height; ++y) {
-    selectedInRows_[y] = 0;
-    for (std::uint32_t x = 0; x < width_; ++x) {
-      if (!mask[std::size_t{width_} * (rows_.first + y) + x]) continue;
-      ++selectedInRows_[y];
-      left = std::min(left, x);
-      right = std::max(right, x + 1);
-    }
-  }
-  const auto isUsed = [](std::uint32_t count) { return count > 0; };
-  const auto first = std::ranges::find_if(selectedInRows_, isUsed);
-  if (first == selectedInRows_.end()) return;
-  const auto end = std::ranges::find_if(selectedInRows_.rbegin(), selectedInRows_.rend(), isUsed).base();
-  sweep_ = {left, static_cast<std::uint32_t>(first - selectedInRows_.begin()), right - left,
-            static_cast<std::uint32_t>(end - first)};
-  selectedInRows_ = std::vector<std::uint32_t>(first, end);
 }
 
 // All other words of a state whose sample has not started are 0. Kernels skip pixels whose index is at the end.
@@ -241,19 +218,20 @@ std::uint64_t Band::takeFinishedSamples() {
 
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const render::Extent corner{std::min(sweep_.width, workgroup.width), std::min(sweep_.height, workgroup.height)};
-  dispatch({sweep_.x, sweep_.y, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
+  const render::Extent corner{std::min(sweep_.box.width, workgroup.width),
+                              std::min(sweep_.box.height, workgroup.height)};
+  dispatch({sweep_.box.x, sweep_.box.y, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  if (!cursor_) cursor_ = cursorOver({sweep_.width, sweep_.height}, settings_);
+  if (!cursor_) cursor_ = cursorOver({sweep_.box.width, sweep_.box.height}, settings_);
   if (!governor_) {
     governor_.emplace(governorOptions(settings_, budget, pixels()));
     governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
   }
-  UnfinishedRows unfinished(sweep_.width, selectedInRows_);
+  UnfinishedRows unfinished(sweep_.box.width, sweep_.selectedInRows);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
   while (counters().finishedPixels < pixelsLeft) {
     if (control.stop != nullptr && *control.stop) {
@@ -265,7 +243,7 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;
     const Plan plan{lanes, governor_->segmentsFor(active)};
-    const Rect inBand{sweep_.x + region.x, sweep_.y + region.y, region.width, region.height};
+    const Rect inBand{sweep_.box.x + region.x, sweep_.box.y + region.y, region.width, region.height};
     const double seconds = dispatch(inBand, plan.segments, sampleEnd, budget);
     governor_->record(plan, active, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);

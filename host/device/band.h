@@ -10,19 +10,13 @@
 #include "host/device/governor.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
-#include "host/device/tile_cursor.h"
+#include "host/device/sweep.h"
 #include "host/image/film.h"
 #include "host/render/session.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/compute_pipeline.h"
 
 namespace candela::device {
-
-/// Rows first .. first + height - 1 of the film.
-struct BandRows {
-  std::uint32_t first = 0;
-  std::uint32_t height = 0;
-};
 
 /// Returns the maximum height of a band whose largest buffer has at most `maxBytes` and can be bound by the device, at
 /// least 1. Throws FileError if one row of the image is too large.
@@ -79,7 +73,6 @@ class Band {
                   vulkan::Patience patience = vulkan::Patience::normal);
   void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample,
                        const render::PixelMask& mask);
-  void setSweep(const render::PixelMask& mask);
   void clearCounters();
   /// Offset of the path records in results_.
   std::uint64_t recordOffset() const;
@@ -93,12 +86,11 @@ class Band {
   std::uint32_t width_;
   std::uint64_t maxPixels_;  ///< for which the buffers have room
   BandRows rows_;
-  Rect sweep_;                                 ///< bounding box of the pixels that get samples
-  std::vector<std::uint32_t> selectedInRows_;  ///< number of such pixels in each row of sweep_
-  std::uint32_t samplesSeen_ = 0;              ///< last value of the wrapping counter
-  std::uint64_t samplesBefore_ = 0;            ///< sum of the sample indices at which load() started the pixels
-  std::uint64_t truncatedBefore_ = 0;          ///< in ranges that are finished
-  std::uint64_t volumeFaultsBefore_ = 0;       ///< in ranges that are finished
+  Sweep sweep_;
+  std::uint32_t samplesSeen_ = 0;         ///< last value of the wrapping counter
+  std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels
+  std::uint64_t truncatedBefore_ = 0;     ///< in ranges that are finished
+  std::uint64_t volumeFaultsBefore_ = 0;  ///< in ranges that are finished
   std::optional<TileCursor>
       cursor_;  ///< continues from one range to the next, so that every tile is processed regularly
   std::optional<Governor> governor_;  ///< preserves its measurements from one range to the next

@@ -1,0 +1,140 @@
+// Traces the samples of a session, band by band.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "host/core/errors.h"
+#include "host/core/stopwatch.h"
+#include "host/device/gpu_session.h"
+
+namespace candela::device {
+namespace {
+
+// Returns the number of pixels of the mask that lack samples before `sampleEnd`. Each pixel has consecutive samples
+// from `firstSample` on. The first of `film` is the pixel `firstPixel` of the mask.
+std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd,
+                           const render::PixelMask& mask, std::size_t firstPixel) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const bool lacks = firstSample + film[i].sampleCount < sampleEnd && render::isSelected(mask, firstPixel + i);
+    count += lacks ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+// Returns null if device memory has no room for a band of this height and a smaller one is possible.
+std::unique_ptr<Band> GpuSession::tryBand() {
+  try {
+    return std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,
+                                  bandHeight_);
+  } catch (const OutOfMemoryError& error) {
+    if (bandHeight_ == 1) throw;
+    statistics_.warnings.push_back(fmt::format("bands of {} rows are tried: {}", (bandHeight_ + 1) / 2, error.what()));
+    return nullptr;
+  }
+}
+
+// Not called during preparation, because a session that only replays samples needs no band.
+void GpuSession::makeBand() {
+  const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
+  while ((band_ = tryBand()) == nullptr) bandHeight_ = (bandHeight_ + 1) / 2;
+  prepared_.deviceBytes += context_->device.memoryUse().currentBytes - bytesBefore;
+  statistics_.deviceBytes = prepared_.deviceBytes;
+}
+
+// Takes the results of the resident band from the device.
+void GpuSession::retire() {
+  if (!resident_) return;
+  fetchFilm();
+  band_->addCounts(statistics_);
+  if (settings_.execution.recordPaths) band_->readRecords(paths_);
+  resident_.reset();
+}
+
+void GpuSession::restrictTo(const render::PixelMask& mask) {
+  retire();
+  mask_ = mask;
+  coverage_.samples = render::FilmCoverage::kUneven;
+}
+
+void GpuSession::makeResident(std::uint32_t index) {
+  if (resident_ == index) return;
+  retire();
+  const BandRows rows = bandAt(index);
+  band_->load(rows, coverage_.isEmpty() ? std::span<const image::FilmPixel>{} : filmOf(rows), layersOf(rows),
+              coverage_.first, mask_);
+  resident_ = index;
+}
+
+std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) {
+  if (coverage_.samples != render::FilmCoverage::kUneven) {
+    return coverage_.first + coverage_.samples < sampleEnd ? filmOf(rows).size() : 0;
+  }
+  return countLacking(filmOf(rows), coverage_.first, sampleEnd, mask_, std::size_t{film_.width()} * rows.first);
+}
+
+// A pixel's list of hits has room for kListedHits samples. The host counts them before more are traced, so that film_
+// has all samples of earlier steps.
+bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
+                               const std::function<void(std::uint64_t)>& samplesFinished) {
+  std::uint32_t end = coverage_.first + render::minSampleCount(filmOf(rows));
+  bool finished = true;
+  while (finished && end < sampleEnd) {
+    end = std::min(end + gpu::kListedHits, sampleEnd);
+    const std::uint64_t lacking = countLacking(filmOf(rows), coverage_.first, end, mask_,
+                                               std::size_t{film_.width()} * rows.first);
+    finished = band_->finish(end, lacking, budget_, control, statistics_, samplesFinished);
+    fetchFilm();
+  }
+  return finished;
+}
+
+bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
+                             const std::function<void(std::uint64_t)>& samplesFinished) {
+  Stopwatch watch;
+  if (!band_) makeBand();  // first, since it decides the height of all bands
+  const std::uint64_t lacking = pixelsLacking(bandAt(index), sampleEnd);
+  if (lacking == 0) return true;
+  makeResident(index);
+  if (!warm_) {
+    band_->warmUp(sampleEnd, budget_);
+    warm_ = true;
+    prepared_.seconds["pipeline"] += watch.lap();
+    statistics_.seconds["pipeline"] = prepared_.seconds["pipeline"];
+  }
+  const bool finished = matteIds_ ? finishBySteps(bandAt(index), sampleEnd, control, samplesFinished)
+                                  : band_->finish(sampleEnd, lacking, budget_, control, statistics_, samplesFinished);
+  statistics_.seconds["trace"] += watch.lap();
+  return finished;
+}
+
+bool GpuSession::advance(render::SampleRange range, const render::RenderControl& control) {
+  const bool uneven = coverage_.samples == render::FilmCoverage::kUneven;
+  if (uneven) fetchFilm();
+  const std::uint32_t covered = uneven ? render::minSampleCount(film_.pixels()) : coverage_.samples;
+  render::requireContiguous(range, coverage_, covered, settings_.image.sampleCount);
+  if (coverage_.isEmpty()) {
+    if (range.first != coverage_.first) resident_.reset();
+    coverage_.first = range.first;
+  }
+  if (range.end <= coverage_.first + covered) return true;
+
+  const double total = static_cast<double>(film_.pixels().size()) * (range.end - coverage_.first - covered);
+  std::uint64_t done = 0;
+  const auto count = [&](std::uint64_t fresh) {
+    done += fresh;
+    if (control.progress) control.progress(std::min(1.0, static_cast<double>(done) / total), done);
+  };
+  bool finished = true;
+  for (std::uint32_t i = 0; i < bandCount() && finished; ++i) {
+    finished = advanceBand(i, range.end, control, count);
+  }
+  const bool isEven = finished && mask_.empty();
+  coverage_.samples = isEven ? range.end - coverage_.first : render::FilmCoverage::kUneven;
+  return finished;
+}
+
+}  // namespace candela::device
