@@ -5,12 +5,22 @@
 #include <cmath>
 #include <utility>
 
+#include "host/reference/rounding.h"
 #include "host/scene/shape.h"
 
 namespace candela::reference {
 namespace {
 
 double positiveOrNoHit(double t) { return t > 0 ? t : kNoHit; }
+
+// Returns whether a ray starts on another primitive in the plane of this one. Rounding has moved its origin to either
+// side of the plane, so that the ray may seem to hit it at a distance that should be 0.
+bool startsInPlane(const Ray& ray, const dvec3& point, const dvec3& normal) {
+  constexpr double kRounding = 0x1p-40;  // of coordinates, for hits that are far from the origins of their rays
+  if (ray.leaving == kNoPrimitive) return false;
+  const double coordinates = std::max(maxNorm(point), maxNorm(ray.origin));
+  return std::abs(dot(point - ray.origin, normal)) <= kRounding * coordinates * maxNorm(normal);
+}
 
 // Returns the roots of a t^2 + 2 b t + c = 0, neither as a difference of nearly equal numbers; NaN or infinite if there
 // are none or only one.
@@ -72,7 +82,7 @@ double TriangleShape::distance(const Ray& ray) const {
   if (least < 0 && most > 0) return kNoHit;
   const dvec3 normal = areaNormal();
   const double towards = dot(ray.direction, normal);
-  if (towards == 0) return kNoHit;
+  if (towards == 0 || startsInPlane(ray, corner, normal)) return kNoHit;
   return positiveOrNoHit(dot(a, normal) / towards);
 }
 
@@ -165,7 +175,7 @@ PlaneShape::PlaneShape(const scene::Plane& plane)
 
 double PlaneShape::distance(const Ray& ray) const {
   const double towards = dot(ray.direction, unitNormal);
-  if (towards == 0) return kNoHit;
+  if (towards == 0 || startsInPlane(ray, point, unitNormal)) return kNoHit;
   return positiveOrNoHit(dot(point - ray.origin, unitNormal) / towards);
 }
 

@@ -86,6 +86,39 @@ TEST_CASE("a triangle is hit inside and on its edges") {
   CHECK(b.y == Approx(0.5));
 }
 
+TEST_CASE("a ray that starts on another primitive in a triangle's or plane's plane does not hit it") {
+  const TriangleShape triangle(scene::Triangle{{vec3(0, 0, 4), vec3(2, 0, 4), vec3(0, 2, 4)}});
+  const PlaneShape plane(scene::Plane{{vec3(0, 0, 4), vec3(2, 0, 4), vec3(0, 2, 4)}});
+  const auto start = [](double below, std::uint32_t leaving) {
+    Ray ray = rayOf({0.5, 0.5, 4 - below}, {0, 0, 1});
+    ray.leaving = leaving;
+    return ray;
+  };
+  for (const double rounding : {1e-15, 1e-13}) {
+    CHECK(triangle.distance(start(rounding, 7)) == kNoHit);
+    CHECK(plane.distance(start(rounding, 7)) == kNoHit);
+    CHECK(triangle.distance(start(rounding, kNoPrimitive)) < 1e-12);
+  }
+  CHECK(triangle.distance(start(1e-9, 7)) == Approx(1e-9).epsilon(1e-5));
+  CHECK(plane.distance(start(1e-9, 7)) == Approx(1e-9).epsilon(1e-5));
+}
+
+TEST_CASE("a reflection on the common edge of two triangles does not hit the second one") {
+  const TriangleShape first(scene::Triangle{{vec3(-9, -9, 0), vec3(9, -9, 0), vec3(9, 9, 0)}}),
+      second(scene::Triangle{{vec3(-9, -9, 0), vec3(9, 9, 0), vec3(-9, 9, 0)}});
+  RandomRays rays;
+  int below = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double onEdge = 9 * rays.uniform(rays.random);
+    const Ray down = rayOf({0, 0, 3}, dvec3(onEdge, onEdge, -3));
+    const dvec3 position = down.at(first.distance(down));
+    below += position.z < 0 ? 1 : 0;
+    const Ray reflected{position, {down.direction.x, down.direction.y, -down.direction.z}, 0};
+    REQUIRE(second.distance(reflected) == kNoHit);
+  }
+  CHECK(below > 0);  // where rounding would let it be hit
+}
+
 TEST_CASE("the hits of a triangle agree with its plane and the sides of its edges") {
   RandomRays rays;
   int hits = 0;
