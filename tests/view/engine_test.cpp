@@ -98,6 +98,16 @@ class LostSession final : public render::Session {
   render::Replay replay(const render::PixelSample&) override { return {}; }
 };
 
+// Waits until the engine publishes nothing for a moment, and returns the serial number of its last view.
+std::uint64_t settledSerial(const Engine& engine) {
+  std::uint64_t serial = 0;
+  while (engine.view().serial != serial) {
+    serial = engine.view().serial;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  return serial;
+}
+
 }  // namespace
 
 TEST_CASE("the engine finishes the device's picture, and follows the camera") {
@@ -215,13 +225,12 @@ TEST_CASE("the reference goes on when the device is lost") {
 TEST_CASE("a paused engine renders nothing") {
   Engine engine(testHooks(), {"cpu"}, Mode::reference);
   engine.setMode(Mode::reference, true);
-  waitFor(engine, [](const EngineView& view) { return view.serial > 1; });
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const std::uint64_t paused = settledSerial(engine);
   scene::Camera camera = *testScene()->camera;
   camera.from.x += 0.25f;
   engine.setCamera(camera);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  CHECK(engine.view().sides[1].seconds == 0);
+  CHECK(engine.view().serial == paused);
   engine.setMode(Mode::reference, false);
-  waitFor(engine, [](const EngineView& view) { return view.sides[1].seconds > 0; });
+  waitFor(engine, [&](const EngineView& view) { return view.serial > paused && view.sides[1].seconds > 0; });
 }

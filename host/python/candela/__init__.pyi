@@ -279,6 +279,7 @@ def render(
     crop: tuple[int, int, int, int] | str | None = None,
     aovs: Sequence[_Layer] | str | None = None,
     aov_through_specular: bool | None = None,
+    noise_threshold: float | Literal["off"] | None = None,
     denoise: bool | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
