@@ -37,15 +37,9 @@ std::optional<render::AdaptivePlan> planOf(const Arguments& arguments) {
 }
 
 std::string adaptiveText(const image::Film& film) {
-  std::uint32_t min = film.pixels().front().sampleCount, max = min;
-  double samples = 0;
-  for (const image::FilmPixel& pixel : film.pixels()) {
-    min = std::min(min, pixel.sampleCount);
-    max = std::max(max, pixel.sampleCount);
-    samples += pixel.sampleCount;
-  }
-  return fmt::format("{} to {} samples per pixel, {:.1f} on average", min, max,
-                     samples / static_cast<double>(film.pixels().size()));
+  const render::SampleCounts counts = render::sampleCountsOf(film);
+  return fmt::format("{} to {} samples per pixel, {:.1f} on average", counts.minSamples, counts.maxSamples,
+                     counts.meanSamples);
 }
 
 ordered_json adaptiveJson(const render::AdaptivePlan& plan, const image::Film& film, std::uint32_t maxSamples) {

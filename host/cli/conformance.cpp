@@ -101,7 +101,7 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   options.stop = &watchInterrupts();
   Stopwatch watch;
   conformance::RunResult run = conformance::runCases(cases, device, options);
-  shrinkFailures(arguments, run, cases, device, log);
+  shrinkFailures({options.timeout, arguments.capture.shrinkSeconds, options.stop}, run, cases, device, log);
   const double seconds = watch.lap();
   if (asText) std::cout << fmt::format("{} ({:.1f} s)\n", countsOf(run), seconds) << std::flush;
   writeText(arguments.conformance.csv, toCsv(run));

@@ -25,10 +25,6 @@ const Case& caseNamed(const Cases& cases, const std::string& name) {
   return *std::ranges::find(cases, name, &Case::name);
 }
 
-std::chrono::milliseconds trialLimit(const Arguments& arguments) {
-  return std::chrono::milliseconds(static_cast<std::int64_t>(arguments.conformance.timeout * 1000));
-}
-
 // A driver that crashes ends a child alone.
 void captureFailure(const Case& question, const vulkan::DeviceInfo& device, const std::filesystem::path& folder,
                     const Log& log) {
@@ -45,9 +41,8 @@ void captureFailure(const Case& question, const vulkan::DeviceInfo& device, cons
 
 }  // namespace
 
-void shrinkFailures(const Arguments& arguments, conformance::RunResult& run, const Cases& cases,
+void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunResult& run, const Cases& cases,
                     const vulkan::DeviceInfo& device, const Log& log) {
-  conformance::ShrinkLimits limits{trialLimit(arguments), arguments.capture.shrinkSeconds, &watchInterrupts()};
   std::size_t left = limits.seconds > 0 ? kMaxShrunk : 0;
   for (CaseResult& result : run.cases) {
     const Case& question = caseNamed(cases, result.name);

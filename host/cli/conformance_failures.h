@@ -1,4 +1,4 @@
-// What `candela conformance` does after cases have failed.
+// Shrinks and captures the failures of `candela conformance`.
 #pragma once
 #include "host/cli/arguments.h"
 #include "host/conformance/runner.h"
@@ -6,8 +6,8 @@
 namespace candela::cli {
 
 /// Searches for the smallest difference of the first variants that differ unexpectedly, and adds it to their texts.
-void shrinkFailures(const Arguments& arguments, conformance::RunResult& run, const conformance::Cases& cases,
-                    const vulkan::DeviceInfo& device, const Log& log);
+void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunResult& run,
+                    const conformance::Cases& cases, const vulkan::DeviceInfo& device, const Log& log);
 
 /// Captures the failures for --capture.
 void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const conformance::Cases& cases,

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
@@ -29,16 +31,19 @@ std::string structureText(const RenderJob& job, const render::RenderStatistics& 
                      statistics.bvhQuality, statistics.layout, job.settings.structure.gridDensity);
 }
 
+// Films that were begun before there were these options go on without them, so that films note them only where they
+// are not the default.
+constexpr std::array<std::string_view, 3> kLateSettings{"--background", "--noise-threshold", "--aov-through-specular"};
+
 std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
   std::map<std::string, std::string> settings;
   for (const Option& option : optionTable()) {
     if (!isSetting(option)) continue;
     const std::vector<std::string> values = option.show(job.arguments);
-    // Films that were begun before there were these options go on without them.
-    const bool isNew = option.name() == "--background" || option.name() == "--noise-threshold";
-    if (isNew && values.front() == option.defaultText) continue;
-    if (option.name() == "--aov-through-specular" && !job.settings.image.layersThroughSpecular) continue;
-    settings[option.name().substr(2)] = film::validText(values.empty() ? "off" : values.front());
+    const std::string value = values.empty() ? "off" : values.front();
+    const bool isLate = std::ranges::find(kLateSettings, option.name()) != kLateSettings.end();
+    if (isLate && value == (option.isFlag() ? "off" : option.defaultText)) continue;
+    settings[option.name().substr(2)] = film::validText(value);
   }
   if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
   if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);

@@ -52,7 +52,7 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
     metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
   }
   addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene, result.film), metadata);
-  if (job.settings.image.indirectLimit) metadata[verify::kBiasMetadata] = biasText(*job.settings.image.indirectLimit);
+  if (job.settings.image.indirectLimit) addBias(metadata, biasText(*job.settings.image.indirectLimit));
   if (const auto& threshold = job.arguments.noiseThreshold)
     addBias(metadata, adaptiveBiasText(fmt::to_string(*threshold)));
   return metadata;
@@ -66,8 +66,7 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
                     {"candela.interrupted", header.isComplete() ? "no" : "yes"}};
   addMatteMetadata(header.layers, header.matteNames, metadata);
   const auto limit = header.settings.find("clamp-indirect");
-  if (limit != header.settings.end() && limit->second != "off")
-    metadata[verify::kBiasMetadata] = biasText(limit->second);
+  if (limit != header.settings.end() && limit->second != "off") addBias(metadata, biasText(limit->second));
   if (const auto threshold = header.settings.find("noise-threshold"); threshold != header.settings.end())
     addBias(metadata, adaptiveBiasText(threshold->second));
   return metadata;

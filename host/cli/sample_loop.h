@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "host/cli/film_progress.h"
 #include "host/cli/render_watch.h"

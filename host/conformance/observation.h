@@ -1,4 +1,4 @@
-// What a form of a kernel gives, so that two forms can be compared.
+// Observes the results of forms of a kernel, so that two forms can be compared.
 #pragma once
 #include <string>
 #include <string_view>

@@ -91,7 +91,7 @@ void addVerdicts(const KernelRow& row, Cases& cases) {
   }
 }
 
-// What happens beyond the end of a buffer may differ between forms, and a copy has no module.
+// Accesses beyond the end of a buffer may differ between forms, and a copy has no module.
 bool hasForms(const Case& one) {
   return one.name.rfind("memory.robust.", 0) != 0 && one.name.rfind("memory.command.", 0) != 0;
 }

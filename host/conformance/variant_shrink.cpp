@@ -16,7 +16,7 @@ using capture::Subset;
 using variants::Variant;
 using Names = std::vector<std::string>;
 
-/// What a child sends.
+/// The answer of a child process.
 struct Trial {
   std::string key;  ///< of the observation, or kLost
   Names modules;    ///< that the form has, in the order of their pipelines

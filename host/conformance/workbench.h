@@ -27,7 +27,7 @@ class Workbench {
   render::Renderer& renderer();
   /// Returns the reference tracer.
   render::Renderer& reference() { return *reference_; }
-  /// What cases of a group compare with, by the name of the group.
+  /// The observations with which cases compare theirs, by the name of their group.
   std::map<std::string, Observation>& observations() { return observations_; }
 
  private:

@@ -56,6 +56,7 @@ class GpuSession final : public render::Session {
   void retire();
   void makeResident(std::uint32_t index);
   void fetchFilm();
+  std::uint64_t countLackingIn(BandRows rows, std::uint32_t sampleEnd);
   std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
   bool finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
                      const std::function<void(std::uint64_t)>& samplesFinished);

@@ -9,22 +9,6 @@
 #include "host/device/gpu_session.h"
 
 namespace candela::device {
-namespace {
-
-// Returns the number of pixels of the mask that lack samples before `sampleEnd`. Each pixel has consecutive samples
-// from `firstSample` on. The first of `film` is the pixel `firstPixel` of the mask.
-std::uint64_t countLacking(std::span<const image::FilmPixel> film, std::uint32_t firstSample, std::uint32_t sampleEnd,
-                           const render::PixelMask& mask, std::size_t firstPixel) {
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const bool lacks = firstSample + film[i].sampleCount < sampleEnd && render::isSelected(mask, firstPixel + i);
-    count += lacks ? 1 : 0;
-  }
-  return count;
-}
-
-}  // namespace
-
 // Returns null if device memory has no room for a band of this height and a smaller one is possible.
 std::unique_ptr<Band> GpuSession::tryBand() {
   try {
@@ -69,11 +53,23 @@ void GpuSession::makeResident(std::uint32_t index) {
   resident_ = index;
 }
 
+// Counts the selected pixels that lack samples before `sampleEnd`, one by one.
+std::uint64_t GpuSession::countLackingIn(BandRows rows, std::uint32_t sampleEnd) {
+  const std::span<const image::FilmPixel> film = filmOf(rows);
+  const std::size_t firstPixel = std::size_t{film_.width()} * rows.first;
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const bool lacks = coverage_.first + film[i].sampleCount < sampleEnd && render::isSelected(mask_, firstPixel + i);
+    count += lacks ? 1 : 0;
+  }
+  return count;
+}
+
 std::uint64_t GpuSession::pixelsLacking(BandRows rows, std::uint32_t sampleEnd) {
   if (coverage_.samples != render::FilmCoverage::kUneven) {
     return coverage_.first + coverage_.samples < sampleEnd ? filmOf(rows).size() : 0;
   }
-  return countLacking(filmOf(rows), coverage_.first, sampleEnd, mask_, std::size_t{film_.width()} * rows.first);
+  return countLackingIn(rows, sampleEnd);
 }
 
 // A pixel's list of hits has room for kListedHits samples. The host counts them before more are traced, so that film_
@@ -84,9 +80,7 @@ bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const ren
   bool finished = true;
   while (finished && end < sampleEnd) {
     end = std::min(end + gpu::kListedHits, sampleEnd);
-    const std::uint64_t lacking = countLacking(filmOf(rows), coverage_.first, end, mask_,
-                                               std::size_t{film_.width()} * rows.first);
-    finished = band_->finish(end, lacking, budget_, control, statistics_, samplesFinished);
+    finished = band_->finish(end, countLackingIn(rows, end), budget_, control, statistics_, samplesFinished);
     fetchFilm();
   }
   return finished;

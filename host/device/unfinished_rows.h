@@ -12,10 +12,7 @@ namespace candela::device {
 /// dispatch's rows.
 class UnfinishedRows {
  public:
-  explicit UnfinishedRows(const render::Extent& band)
-      : width_(band.width), rows_(band.height, static_cast<double>(band.width)) {}
-
-  /// `unfinished` has the number of such pixels of each row, all of them at first.
+  /// `unfinished` has the number of such pixels of each row.
   UnfinishedRows(std::uint32_t width, std::span<const std::uint32_t> unfinished)
       : width_(width), rows_(unfinished.begin(), unfinished.end()) {}
 

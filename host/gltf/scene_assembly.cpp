@@ -103,16 +103,19 @@ void SceneAssembly::addNode(std::size_t index) {
   if (node.extension("KHR_lights_punctual")) addLight(node, index);
 }
 
+Value SceneAssembly::meshOf(const Value& node) const {
+  return root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
+}
+
 void SceneAssembly::addObject(const Value& node, std::size_t index, std::size_t first) {
   if (scene_.primitives.size() == first) return;
-  const Value mesh = root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
-  const std::string meshName = nameOf(mesh, fmt::format("node.{}", index));
+  const std::string meshName = nameOf(meshOf(node), fmt::format("node.{}", index));
   scene_.objectStarts.push_back(static_cast<std::uint32_t>(first));
   scene_.objectNames.push_back(nameOf(node, meshName));
 }
 
 void SceneAssembly::addMesh(const Value& node, std::size_t index) {
-  const Value mesh = root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
+  const Value mesh = meshOf(node);
   const Value primitives = mesh.require("primitives");
   ++counts_["mesh"];
   for (std::size_t i = 0; i < primitives.size(); ++i) {

@@ -38,6 +38,7 @@ class SceneAssembly {
 
  private:
   void addNode(std::size_t index);
+  Value meshOf(const Value& node) const;
   /// Names the object whose primitives begin at `first`; no object if there are none.
   void addObject(const Value& node, std::size_t index, std::size_t first);
   void addMesh(const Value& node, std::size_t index);

@@ -22,13 +22,12 @@ std::vector<std::string> channelNamesOf(MatteKind kind) {
   return names;
 }
 
-// The entry of a rank; one without samples if the pixel has fewer ids.
-IdCount rankOf(const IdCounts& counts, std::size_t rank) {
+// The entries of all ranks, and possibly more.
+IdCounts rankedCounts(const IdCounts& counts) {
   IdCounts sorted = counts;
   std::erase_if(sorted, [](const IdCount& entry) { return entry.id == kNoId; });
-  if (rank >= sorted.size()) return {};
   std::ranges::stable_sort(sorted, std::greater{}, &IdCount::count);  // equal counts stay sorted by their ids
-  return sorted[rank];
+  return sorted;
 }
 
 }  // namespace
@@ -38,11 +37,15 @@ std::span<const std::string> cryptomatteChannelNames(MatteKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-float cryptomatteValue(const IdCounts& counts, std::size_t channel) {
-  const IdCount entry = rankOf(counts, channel / 2);
-  if (entry.count == 0) return 0;
-  if (channel % 2 == 0) return std::bit_cast<float>(entry.id);
-  return static_cast<float>(double{static_cast<double>(entry.count)} / sampleCountOf(counts));
+CryptomatteValues cryptomatteValues(const IdCounts& counts) {
+  CryptomatteValues values{};
+  const IdCounts ranked = rankedCounts(counts);
+  const double samples = sampleCountOf(counts);
+  for (std::size_t rank = 0; rank < std::min(ranked.size(), kMatteRanks); ++rank) {
+    values[2 * rank] = std::bit_cast<float>(ranked[rank].id);
+    values[2 * rank + 1] = static_cast<float>(ranked[rank].count / samples);
+  }
+  return values;
 }
 
 std::map<std::string, std::string> cryptomatteMetadata(MatteKind kind, std::span<const std::string> names) {

@@ -1,5 +1,6 @@
 // Mattes as channels and metadata of the Cryptomatte specification 1.2 (Friedman and Jones, 2015).
 #pragma once
+#include <array>
 #include <map>
 #include <span>
 #include <string>
@@ -16,10 +17,12 @@ inline constexpr std::size_t kMatteRanks = 6;
 /// for each four channels.
 std::span<const std::string> cryptomatteChannelNames(MatteKind kind);
 
-/// Returns the value of a channel, an index into cryptomatteChannelNames(), at a pixel: the bits of an id as a number,
-/// or the fraction of the samples with the id. Ranks are sorted by falling coverage, then by rising id. Samples that
-/// hit nothing have no rank.
-float cryptomatteValue(const IdCounts& counts, std::size_t channel);
+/// The values of the channels of a pixel, in the order of cryptomatteChannelNames().
+using CryptomatteValues = std::array<float, 2 * kMatteRanks>;
+
+/// Returns, for each rank, the bits of an id as a number and the fraction of the samples with the id; 0 for ranks that
+/// the pixel lacks. Ranks are sorted by falling coverage, then by rising id. Samples that hit nothing have no rank.
+CryptomatteValues cryptomatteValues(const IdCounts& counts);
 
 /// Returns the metadata of a layer whose ids belong to these names.
 std::map<std::string, std::string> cryptomatteMetadata(MatteKind kind, std::span<const std::string> names);

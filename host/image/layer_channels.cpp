@@ -102,21 +102,25 @@ const std::vector<std::vector<std::string>>& allChannelNames() {
   return names;
 }
 
-float valueAt(const Film& film, std::uint32_t x, std::uint32_t y, Layer layer, std::size_t index) {
-  if (layer == Layer::cryptoObject) return cryptomatteValue(film.idsAt(MatteKind::object, x, y), index);
-  if (layer == Layer::cryptoMaterial) return cryptomatteValue(film.idsAt(MatteKind::material, x, y), index);
-  return static_cast<float>(valueOf(PixelSums(film, x, y), layer, index));
-}
-
 Channel channelOf(const Film& film, Layer layer, const std::string& name, std::size_t index) {
   Channel channel{name, {}};
   channel.values.reserve(film.pixels().size());
   for (std::uint32_t y = 0; y < film.height(); ++y) {
     for (std::uint32_t x = 0; x < film.width(); ++x) {
-      channel.values.push_back(valueAt(film, x, y, layer, index));
+      channel.values.push_back(static_cast<float>(valueOf(PixelSums(film, x, y), layer, index)));
     }
   }
   return channel;
+}
+
+// Adds all channels of a matte at once, since they share the ranks of each pixel.
+void addMatte(Image& image, const Film& film, MatteKind kind) {
+  const std::size_t first = image.channels.size();
+  for (const std::string& name : cryptomatteChannelNames(kind)) image.channels.push_back({name, {}});
+  for (const IdCounts& counts : film.ids(kind)) {
+    const CryptomatteValues values = cryptomatteValues(counts);
+    for (std::size_t i = 0; i < values.size(); ++i) image.channels[first + i].values.push_back(values[i]);
+  }
 }
 
 }  // namespace
@@ -129,8 +133,12 @@ void addLayers(Image& image, const Film& film) {
   for (std::size_t i = 0; i < allChannelNames().size(); ++i) {
     const auto layer = static_cast<Layer>(i);
     if (!film.layers().has(layer)) continue;
+    if (layer == Layer::cryptoObject || layer == Layer::cryptoMaterial) continue;
     const std::span<const std::string> names = layerChannelNames(layer);
     for (std::size_t c = 0; c < names.size(); ++c) image.channels.push_back(channelOf(film, layer, names[c], c));
+  }
+  for (const MatteKind kind : kMatteKinds) {
+    if (hasMatte(film.layers(), kind)) addMatte(image, film, kind);
   }
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kBlockSide = 64;   ///< of a block in pixels; cro
 /// The half of its region to which a pixel of the full image belongs: the colour of its square on a chessboard.
 constexpr std::uint32_t halfOf(std::uint32_t x, std::uint32_t y) { return (x + y) % 2; }
 
-/// What the pixels of one half of a region tell about the noise of the other.
+/// Statistics of the pixels of one half of a region, by which the noise of the other half is estimated.
 struct HalfStatistics {
   std::uint32_t pixels = 0;
   /// Sum over pixels of the unbiased variance of the luminance of one sample, divided by the square of the mean

@@ -21,14 +21,15 @@ void addErrors(const std::vector<double>& errors, AdaptiveSummary& summary) {
 
 }  // namespace
 
-AdaptiveSummary summarise(const AdaptivePlan& plan, const image::Film& film) {
-  AdaptiveSummary summary;
+SampleCounts sampleCountsOf(const image::Film& film) {
   const auto [min, max] = std::ranges::minmax(film.pixels(), {}, &image::FilmPixel::sampleCount);
-  summary.minSamples = min.sampleCount;
-  summary.maxSamples = max.sampleCount;
   double samples = 0;
   for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
-  summary.meanSamples = samples / static_cast<double>(film.pixels().size());
+  return {min.sampleCount, max.sampleCount, samples / static_cast<double>(film.pixels().size())};
+}
+
+AdaptiveSummary summarise(const AdaptivePlan& plan, const image::Film& film) {
+  AdaptiveSummary summary{sampleCountsOf(film), {}};
   const std::vector<std::uint32_t> counts = plan.regions().countsOf(film);
   for (const std::uint32_t count : counts) ++summary.halfRegions[count];
   addErrors(plan.regions().errorsOf(film, counts), summary);

@@ -4,6 +4,7 @@
 #include <spirv-tools/optimizer.hpp>
 
 #include "host/core/errors.h"
+#include "host/vulkan/run_optimizer.h"
 
 namespace candela::variants {
 namespace {
@@ -27,20 +28,10 @@ std::vector<std::string> sizePasses() {
 
 Code optimised(std::span<const std::uint32_t> code, const std::vector<std::string>& passes) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
-  std::string problems;
-  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-    problems += std::string(" ") + message;
-  });
   for (const std::string& pass : passes) {
     if (!optimizer.RegisterPassFromFlag("--" + pass)) throw InternalError("SPIRV-Tools has no pass " + pass);
   }
-  Code result;
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);
-  if (!optimizer.Run(code.data(), code.size(), &result, options)) {
-    throw InternalError("the SPIR-V optimiser refused a shader:" + problems);
-  }
-  return result;
+  return vulkan::runOptimizer(optimizer, code);
 }
 
 }  // namespace candela::variants

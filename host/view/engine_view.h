@@ -1,4 +1,4 @@
-// What the engine shows, and what a user chose for it.
+// The state that the engine shows, and the choices of a user.
 #pragma once
 #include <array>
 #include <cstdint>

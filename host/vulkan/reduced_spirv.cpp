@@ -4,7 +4,7 @@
 #include <spirv-tools/optimizer.hpp>
 #include <unordered_map>
 
-#include "host/core/errors.h"
+#include "host/vulkan/run_optimizer.h"
 
 namespace candela::vulkan {
 namespace {
@@ -22,20 +22,6 @@ void registerRemoval(spvtools::Optimizer& optimizer) {
       .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
 }
 
-std::vector<std::uint32_t> run(spvtools::Optimizer& optimizer, std::span<const std::uint32_t> spirv) {
-  std::string problems;
-  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-    problems += std::string(" ") + message;
-  });
-  std::vector<std::uint32_t> result;
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);
-  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options)) {
-    throw InternalError("the SPIR-V optimiser refused a kernel:" + problems);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
@@ -46,14 +32,14 @@ std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
   registerRemoval(optimizer);
   optimizer.RegisterPass(spvtools::CreateCCPPass());
   registerRemoval(optimizer);
-  return run(optimizer, spirv);
+  return runOptimizer(optimizer, spirv);
 }
 
 std::vector<std::uint32_t> frozenSpirv(std::span<const std::uint32_t> spirv,
                                        std::span<const Specialisation> specialisations) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   registerFreezing(optimizer, specialisations);
-  return run(optimizer, spirv);
+  return runOptimizer(optimizer, spirv);
 }
 
 }  // namespace candela::vulkan

@@ -79,11 +79,11 @@ TEST_CASE("ranks fall by coverage, equal ones rise by id, and samples without a 
   const IdCounts counts{{kNoId, 4}, {11, 2}, {12, 5}, {13, 2}, {14, 1}, {15, 1}, {16, 1}};
   const std::pair<std::uint32_t, float> ranks[]{{12, 5}, {11, 2}, {13, 2}, {14, 1}, {15, 1}, {16, 1}};
   for (std::size_t rank = 0; rank < kMatteRanks; ++rank) {
-    CHECK(std::bit_cast<std::uint32_t>(cryptomatteValue(counts, 2 * rank)) == ranks[rank].first);
-    CHECK(cryptomatteValue(counts, 2 * rank + 1) == ranks[rank].second / 16);
+    CHECK(std::bit_cast<std::uint32_t>(cryptomatteValues(counts)[2 * rank]) == ranks[rank].first);
+    CHECK(cryptomatteValues(counts)[2 * rank + 1] == ranks[rank].second / 16);
   }
-  CHECK(cryptomatteValue({{kNoId, 3}}, 0) == 0);
-  CHECK(cryptomatteValue({}, 1) == 0);
+  CHECK(cryptomatteValues({{kNoId, 3}})[0] == 0);
+  CHECK(cryptomatteValues({})[1] == 0);
 }
 
 TEST_CASE("more ids than ranks are in the film and not in the image") {

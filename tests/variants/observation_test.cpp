@@ -1,4 +1,4 @@
-// What differs between two forms.
+// Differences between two forms, in words.
 #include "host/conformance/observation.h"
 
 #include <catch2/catch.hpp>
