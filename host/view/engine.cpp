@@ -35,13 +35,13 @@ Engine::~Engine() {
 
 void Engine::loop() {
   while (!inbox_.isEnded()) {
-    if (!guarded([this] { iterate(); })) isPaused_ = true;  // or it would fail over and over
+    if (!guarded([this] { iterate(); })) hasFailed_ = true;  // or it would fail over and over
   }
 }
 
 void Engine::iterate() {
   adoptDevice();
-  const std::optional<Step> step = isPaused_ ? std::nullopt : schedule_->next();
+  const std::optional<Step> step = nextStep();
   if (const std::optional<Requests> requests = inbox_.take(!step)) {
     apply(*requests);
   } else if (step) {
@@ -49,7 +49,14 @@ void Engine::iterate() {
   }
 }
 
+// A pause lets a new view have its first sample, so that the camera can be moved.
+std::optional<Step> Engine::nextStep() const {
+  const std::optional<Step> step = hasFailed_ ? std::nullopt : schedule_->next();
+  return isPaused_ && step && step->sampleEnd > 1 ? std::nullopt : step;
+}
+
 void Engine::apply(const Requests& requests) {
+  hasFailed_ = false;
   if (requests.load) guarded([&] { load(*requests.load, requests.reads); });
   if (requests.mode) setMode(*requests.mode);
   if (requests.camera) {
@@ -274,7 +281,7 @@ bool Engine::guarded(const std::function<void()>& work) {
 }
 
 void Engine::dropDevice(const std::string& reason) {
-  isPaused_ = sessions_.device == nullptr;  // it was the reference that failed
+  hasFailed_ = sessions_.device == nullptr;  // it was the reference that failed
   sessions_.device.reset();
   sessions_.deviceRenderer.reset();
   want();

@@ -39,6 +39,7 @@ class Engine {
  private:
   void loop();
   void iterate();
+  std::optional<Step> nextStep() const;
   void apply(const Requests& requests);
   void load(const Choice& choice, bool reads);
   void measureFalseColours();
@@ -66,6 +67,7 @@ class Engine {
   Choice choice_;
   Mode mode_;
   bool isPaused_ = false;
+  bool hasFailed_ = false;  ///< the next step; it waits for a request
   Sessions sessions_;
   scene::Camera camera_;
   std::optional<Schedule> schedule_;
