@@ -106,7 +106,9 @@ void apply(const RecordedCopy& copy, std::vector<Content>& contents) {
   std::memmove(&contents[copy.to][copy.toOffset], &contents[copy.from][copy.fromOffset], copy.bytes);
 }
 
-void apply(const RecordedDispatch&, std::vector<Content>&) { throw InternalError("a dispatch is not applied"); }
+void apply(const RecordedDispatch&, std::vector<Content>&) {
+  throw InternalError("a dispatch cannot be applied on the host");
+}
 
 template <class R>
 auto& lastDispatchOf(R& recording) {

@@ -82,8 +82,8 @@ void requireWritableOutputs(const Arguments& arguments) {
 ExitCode runConformance(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the cases ask a Vulkan driver, which the reference tracer is not; choose a Vulkan device (see "
-        "candela devices)");
+        "--device cpu: the cases test a Vulkan driver, which the reference tracer does not use; choose a Vulkan device "
+        "(see candela devices)");
   }
   const Cases cases = chosenCases(arguments.conformance);
   if (arguments.conformance.list) {

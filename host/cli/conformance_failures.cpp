@@ -35,7 +35,7 @@ void captureFailure(const Case& question, const vulkan::DeviceInfo& device, cons
   if (result.failure.empty()) {
     log.note(fmt::format("{}: captured in {}", question.name, (folder / question.name).string()));
   } else {
-    log.warning(fmt::format("{}: capturing it {}", question.name, result.failure));
+    log.warning(fmt::format("{}: the process that captures it {}", question.name, result.failure));
   }
 }
 

@@ -23,7 +23,7 @@ void noteBias(image::Image& image) {
 std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
                                       const Log& log) {
   const auto filterOnHost = [&](const Error& error) {
-    log.warning(fmt::format("{}; the host denoises the image instead", error.what()));
+    log.warning(fmt::format("{}; the image is denoised on the host instead", error.what()));
     return filterByReference(statistics);
   };
   CachedDevice cached(arguments, log);
@@ -45,7 +45,7 @@ void requireDenoisable(const Arguments& arguments) {
 
 void requireDenoisable(const RenderJob& job) {
   if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
-  throw UsageError("--denoise needs at least two samples per pixel; state --spp 2 or more");
+  throw UsageError("--denoise needs at least two samples per pixel; use --spp 2 or more");
 }
 
 Arguments withDenoiseLayers(Arguments arguments) {

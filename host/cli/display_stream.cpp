@@ -62,7 +62,7 @@ DisplayStream::DisplayStream(const ServerAddress& address, std::string name, con
   try {
     server_.emplace(address);
   } catch (const FileError& error) {
-    log_.warning(fmt::format("--display-server {}; the render goes on without it", error.what()));
+    log_.warning(fmt::format("--display-server {}; the render continues without it", error.what()));
   }
 }
 
@@ -71,7 +71,7 @@ void DisplayStream::show(const image::Image& image) {
   try {
     send(image);
   } catch (const FileError& error) {
-    log_.warning(fmt::format("--display-server {}; the render goes on without it", error.what()));
+    log_.warning(fmt::format("--display-server {}; the render continues without it", error.what()));
     server_.reset();
   }
 }

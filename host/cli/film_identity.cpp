@@ -69,23 +69,23 @@ void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film
   if (why == nullptr) {
     film.samplesPerPixel = wanted;
   } else if (!job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: the film was begun with --spp {}, and cannot go on to --spp {}: {}",
+    throw FileError(fmt::format("{}: the film was started with --spp {}, and cannot be resumed with --spp {}: {}",
                                 reader.file().string(), film.samplesPerPixel, wanted, why));
   }
 }
 
 void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& header) {
   if (film.header().window == header.window) return;
-  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; state --crop {}",
-                              film.file().string(), render::windowText(film.header().window),
-                              render::windowText(header.window), render::windowText(film.header().window)));
+  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; use --crop {}", film.file().string(),
+                              render::windowText(film.header().window), render::windowText(header.window),
+                              render::windowText(film.header().window)));
 }
 
 // Sums that samples did not add cannot be computed later, whatever the user accepts.
 void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
   if (film.header().layers == header.layers) return;
   const std::string layers = layerText(film.header().layers);
-  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; state --aov {}", film.file().string(),
+  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
                               layers, layerText(header.layers), layers));
 }
 
@@ -102,14 +102,14 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   const std::optional<std::uint32_t> first = film::firstSampleOf(film);
   if (!first) {
     throw FileError(
-        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts by "
-                    "themselves, and merge them",
+        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts separately, "
+                    "and merge them",
                     reader.file().string()));
   }
   const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
   if (range.first == *first && range.end >= next) return first;
   throw FileError(
-      fmt::format("{}: the film starts at sample {} and goes to {}, and the render has samples {}:{}; state "
+      fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
                   "--samples {}:N",
                   reader.file().string(), *first, next, range.first, range.end, *first));
 }
@@ -152,7 +152,7 @@ render::SampleRange samplesOf(const RenderJob& job) {
   const std::uint32_t total = job.settings.image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
   if (range.end <= total) return range;
-  throw UsageError(fmt::format("--samples {}:{} goes beyond the {} samples per pixel; state the total with --spp",
+  throw UsageError(fmt::format("--samples {}:{} exceeds the {} samples per pixel; set the total with --spp",
                                range.first, range.end, total));
 }
 
@@ -167,7 +167,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
     differences.insert(differences.end(), more.begin(), more.end());
   }
   if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; --resume-anyway goes on all the same, and marks the film as mixed",
+    throw FileError(fmt::format("{}: {}; --resume-anyway resumes nevertheless, and marks the film as mixed",
                                 reader.file().string(), differences.front()));
   }
   for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);

@@ -39,10 +39,10 @@ std::uint64_t sampleCount(const image::Film& film) {
 }
 
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
-  if (watch.isTimeUp()) log.note("--time-limit: the time is up");
+  if (watch.isTimeUp()) log.note("--time-limit: the time limit is reached");
   if (job.arguments.checkpoint.empty()) return;
   const std::string file = shellQuoted(job.arguments.checkpoint.string());
-  log.note(fmt::format("the same command with --resume {} goes on", file));
+  log.note(fmt::format("run the same command with --resume {} to continue", file));
 }
 
 double deadlineOf(const RenderJob& job, double start) {

@@ -23,7 +23,7 @@ struct Trial {
   Names notes;      ///< what each step did to each module
 };
 
-constexpr const char* kLost = "does not end regularly";
+constexpr const char* kLost = "does not terminate normally";
 
 void addOnce(Names& names, const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -38,7 +38,7 @@ class Shrinker {
     const Trial plain = observe(plainFormOf(question_), {});
     const Trial whole = observe(question_.variant, plain.modules);
     plainKey_ = plain.key;
-    if (whole.key == plainKey_) return "it does not differ any more when it runs again";
+    if (whole.key == plainKey_) return "the difference did not recur in a second run";
     Variant form = question_.variant;
     form.steps = stepsLeft(plain.modules);
     const Names modules = modulesLeft(form, plain.modules);

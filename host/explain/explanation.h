@@ -34,7 +34,7 @@ struct Explanation {
   std::optional<Place> firstDifference;
   /// After this decision, the two paths are unrelated and nothing is compared.
   std::optional<Place> firstDecision;
-  /// The number with the largest difference before the first difference; empty if all are equal to the bit.
+  /// The number with the maximum difference before the first difference; empty if all are equal to the bit.
   std::optional<Place> furthestBefore;
 
   const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }

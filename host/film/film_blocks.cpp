@@ -80,13 +80,13 @@ void FilmBlocks::find(const FilmHead& head, const FilmHeader& header, std::span<
     const bool inPlace = littleEndian(table.subspan(i * kTableEntryBytes, kTableEntryBytes)) == offset &&
                          littleEndian(std::span(start).first(4)) == window.y + i * kBlockRows;
     if (!inPlace || size > rows * window.width * pixelBytes(channelsOf(header))) {
-      throw FileError(fmt::format("the file is damaged: block {} is not where it belongs", i));
+      throw FileError(fmt::format("the file is damaged: block {} is not at its offset", i));
     }
     if (bytes_.size() - offset - kBlockHeadBytes < size) throw FileError("the file is truncated");
     blocks_.push_back({offset, kBlockHeadBytes + size, head.blockChecks.substr(i * kCheckDigits, kCheckDigits)});
     offset += kBlockHeadBytes + size;
   }
-  if (offset != bytes_.size()) throw FileError("the file is damaged: there is something behind its last block");
+  if (offset != bytes_.size()) throw FileError("the file is damaged: data follows its last block");
 }
 
 void FilmBlocks::check(std::size_t index, const render::Window& window) const {

@@ -109,7 +109,7 @@ std::string_view takeChunk(std::string_view bytes, std::size_t& offset, std::uin
 Container readGlb(const scene::SceneFile& file) {
   if (file.bytes.size() < kHeaderSize) throw PlaceError("GLB", "the file ends within the header of 12 bytes");
   const std::uint32_t version = wordAt(file.bytes, 4);
-  if (version != 2) throw PlaceError("GLB", fmt::format("container version {}; only version 2 is known", version));
+  if (version != 2) throw PlaceError("GLB", fmt::format("container version {}; only version 2 is supported", version));
   const std::size_t length = wordAt(file.bytes, 8);
   if (length < kHeaderSize || length > file.bytes.size()) {
     throw PlaceError("GLB", fmt::format("the header states {} bytes, but the file has {}", length, file.bytes.size()));

@@ -147,12 +147,12 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
 
 void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
   if (topologyOf(primitive) == Topology::pointsOrLines) {
-    log_.warn("points", {}, primitive.pointer() + ": points and lines are left out");
+    log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
     return;
   }
   std::optional<Geometry> geometry = readGeometry(primitive, morphWeights(node, index, mesh), accessors_, buffers_);
   if (!geometry) {
-    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is left out");
+    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
     return;
   }
   ++counts_["primitive"];
@@ -240,7 +240,8 @@ void SceneAssembly::addLight(const Value& node, std::size_t index) {
   if (!extension) root_.fail("nodes have lights of KHR_lights_punctual, but the file does not");
   const Value reference = node.extension("KHR_lights_punctual")->require("light");
   const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
-  if (light.find("range")) log_.warn("range", {}, light.pointer() + "/range is ignored: light has no end");
+  if (light.find("range"))
+    log_.warn("range", {}, light.pointer() + "/range is ignored: light is not cut off at a distance");
   scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index)));
   ++counts_["light"];
 }

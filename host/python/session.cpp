@@ -26,7 +26,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   const double start = monotonicSeconds();
   const render::SampleRange wanted = range.value_or(render::SampleRange{done_, total()});
   if (wanted.end > total()) {
-    throw UsageError(fmt::format("samples {}:{} go beyond the {} samples per pixel; state the total with --spp",
+    throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with --spp",
                                  wanted.first, wanted.end, total()));
   }
   if (wanted.first == wanted.end) return true;

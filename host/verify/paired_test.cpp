@@ -20,7 +20,7 @@ constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixe
 
 void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
-  throw InternalError(fmt::format("{} loops ended before their work was done", statistics.truncated));
+  throw InternalError(fmt::format("the device stopped {} loops early", statistics.truncated));
 }
 
 class PairedTest {
@@ -145,10 +145,10 @@ class PairedTest {
 
   void requireAboveMargin(double bias) const {
     if (bias > relativeMargin() || result_.differs()) return;
-    throw UsageError(fmt::format(
-        "--bias {:g}: rounding in single precision may change the mean of this image by {:.2g} of itself, so "
-        "that a smaller difference says nothing about a device; choose a larger --bias",
-        bias, relativeMargin()));
+    throw UsageError(
+        fmt::format("--bias {:g}: rounding in single precision may change the mean of this image by a fraction of "
+                    "{:.2g}, so that a smaller difference is no evidence against a device; choose a larger --bias",
+                    bias, relativeMargin()));
   }
 
   const scene::Scene& scene_;

@@ -224,7 +224,7 @@ void Engine::saveNow(const SaveRequest& request) {
 
 void Engine::explainNow(render::PixelSample sample, bool searches) {
   explain::requirePaths(sessions_.settings.image.integrator);
-  if (!sessions_.device) throw UsageError("a path is explained by a device and the reference; there is no device yet");
+  if (!sessions_.device) throw UsageError("explaining a path needs a device, and none is ready yet");
   for (const Side side : {Side::device, Side::reference}) {
     if (preparedScale_[indexOf(side)] == 1) continue;
     sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
@@ -279,7 +279,7 @@ void Engine::dropDevice(const std::string& reason) {
   sessions_.deviceRenderer.reset();
   want();
   next_.isPreparing = coming_.isUnderWay();
-  say(reason + "; the reference goes on", true);
+  say(reason + "; the reference continues", true);
 }
 
 }  // namespace candela::view

@@ -30,7 +30,7 @@ struct PictureDifference {
   std::uint64_t unequal = 0;  ///< whose values are further apart than kEqual of the larger one
   double meanA = 0;           ///< luminance
   double meanB = 0;
-  glm::uvec2 worst{0};         ///< pixel with the largest difference
+  glm::uvec2 worst{0};         ///< pixel with the maximum difference
   double worstDifference = 0;  ///< of its luminance, A - B
 
   static constexpr double kEqual = 1e-4;

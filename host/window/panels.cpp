@@ -76,9 +76,8 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
   }
   text(sideText("device", engine.sides[0], engine));
   text(sideText("reference", engine.sides[1], engine));
-  if (engine.isPreparing) text("the driver compiles; preview by the reference");
-  text(fmt::format("{} pixels{}", extentText(engine.size),
-                   input.presentsFromDevice ? ", shown without a read back" : ""));
+  if (engine.isPreparing) text("the driver is compiling; preview by the reference");
+  text(fmt::format("{} pixels{}", extentText(engine.size), input.presentsFromDevice ? ", shown without readback" : ""));
   text(fmt::format("input answered in {:.0f} ms", 1e3 * input.response));
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("capture: a program gives the results of each kind of case") {
     CAPTURE(name);
     const std::string output = folder.path(name);
     const ProgramResult result = captureTo(output, {name});
-    CHECK_THAT(result.out, Contains("gives the expected values"));
+    CHECK_THAT(result.out, Contains("computes the expected values"));
     compileReproducer(output);
     const ProgramResult run = runIn(output, {"VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation"});
     INFO(run.out << run.err);
@@ -64,7 +64,7 @@ TEST_CASE("capture: a planted fault of a compiler shows in the program where the
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
   const std::vector<std::string> faulty = miscompiled(kBorrowsInsteadOfCarrying);
-  CHECK_THAT(captureTo(output, {"leaf.integer.add_carry"}, faulty).out, Contains("gives other values"));
+  CHECK_THAT(captureTo(output, {"leaf.integer.add_carry"}, faulty).out, Contains("computes other values"));
   compileReproducer(output);
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output).exitCode == 0);

@@ -79,9 +79,9 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
   CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36"));
   CHECK_THAT(refusal(scene, {"--spp", "0"}), Contains("--antialiasing is absent in the film and off"));
-  CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("state --crop 0,0,48,36"));
-  CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and goes to 4"));
-  CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("goes to 4"));
+  CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("use --crop 0,0,48,36"));
+  CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and ends before sample 4"));
+  CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("ends before sample 4"));
   CHECK_THAT(refusal(folder.path("none.p3f"), {}), Contains("none.p3f"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", folder.path("none.exr")}), Contains("none.exr: No such file"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
@@ -102,7 +102,7 @@ TEST_CASE("a film is not resumed nor merged with other layers") {
     std::vector<std::string> options{"--resume", with};
     options.insert(options.end(), anyway.begin(), anyway.end());
     CHECK_THAT(kReference.refusal(scene, options),
-               Contains("the film has the layers normal, and the render none; state --aov normal"));
+               Contains("the film has the layers normal, and the render none; use --aov normal"));
   }
   const ProgramResult merged = runCandela({"merge", with, without, "-o", folder.path("merged.exr")});
   CHECK(merged.exitCode == 2);

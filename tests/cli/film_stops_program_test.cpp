@@ -43,7 +43,7 @@ TEST_CASE("a render that is stopped in any way leaves a film that it goes on fro
     const std::string film = folder.path("a.exr");
     const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--time-limit", "0.2s"});
     CHECK(result.exitCode == 7);
-    CHECK_THAT(result.err, Contains("the time is up") && Contains("--resume " + film));
+    CHECK_THAT(result.err, Contains("the time limit is reached") && Contains("--resume " + film));
     const ProgramResult description = runCandela({"film", film});
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);

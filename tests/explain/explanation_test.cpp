@@ -72,10 +72,10 @@ TEST_CASE("a decision that replicas take differently cannot be decided, and says
 TEST_CASE("equal paths agree, to the bit or within rounding") {
   const Explanation same = explainChanged([](render::PathTrace&) {});
   CHECK_FALSE(same.firstDifference);
-  CHECK(same.verdict() == "The two paths agree: no decision differs, and all numbers are equal to the bit.");
+  CHECK(same.verdict() == "The two paths agree: no decision differs, and all numbers are bit-identical.");
   const Explanation rounded = explainChanged([](render::PathTrace& path) { path.vertices[0].light->pdf *= 1 + 5e-5; });
   CHECK_FALSE(rounded.firstDifference);
-  CHECK_THAT(rounded.verdict(), Contains("no number is further apart than 5.0e-05 (light pdf at vertex 1)"));
+  CHECK_THAT(rounded.verdict(), Contains("no number differs by more than 5.0e-05 (light pdf at vertex 1)"));
 }
 
 TEST_CASE("every quantity that differs is named, at its vertex") {

@@ -58,7 +58,7 @@ TEST_CASE("an image whose device fails while it is denoised is denoised by the h
     const std::string b = render.folder.path("b.exr");
     const ProgramResult result = runCandela({"denoise", film, "-o", b}, withFaults(faults));
     CHECK(result.exitCode == 0);
-    CHECK(contains(result.err, "; the host denoises the image instead"));
+    CHECK(contains(result.err, "; the image is denoised on the host instead"));
     CHECK(readText(a) == readText(b));
   }
 }
@@ -85,7 +85,7 @@ TEST_CASE("a device that fails again and again ends a render with a film to go o
   INFO(lost.err);
   CHECK(lost.exitCode == 5);
   CHECK(contains(lost.err, "attempt 3 of 3"));
-  CHECK(contains(lost.err, "--resume " + film + " goes on"));
+  CHECK(contains(lost.err, "--resume " + film + " to continue"));
   const ProgramResult memory = render.run({"--checkpoint", film, "--resume", film},
                                           fault("vkQueueSubmit", 9, "OUT_OF_DEVICE_MEMORY", kEveryFrom));
   CHECK(memory.exitCode == 6);

@@ -173,7 +173,7 @@ TEST_CASE("a film file that was cut off or that goes on is refused wherever it e
     CHECK_FALSE(refusalOf(folder / "bad.exr").empty());
   }
   writeBytes(folder / "bad.exr", good + '\0');
-  CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::Contains("behind its last block"));
+  CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::Contains("data follows its last block"));
 }
 
 TEST_CASE("damaged rows are named") {

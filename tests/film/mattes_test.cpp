@@ -90,7 +90,7 @@ TEST_CASE("mattes that are not those of the samples are refused") {
   SECTION("a count of zero in between") { counts[0] = {0, 0}; }
   SECTION("a missing name") { header.matteNames[0].pop_back(); }
   writeFilm(folder / "a.exr", header, film);
-  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the mattes of a pixel are not those of its samples"));
+  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the mattes of a pixel do not match its samples"));
 }
 
 TEST_CASE("descriptions of mattes that no film has are refused") {

@@ -45,7 +45,7 @@ TEST_CASE("points and lines, and primitives without positions, are left out with
     file.primitive()["mode"] = mode;
     const scene::LoadedScene loaded = load(file);
     CHECK(loaded.scene.primitives.empty());
-    CHECK(warns(loaded, "/meshes/0/primitives/0: points and lines are left out"));
+    CHECK(warns(loaded, "/meshes/0/primitives/0: points and lines are not rendered"));
   }
   GltfFile file = triangleFile();
   file.primitive()["attributes"] = json::object();

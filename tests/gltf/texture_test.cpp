@@ -101,7 +101,7 @@ TEST_CASE("damaged textures end with the place of the mistake") {
   SECTION("a wrap mode that does not exist") {
     file.root["samplers"] = {{{"wrapT", 5}}};
     file.root["textures"][0]["sampler"] = 0;
-    CHECK_THROWS_WITH(load(file), Catch::Contains("/samplers/0/wrapT: 5 is no wrapping mode"));
+    CHECK_THROWS_WITH(load(file), Catch::Contains("/samplers/0/wrapT: 5 is not a wrapping mode"));
   }
   SECTION("a third set of coordinates") {
     infoOf(file)["texCoord"] = 2;

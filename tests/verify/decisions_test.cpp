@@ -73,7 +73,7 @@ TEST_CASE("a device that is wrong in ten decidable pixels of 4,096 is found, and
   CHECK(test.worstX == 7);
   CHECK(test.worstY == 9);
   CHECK(test.worst == Approx(0.01).epsilon(1e-3));
-  CHECK_THAT(test.text(), Contains("the device's is the odd value in 10"));
+  CHECK_THAT(test.text(), Contains("the device's value is the outlier in 10"));
   CHECK(test.json()["oddDevice"] == 10);
 }
 

@@ -218,7 +218,7 @@ TEST_CASE("the reference goes on when the device is lost") {
   Engine engine(hooks, {"0"}, Mode::device);
   const EngineView view = waitFor(
       engine, [](const EngineView& each) { return each.isError && finished(Side::reference)(each); });
-  CHECK(view.message == "the device was lost; the reference goes on");
+  CHECK(view.message == "the device was lost; the reference continues");
   CHECK(!view.sides[0].hasSession);
 }
 
