@@ -23,7 +23,8 @@ bool isDispatch(const RecordedCommand& command) { return std::holds_alternative<
 // Buffers whose content decides the expected values, as the search goes back from the last dispatch.
 class NeededBuffers {
  public:
-  /// Returns whether the command decides the content of a needed buffer; what it reads is needed from then on.
+  /// Returns whether the command decides the content of a needed buffer; the buffers that it reads are needed from then
+  /// on.
   bool take(const RecordedCommand& command) {
     return std::visit([&](const auto& one) { return takeOne(one); }, command);
   }

@@ -1,4 +1,4 @@
-// Words the README.md of a capture.
+// Writes the README.md of a capture.
 #include "host/capture/readme_text.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 
 namespace candela::cli {
 
-/// Throws UsageError if the resolved arguments ask for adaptive sampling with other options that exclude it.
+/// Throws UsageError if the resolved arguments combine adaptive sampling with options that exclude it.
 void requireAdaptable(const Arguments& arguments);
 
 /// The plan of resolved arguments; nothing without --noise-threshold.

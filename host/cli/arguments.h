@@ -46,7 +46,7 @@ struct PixelPlace {
   std::uint32_t y = 0;  ///< from the top
 };
 
-/// What `candela conformance` runs, and what it expects.
+/// The cases that `candela conformance` runs, and the files with its expectations.
 struct ConformanceArguments {
   bool variants = false;                 ///< the cases are kernels against variants of them
   bool list = false;                     ///< print the names of the cases, and run none
@@ -61,7 +61,7 @@ struct ConformanceArguments {
   std::filesystem::path captures;  ///< folder for captures of cases that fail; empty for none
 };
 
-/// Where `candela capture` writes, and whose results are expected.
+/// The folder to which `candela capture` writes, and the device whose results are expected.
 struct CaptureArguments {
   std::filesystem::path folder;
   std::string expect;         ///< selector of a device; empty: the reference tracer, or the twin of a case
@@ -89,7 +89,7 @@ struct Arguments {
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
-  bool denoise = false;  ///< of a render: its images are denoised, and its films have what that needs
+  bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
   image::DisplayTransform display;
   std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
 

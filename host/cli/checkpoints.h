@@ -24,8 +24,9 @@ class Checkpoints {
   /// Goes on after a failure of the device: `header` is that of the film from now on, and `lost` the work of the
   /// session that failed.
   void goOn(film::FilmHeader header, const film::WorkReport& lost);
-  /// When the film is to be written again, a time of monotonicSeconds(): so that all writes together take at most 1 %
-  /// of the time if the next one takes as long as the last. The cost of the first is not known before.
+  /// The time of the next write, in terms of monotonicSeconds(). It is chosen such that all writes together take at
+  /// most 1 % of the time if the next one takes as long as the last. The cost of the first write is not known in
+  /// advance.
   double nextWrite() const { return nextWrite_; }
   /// The work that went into the film, all runs together, as last written.
   const film::WorkReport& work() const { return work_; }

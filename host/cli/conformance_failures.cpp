@@ -25,7 +25,7 @@ const Case& caseNamed(const Cases& cases, const std::string& name) {
   return *std::ranges::find(cases, name, &Case::name);
 }
 
-// A driver that crashes ends a child alone.
+// A driver that crashes ends only a child process.
 void captureFailure(const Case& question, const vulkan::DeviceInfo& device, const std::filesystem::path& folder,
                     const Log& log) {
   const process::ChildResult result = process::runInChild(kCaptureLimit, [&] {

@@ -19,7 +19,7 @@ void noteBias(image::Image& image) {
   bias += (bias.empty() ? "" : "; ") + std::string("denoised: neighbours are averaged");
 }
 
-// A finished render is not lost with its device: the host goes on.
+// A finished render is not lost with its device: the host denoises it instead.
 std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
                                       const Log& log) {
   const auto filterOnHost = [&](const Error& error) {

@@ -1,4 +1,4 @@
-// Divides images into tiles, and sends those that differ from what the server has.
+// Divides images into tiles, and sends those that have changed.
 #include "host/cli/display_stream.h"
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 namespace candela::cli {
 
 /// Streams the channels of an image to tev. A server that cannot be reached, or fails later, is a warning: the render
-/// goes on without it.
+/// continues without it.
 class DisplayStream {
  public:
   /// Connects. `name` is that of the image in the viewer. `log` outlives the object.

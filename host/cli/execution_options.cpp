@@ -1,4 +1,4 @@
-// Options that decide how an image is rendered, but not what it shows.
+// Options of the execution of a render, which do not change the image.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 

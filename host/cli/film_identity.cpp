@@ -16,8 +16,8 @@
 namespace candela::cli {
 namespace {
 
-// Size, samples and seed are members of the header. Where files may lie does not change what is read, and the scene's
-// hash covers the environment.
+// Size, samples and seed are members of the header. The folders that files may be in do not change what is read, and
+// the scene's hash covers the environment.
 bool isSetting(const Option& option) {
   const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
   const std::string name = option.name();
@@ -31,8 +31,8 @@ std::string structureText(const RenderJob& job, const render::RenderStatistics& 
                      statistics.bvhQuality, statistics.layout, job.settings.structure.gridDensity);
 }
 
-// Films that were begun before there were these options go on without them, so that films note them only where they
-// are not the default.
+// Films of versions without these options can be resumed, because films record these options only if they do not
+// have their defaults.
 constexpr std::array<std::string_view, 3> kLateSettings{"--background", "--noise-threshold", "--aov-through-specular"};
 
 std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
@@ -50,7 +50,8 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
   return settings;
 }
 
-// Why a film that was begun with another number of samples per pixel cannot go on to that of the job, as a clause.
+// Returns the reason, as a clause, why a film with another number of samples per pixel cannot be resumed by the job;
+// null: it can.
 const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
   render::ImageSettings before = job.settings.image;
   before.sampleCount = begunWith;
@@ -61,7 +62,7 @@ const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
   return nullptr;
 }
 
-// A film may go on to another --spp where its samples do not depend on it.
+// A film may be resumed with another --spp if its samples do not depend on it.
 void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
   const std::uint32_t wanted = job.settings.image.sampleCount;
   if (film.samplesPerPixel == wanted) return;

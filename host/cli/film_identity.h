@@ -1,4 +1,4 @@
-// Describes a render in its film file, and decides whether a render can go on from a film file.
+// Describes a render in its film file, and decides whether a render can resume a film file.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -15,7 +15,7 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
 /// samples from `first` on, and the names of its mattes.
 void setContent(film::FilmHeader& header, const image::Film& film, const scene::Scene& scene, std::uint32_t first);
 
-/// Adapts the header of a film to another session that goes on with it after the device failed: `now` is that of the
+/// Adapts the header of a film to another session that continues it after the device failed: `now` is that of the
 /// session. Throws DeviceLostError if the session's device or driver is another one, unless `mayDiffer`; then the film
 /// is marked as mixed.
 void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer);

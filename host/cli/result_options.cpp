@@ -1,4 +1,4 @@
-// Options of what is done with an image or a film: files, comparison, verification and explanation.
+// Options of the results of renders: image and film files, comparison, verification and explanation.
 #include <fmt/ranges.h>
 
 #include "host/cli/option_groups.h"

@@ -1,4 +1,4 @@
-// Options that decide what is rendered: those of the image, and those of the scene file.
+// Options that decide the image, and options of the scene file.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 

@@ -1,4 +1,4 @@
-// Options of bench, tune and the commands that write scenes, and those that all commands share.
+// Options of bench, tune, view and the commands that write scenes, and options of all commands.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 

@@ -1,4 +1,4 @@
-// Starts children, listens to them, and judges what they send.
+// Starts child processes, reads their messages, and judges their results.
 #include "host/conformance/runner.h"
 
 #include <fmt/format.h>
@@ -106,7 +106,8 @@ class Runner {
     }
   }
 
-  // A child that was lost in a case has failed this case. The others run again, each on its own.
+  // If a child process is lost in a case, this case has failed. The remaining cases run again, each in a separate
+  // process.
   void settleEnd(Running& running) {
     const std::string failure = running.child->failure();
     if (running.isComplete()) return;

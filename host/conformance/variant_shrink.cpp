@@ -1,4 +1,4 @@
-// Observes forms in child processes.
+// Observes variants in child processes.
 #include "host/conformance/variant_shrink.h"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@ using capture::Subset;
 using variants::Variant;
 using Names = std::vector<std::string>;
 
-/// The answer of a child process.
+/// The result of a child process.
 struct Trial {
   std::string key;  ///< of the observation, or kLost
   Names modules;    ///< that the form has, in the order of their pipelines
-  Names notes;      ///< what each step did to each module
+  Names notes;      ///< the changes that each step made to each module
 };
 
 constexpr const char* kLost = "does not terminate normally";
@@ -46,7 +46,7 @@ class Shrinker {
   }
 
  private:
-  // The steps that remain if none can be left out, in all modules.
+  // Returns the steps that remain when none can be removed, in all modules.
   std::vector<variants::Step> stepsLeft(const Names& modules) {
     const std::vector<variants::Step>& all = question_.variant.steps;
     if (all.empty()) return {};
@@ -78,7 +78,7 @@ class Shrinker {
     return observe(form, modules).key != plainKey_;
   }
 
-  // Transforms these modules alone.
+  // Transforms only these modules.
   Trial observe(const Variant& form, const Names& modules) const {
     const process::ChildResult result = process::runInChild(limits_.trial, [&] {
       Names seen, notes;

@@ -8,7 +8,7 @@
 
 namespace candela::denoise {
 
-/// How the work is divided, which does not change a bit of the result.
+/// The division of the work, which does not change a bit of the result.
 struct FilterDivision {
   std::uint64_t maxBandBytes = std::uint64_t{64} << 20;  ///< of device memory, unless one row takes more
   std::uint32_t maxDispatchPixels = 1u << 16;            ///< unless one row has more; few, so that a dispatch is short

@@ -36,8 +36,8 @@ class Governor {
   Plan next() const;
   /// Returns the number of segments for a region that is already chosen and has this number of unfinished pixels.
   std::uint32_t segmentsFor(std::uint64_t activePixels) const;
-  /// Records the duration of a dispatch. `plan` is what was run; `activePixels` of its pixels had work left when it
-  /// began.
+  /// Records the duration of a dispatch. `plan` is the plan that was executed; `activePixels` of its pixels had work
+  /// left when it began.
   void record(const Plan& plan, std::uint64_t activePixels, double seconds);
 
  private:

@@ -1,4 +1,4 @@
-// Traces rays alone on a device, for benchmarks of traversal without paths, shading and film.
+// Traces given rays on a device, for benchmarks of traversal without paths, shading and film.
 #pragma once
 #include <array>
 #include <span>

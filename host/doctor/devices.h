@@ -25,12 +25,12 @@ struct ListedDevices {
   std::string failure;  ///< as ChildResult::failure
 };
 
-/// Lists the devices of all drivers, or of the driver of `manifest` alone, after opening `library` to learn why that
+/// Lists the devices of all drivers, or only of the driver of `manifest`, after opening `library` to learn why that
 /// fails. Validation is off.
 ListedDevices listAllDevices();
 ListedDevices listDevicesOf(const std::string& manifest, const std::string& library);
 
-/// Two lines for each device: what it is, and the limits that matter.
+/// Two lines for each device: its description, and the limits that matter.
 Checks checkDevices(const std::vector<vulkan::DeviceInfo>& devices);
 
 }  // namespace candela::doctor

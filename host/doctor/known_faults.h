@@ -11,7 +11,7 @@ namespace candela::doctor {
 struct KnownFault {
   std::string_view driver;    ///< part of the name of the device or of the driver, in lower case
   std::string_view fault;     ///< predicate of a sentence about the driver
-  std::string_view effect;    ///< sentence on what this means for renders
+  std::string_view effect;    ///< sentence on the consequences for renders
   std::string_view evidence;  ///< page and heading
 };
 

@@ -29,7 +29,7 @@ struct Explanation {
   render::PathTrace device;
   render::PathTrace reference;
   std::vector<Stage> stages;
-  std::uint32_t replicas = 0;  ///< number of replicas that say what rounding allows
+  std::uint32_t replicas = 0;  ///< number of replicas by which the effect of rounding is estimated
   /// In the order of the estimator. Empty: no decision differs, and no number by more than rounding allows.
   std::optional<Place> firstDifference;
   /// After this decision, the two paths are unrelated and nothing is compared.

@@ -11,7 +11,7 @@
 
 namespace candela::explain {
 
-/// Where no replicas of the path are known, numbers, like pixels, are equal up to this fraction of the larger one:
+/// If there are no replicas of the path, numbers, like pixels, count as equal up to this fraction of the larger one:
 /// single precision gives 1e-7, which a few reflections at flat surfaces increase to 1e-5.
 inline constexpr double kTolerance = verify::kRelativeTolerance;
 

@@ -32,7 +32,7 @@ struct FilmRows {
 /// writeFilm() did not write: not a film, truncated, damaged, beyond the limits of image sizes, or of another version.
 class FilmReader {
  public:
-  /// Reads everything but the pixels. The file has a row of checks behind it before OpenEXR sees a byte.
+  /// Reads everything but the pixels. The file is checked before OpenEXR reads a byte of it.
   explicit FilmReader(const std::filesystem::path& file);
   ~FilmReader();
   FilmReader(FilmReader&&) noexcept;

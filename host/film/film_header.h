@@ -43,12 +43,12 @@ struct FilmHeader {
   std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
   std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
 
-  /// Whether the film has hit counts, which the setting `background` says.
+  /// Returns whether the film has hit counts, as the setting `background` determines.
   bool hasAlpha() const;
-  /// Threshold of adaptive sampling, which the setting `noise-threshold` says. Throws FileError if that is no number.
+  /// Threshold of adaptive sampling, from the setting `noise-threshold`. Throws FileError if that is no number.
   std::optional<double> noiseThreshold() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
-  /// Whether every pixel of the image has all samples.
+  /// Returns whether every pixel of the image has all samples.
   bool isComplete() const;
   /// Version of the format of its file: 5 with mattes, 4 with a noise threshold, 3 with other layers, 2 with alpha
   /// alone, else 1.
@@ -70,7 +70,7 @@ std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header);
 
 /// The differences of two films, or of a film and a render, in scene, image, settings and layers, each as a clause such
 /// as
-/// "--sampler is sobol in A and stratified in B". `a` and `b` are what the clauses call them.
+/// "--sampler is sobol in A and stratified in B". `a` and `b` are their names in the clauses.
 std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
                                              const std::string& b);
 /// The differences of two tracers.

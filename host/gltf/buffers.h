@@ -1,4 +1,4 @@
-// The buffers of a glTF file and the views into them, read when they are first asked for.
+// The buffers of a glTF file and the views into them, read when they are first requested.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -27,7 +27,7 @@ View chooseView(const Value& root, const NodeTree& nodes, const std::optional<st
 /// The view of a perspective or an orthographic camera at a node, without the node's scale.
 scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
 
-/// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with 5 % to spare.
+/// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with a margin of 5 %.
 scene::Camera framingCamera(const std::optional<Box>& bounds);
 
 }  // namespace candela::gltf

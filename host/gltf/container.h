@@ -13,7 +13,7 @@ struct Container {
   std::optional<std::string_view> binary;  ///< the chunk BIN of a GLB file
 };
 
-/// Whether the bytes begin as a GLB file does, or as a JSON object.
+/// Returns whether the bytes begin like a GLB file or like a JSON object.
 bool looksLikeGltf(std::string_view bytes);
 
 /// Throws SceneError with line and column of a mistake in JSON (syntax, UTF-8, numbers beyond double precision, nesting

@@ -66,7 +66,7 @@ struct GltfMaterial {
 /// Reads a `textureInfo`, as Textures::read() does.
 using TextureReader = std::function<scene::TextureReference(const Value&)>;
 
-/// Throws PlaceError where a factor is missing or out of range, and what `readTexture` throws.
+/// Throws PlaceError where a factor is missing or out of range, and the exceptions of `readTexture`.
 GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);
 
 }  // namespace candela::gltf

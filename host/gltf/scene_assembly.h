@@ -46,7 +46,7 @@ class SceneAssembly {
   void addLight(const Value& node, std::size_t index);
   /// Counts copies of a mesh that are about to be made, and throws PlaceError or OutOfMemoryError if they are too many.
   void requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies);
-  /// One transform relative to the node for each instance; the identity alone without EXT_mesh_gpu_instancing.
+  /// One transform relative to the node for each instance; only the identity without EXT_mesh_gpu_instancing.
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
   std::uint32_t materialOf(const Value& primitive);
@@ -64,7 +64,7 @@ class SceneAssembly {
   Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
-  std::set<std::string> unread_{};               ///< names of what materials and meshes have that is not rendered
+  std::set<std::string> unread_{};               ///< names of features of materials and meshes that are not rendered
   std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
   std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
   std::size_t triangleCount_ = 0;

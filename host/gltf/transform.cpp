@@ -71,7 +71,7 @@ glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<con
   return weightSum > 0 ? sum / weightSum : glm::dmat4(1);
 }
 
-/// Where a vertex normal has no length, that of the last triangle at the vertex serves.
+/// Replaces vertex normals of length 0 by the normal of the last triangle at the vertex.
 void replaceZeroNormals(scene::Mesh& mesh) {
   const std::size_t count = mesh.indices.size();
   for (std::size_t i = 0; i + 2 < count; i += 3) {

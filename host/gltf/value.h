@@ -1,4 +1,4 @@
-// A JSON value together with its place in the file, and checked access to what it holds.
+// A JSON value together with its place in the file, and checked access to its content.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@ struct PlaceError : FileError {
       : FileError((pointer.empty() ? "the root" : pointer) + ": " + message) {}
 };
 
-/// Every function but the first three throws PlaceError where the value is not of the type that it asks for. Numbers
+/// Every function except the first three throws PlaceError if the value does not have the required type. Numbers
 /// are finite.
 class Value {
  public:

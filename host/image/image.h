@@ -30,7 +30,7 @@ struct Image {
   std::vector<std::uint32_t> badSampleCounts;  ///< FilmPixel::badCount
   std::map<std::string, std::string> metadata;
   std::vector<float> alpha{};       ///< in [0, 1]; `rgb` is premultiplied, that is, over black
-  std::vector<Channel> channels{};  ///< of layers; EXR files alone have them
+  std::vector<Channel> channels{};  ///< of layers; only EXR files have them
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
@@ -48,8 +48,8 @@ std::uint64_t badSampleCount(const Image& image);
 
 enum class ToneMap { none, srgb, aces, acesHill, agx, neutral, depth, heat };
 
-/// How linear RGB becomes 8-bit pixels: radiance * 2^exposure, then the tone curve, then (except for `none`) the sRGB
-/// transfer function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and
+/// Conversion of linear RGB to 8-bit pixels: radiance * 2^exposure, then the tone curve, then (except for `none`) the
+/// sRGB transfer function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and
 /// negative values become black. The curves: `aces` is Narkowicz' fit (2016), `acesHill` Hill's fit of ACES as three.js
 /// has it, `agx` Wrensch's polynomial (2023), `neutral` Khronos PBR Neutral (2024), and `srgb` has no curve. `depth`
 /// and `heat` are false colours, which are signals without a transfer function. With v = red channel * 2^exposure /

@@ -27,7 +27,7 @@ std::string escaped(const std::string& text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-// Returns text in which what stands between backquotes is bold.
+// Returns text in which words between backquotes are bold.
 std::string withLiterals(const std::string& text) {
   std::string out;
   bool isLiteral = false;

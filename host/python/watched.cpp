@@ -1,4 +1,4 @@
-// The calling thread waits, and wakes up to look after Python.
+// The calling thread waits, and wakes up to run Python's signal handlers and the progress callback.
 #include "host/python/watched.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What the two threads share.
+/// The state that the two threads share.
 class Meeting {
  public:
   std::atomic<bool> stop{false};
@@ -66,7 +66,7 @@ class Meeting {
   bool isDone_ = false;
 };
 
-// Python runs handlers of signals only in its main thread, and only when asked to.
+// Python runs handlers of signals only in its main thread, and only on request.
 void lookAfterPython(Meeting& meeting, const py::object& progress) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   meeting.passOn(progress);

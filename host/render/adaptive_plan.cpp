@@ -74,7 +74,7 @@ std::vector<AdaptivePlan::Block> AdaptivePlan::blocksOf(const image::Film& film)
   return blocks;
 }
 
-// Returns which half-regions of the blocks that are not pending go on.
+// Returns which half-regions of the blocks that are not pending continue.
 std::vector<bool> AdaptivePlan::decide(const image::Film& film, const std::vector<Block>& blocks) const {
   const std::vector<std::uint32_t> counts = regions_.countsOf(film);
   const std::vector<double> errors = regions_.errorsOf(film, counts);

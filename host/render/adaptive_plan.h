@@ -14,7 +14,7 @@ namespace candela::render {
 std::uint32_t pilotSamples(double threshold);
 
 /// The next work on a film. No film may be stored, or continued by another session, before the pixels have their
-/// samples up to `indivisible`: only then can the decision that led to the step be told from the numbers of samples.
+/// samples up to `indivisible`: only then do the numbers of samples show the decision that led to the step.
 struct AdaptiveStep {
   PixelMask pixels;               ///< those that get samples
   std::uint32_t indivisible = 0;  ///< 0: the film shows the decision already
@@ -34,7 +34,7 @@ class AdaptivePlan {
   std::optional<AdaptiveStep> next(const image::Film& film) const;
 
  private:
-  /// Where the pixels of a block stand.
+  /// The state of the pixels of a block.
   struct Block {
     std::uint32_t max = 0;     ///< maximum number of samples of a pixel
     std::uint32_t active = 0;  ///< pixels with at least so many samples get more,

@@ -27,7 +27,7 @@ class BadSampleTally {
   /// Adds the bad samples of a film that was rendered with `image`.
   void add(const image::Film& film, const ImageSettings& image);
 
-  /// Adds what another tally counted in later renders.
+  /// Adds the counts of another tally, of later renders.
   void add(const BadSampleTally& later);
 
   std::uint64_t samples() const { return samples_; }

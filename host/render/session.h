@@ -39,7 +39,7 @@ struct Replay {
   RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
 };
 
-/// What is left of a session whose device failed.
+/// The rest of a session whose device failed.
 struct Salvage {
   image::Film film;             ///< as it was last on the host: whole samples only, as Session::load() takes them
   RenderStatistics statistics;  ///< without the counts that only the device had; `samples` are those of the film

@@ -1,4 +1,4 @@
-// `f`: materials. How many numbers the line has tells the dialect.
+// `f`: materials. The number of values on the line determines the dialect.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -32,7 +32,7 @@ double evidence(const SelfNormalisedSum& values, double scale);
 double pValueOf(const SelfNormalisedSum& values, double scale);
 
 /// Returns a sum at which the p-value is at most `level`, in (0, 1), for values with this sum of squares: the least at
-/// which the term of one rate alone suffices.
+/// which the term of a single rate suffices.
 double criticalSum(double squares, double scale, double level);
 
 }  // namespace candela::statistics

@@ -1,4 +1,4 @@
-// Has the parser of SPIRV-Tools divide a module.
+// Divides a module by the parser of SPIRV-Tools.
 #include "host/variants/module.h"
 
 #include <memory>

@@ -77,7 +77,7 @@ class PairedTest {
     return options_.timeLimit && elapsed_ >= *options_.timeLimit;
   }
 
-  // Every look has samples of its own: how many a pixel gets is part of what some samplers depend on.
+  // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
     const std::uint64_t each = (samples - samples_ + batches_ - 1) / batches_;
     render::RenderSettings settings = settings_;

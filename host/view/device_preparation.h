@@ -1,4 +1,4 @@
-// Sessions of the device, which are prepared on threads of their own.
+// Sessions of the device, which are prepared on separate threads.
 #pragma once
 #include <functional>
 #include <future>
@@ -17,7 +17,7 @@ class DevicePreparation {
   void abandon();
   bool isUnderWay() const { return wanted_.valid(); }
   bool isReady() const;
-  /// Returns what is ready, or throws what the preparation threw.
+  /// Returns the session that is ready, or throws the exception of the preparation.
   Sessions take() { return wanted_.get(); }
 
  private:

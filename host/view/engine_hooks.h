@@ -1,4 +1,4 @@
-// The functions that the engine asks of the program.
+// The functions that the program provides to the engine.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -14,7 +14,7 @@ struct Sessions {
   std::shared_ptr<const scene::Scene> scene;
   render::RenderSettings settings;  ///< `image.size` is the full resolution
   std::unique_ptr<render::Renderer> deviceRenderer, referenceRenderer;
-  std::unique_ptr<render::Session> device, reference;  ///< the device's is null if the reference is alone
+  std::unique_ptr<render::Session> device, reference;  ///< the device's is null if only the reference renders
   std::string deviceName;
 
   render::Session* session(Side side) const { return side == Side::device ? device.get() : reference.get(); }

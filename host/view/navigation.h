@@ -40,7 +40,7 @@ struct Modifiers {
   bool control = false;
 };
 
-/// The reaction that an event asks of the caller; all else is in the state.
+/// The action that an event requires of the caller; everything else is in the state.
 enum class Action {
   none,
   cameraMoved,
@@ -76,7 +76,7 @@ class Navigation {
   /// Flies for a time; returns cameraMoved if a key for this is pressed.
   Action pass(double seconds);
   bool isFlying() const;
-  /// Forgets what is pressed, when the window loses the focus.
+  /// Forgets which keys and buttons are pressed, when the window loses the focus.
   void letGo();
 
  private:

@@ -23,7 +23,7 @@ struct NewMode {
   bool isPaused;
 };
 
-/// Of several requests of one kind, the last counts.
+/// Among several requests of one kind, only the last one counts.
 struct Requests {
   std::optional<scene::Camera> camera;
   std::uint64_t viewSerial = 0;  ///< number of requests for a camera so far
@@ -45,7 +45,7 @@ class Inbox {
   /// Asks the engine to end.
   void end();
 
-  /// Takes all requests, if there are any. With `mayWait`, waits for a moment if there are none.
+  /// Takes all requests, if there are any. With `mayWait`, waits briefly if there are none.
   std::optional<Requests> take(bool mayWait);
   /// Something was posted since the last take().
   bool isFull() const { return isFull_; }

@@ -21,7 +21,7 @@ namespace {
 // beta header.
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
 
-// Whether the queue draws, too, and the device has swapchains.
+// Returns whether the queue supports graphics, too, and the device has swapchains.
 bool presents(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily, const DeviceOptions& options) {
   if (options.windowExtensions.empty()) return false;
   const vk::QueueFlags flags = physicalDevice.getQueueFamilyProperties()[queueFamily].queueFlags;

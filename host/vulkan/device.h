@@ -45,7 +45,7 @@ struct DeviceOptions {
   std::vector<std::string> windowExtensions{};
 };
 
-/// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.
+/// The maximum duration of a run, after which the device counts as hung, unless DeviceOptions::hangTimeout states it.
 enum class Patience {
   normal,   ///< 50 times the longest run so far, and at least 10 s
   compiles  ///< at least two minutes, since some drivers compile a kernel when it is first dispatched
@@ -79,7 +79,7 @@ class Device {
   /// Returns whether DeviceOptions::windowExtensions were given, and the device and its queue can draw and present.
   bool canPresent() const;
 
-  /// Whether a run failed, so that the device cannot be used any more.
+  /// Returns whether a run failed, so that the device cannot be used any more.
   bool hasFailed() const;
 
   /// Adds the pipelines in `data`, which pipelineData() returned for the same device and driver, to the pipeline cache

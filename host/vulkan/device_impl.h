@@ -1,4 +1,4 @@
-// The Vulkan handles behind a Device, and raw buffers, which Buffer and staging share.
+// The Vulkan handles of a Device, and raw buffers, which Buffer and staging use.
 #pragma once
 #include <atomic>
 #include <functional>

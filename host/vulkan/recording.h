@@ -62,7 +62,7 @@ struct RecordedDispatch {
 
 using RecordedCommand = std::variant<RecordedWrite, RecordedFill, RecordedCopy, RecordedDispatch>;
 
-/// Everything that one device was given, in the order of the calls, except what is written to Buffer::mapped().
+/// All work that one device was given, in the order of the calls, except what is written to Buffer::mapped().
 struct Recording {
   std::vector<RecordedShader> shaders;
   std::vector<RecordedBuffer> buffers;

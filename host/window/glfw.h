@@ -1,7 +1,7 @@
 // GLFW, opened at run time.
 #pragma once
 #include <vulkan/vulkan.h>
-// GLFW declares its functions for surfaces behind Vulkan's header.
+// GLFW declares its functions for surfaces only after Vulkan's header.
 #include <GLFW/glfw3.h>
 
 namespace candela::window {

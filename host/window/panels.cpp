@@ -46,7 +46,7 @@ std::string valueText(const char* name, const glm::vec4& value) {
   return fmt::format("{}: {:.4g} {:.4g} {:.4g} ({})", name, value.x, value.y, value.z, known);
 }
 
-// Whether the device's name in the list is the one in use.
+// Returns the name of the device in use, or that it is being prepared.
 std::string deviceLabel(const view::EngineView& engine) {
   if (engine.choice.device == "cpu") return "cpu: the reference alone";
   return engine.deviceName.empty() ? "preparing ..." : engine.deviceName;

@@ -40,7 +40,7 @@ class PicturePainter {
   gpu::PointedValues pointed() const;
 
  private:
-  /// What a pipeline is compiled for.
+  /// The options for which a pipeline is compiled.
   using Variant = std::pair<view::Mode, image::ToneMap>;
 
   void upload(std::size_t side, const PaintedView& view);

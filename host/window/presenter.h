@@ -40,7 +40,7 @@ class Presenter {
   vk::RenderPass renderPass() const { return *renderPass_; }
   vulkan::Device& device() { return device_; }
 
-  /// Waits until the last frame is finished: what it read may then be written.
+  /// Waits until the last frame is finished: its inputs may then be overwritten.
   void waitForLastFrame();
   /// Records and presents a frame. Returns false if the window has no room for one, or has changed its size.
   bool draw(const std::function<void(const Frame&)>& record);

@@ -1,4 +1,4 @@
-// How fast the window answers.
+// Measures how fast the window responds to input.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -267,7 +267,8 @@ void Viewer::measure() {
   responses_.shown(shown_.viewSerial);
 }
 
-// A frame is drawn whenever something may have changed, and once more for what Dear ImGui does a frame late.
+// A frame is drawn whenever something may have changed, and once more for changes that Dear ImGui draws one frame
+// later.
 ViewerReport Viewer::run() {
   const std::atomic<bool>& interrupted = watchInterrupts();
   while (!isClosed_ && !screen_.window().mustClose() && !interrupted) {
