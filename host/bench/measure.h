@@ -25,7 +25,7 @@ struct Measurement {
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without compilation of the pipeline
   std::vector<double> buildSeconds{};  ///< build times of the acceleration structure, one per preparation, ascending
   double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
-  bool agrees = true;                  ///< every run was complete and gave the film of most runs of the same image
+  bool agrees = true;  ///< every run was complete, and its film is that of the majority of runs of the same image
   /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
   std::optional<double> relMse{};
 

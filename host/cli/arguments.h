@@ -64,8 +64,8 @@ struct ConformanceArguments {
 /// The folder to which `candela capture` writes, and the device whose results are expected.
 struct CaptureArguments {
   std::filesystem::path folder;
-  std::string expect;         ///< selector of a device; empty: the reference tracer, or the twin of a case
-  double shrinkSeconds = 60;  ///< time for leaving parts of the scene out
+  std::string expect;         ///< selector of a device; empty: the reference tracer, or the host for a case
+  double shrinkSeconds = 60;  ///< time limit for removing parts of the scene
 };
 
 /// A default-constructed object has the default of every option; the option table reads the defaults from it.
@@ -91,7 +91,8 @@ struct Arguments {
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
   bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
   image::DisplayTransform display;
-  std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
+  std::optional<float>
+      exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: computed from the image
 
   std::optional<double> noiseThreshold;  ///< relative error at which regions stop; empty: all have the same samples
 

@@ -36,7 +36,7 @@ std::optional<vulkan::DeviceInfo> otherDevice(const Arguments& arguments, const 
                   arguments.capture.expect, device.name));
 }
 
-// Options of renders have no meaning for cases.
+// Refuses options of renders for cases.
 void refuseSceneOptions(const Arguments& arguments) {
   for (const std::string& option : arguments.given) {
     static constexpr std::array kOfCases{"--output", "--expect", "--device", "--quiet", "--verbose"};

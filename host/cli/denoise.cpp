@@ -1,4 +1,4 @@
-// `candela denoise`: makes denoised pictures of a film file.
+// `candela denoise`: denoises a film file.
 #include <fmt/format.h>
 
 #include "host/cli/commands.h"

@@ -13,7 +13,7 @@
 namespace candela::cli {
 namespace {
 
-// The image joins those whose light is biased on purpose, which verdicts refuse.
+// The image is marked as biased on purpose, so that verdicts refuse it.
 void noteBias(image::Image& image) {
   std::string& bias = image.metadata[verify::kBiasMetadata];
   bias += (bias.empty() ? "" : "; ") + std::string("denoised: neighbours are averaged");

@@ -1,4 +1,4 @@
-// Counts failures and words the advice.
+// Counts failures, and writes their messages.
 #include "host/cli/device_failures.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ bool is(const Error& error) {
   return dynamic_cast<const T*>(&error) != nullptr;
 }
 
-// A driver that resets its device needs a moment, above all after the second failure in a row.
+// A driver that resets its device needs time, especially after the second consecutive failure.
 std::chrono::milliseconds pauseBefore(int attempt) {
   return std::chrono::milliseconds(attempt == 1 ? 0 : 500 * attempt);
 }

@@ -96,7 +96,7 @@ void insertSorted(std::vector<T>& items, const T& item) {
   if (place == items.end() || *place != item) items.insert(place, item);
 }
 
-// The first sample of a film that samples can be appended to.
+// Returns the first sample of a film, which must be one that samples can be appended to.
 std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range) {
   const film::FilmHeader& film = reader.header();
   if (film.covered.empty() && film.begun.empty()) return std::nullopt;

@@ -14,7 +14,7 @@ struct FilterDivision {
   std::uint32_t maxDispatchPixels = 1u << 16;            ///< unless one row has more; few, so that a dispatch is short
 };
 
-/// Returns what filterByReference() returns, computed by the device in single precision: within
+/// Returns the result of filterByReference(), computed by the device in single precision: within
 /// kDeviceTolerance * (1 + value). Throws as vulkan::Device::run() does.
 std::vector<glm::vec3> filterOnDevice(vulkan::Device& device, const PixelStatistics& statistics,
                                       const FilterDivision& division = {});

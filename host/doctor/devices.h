@@ -1,4 +1,4 @@
-// Lists Vulkan devices in a child process, since a driver may crash while it looks for them.
+// Lists Vulkan devices in a child process, since a driver may crash while it enumerates them.
 #pragma once
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driver, driver
 
 namespace candela::doctor {
 
-/// Time after which a driver that still looks for devices is considered to hang.
+/// Time after which a driver that still enumerates devices counts as hung.
 inline constexpr std::chrono::seconds kListLimit{30};
 
 struct ListedDevices {

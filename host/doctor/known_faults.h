@@ -1,4 +1,4 @@
-// Faults of drivers that Candela knows, with the evidence.
+// Known faults of drivers, with the evidence.
 #pragma once
 #include <span>
 #include <string_view>
@@ -17,7 +17,7 @@ struct KnownFault {
 
 std::span<const KnownFault> knownFaults();
 
-/// One line for each fault of the device. None needs a remedy, since Candela avoids or detects it.
+/// Returns one line for each fault of the device. None needs a remedy, since Candela avoids or detects it.
 Checks checkKnownFaults(const vulkan::DeviceInfo& device);
 
 }  // namespace candela::doctor

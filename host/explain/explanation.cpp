@@ -1,4 +1,4 @@
-// Finds the first difference and the first decision that differs, and words the result.
+// Finds the first difference and the first decision that differs, and states the result in words.
 #include "host/explain/explanation.h"
 
 #include <fmt/format.h>

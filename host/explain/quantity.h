@@ -45,7 +45,7 @@ struct Quantity {
 
 /// A decision, equal or not. The words describe the choice of each side.
 Quantity decision(std::string name, std::string device, std::string reference);
-/// A random number, which must be equal to the bit.
+/// A random number, which must be bit-identical.
 Quantity randomNumber(std::string name, std::uint32_t device, std::uint32_t reference);
 
 // Numbers. A number that is missing on one side only follows a decision that differs, and is not compared.

@@ -55,7 +55,7 @@ std::vector<std::byte> FilmBytes::bytesAt(std::uint64_t offset, std::uint64_t co
   return bytes;
 }
 
-// The digits of the checksum itself count as zeros.
+// The digits of the checksum itself are taken as zeros.
 std::span<const std::byte> checkedTable(std::span<const std::byte> start, const FilmHead& head) {
   if (head.blockChecks.size() % kCheckDigits != 0) throw FileError("the checksums of the blocks are incomplete");
   const std::size_t tableBytes = head.blockChecks.size() / kCheckDigits * kTableEntryBytes;

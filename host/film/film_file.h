@@ -23,8 +23,8 @@ std::string writeFilm(const std::filesystem::path& file, const FilmHeader& heade
 struct FilmRows {
   std::uint32_t first;  ///< index of the first row within the window of the film
   std::span<const image::FilmPixel> pixels;
-  std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows() has them
-  /// As Film::ids() has them, by MatteKind.
+  std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows()
+  /// As Film::ids(), by MatteKind.
   std::array<std::span<const image::IdCounts>, image::kMatteKinds.size()> ids{};
 };
 

@@ -1,4 +1,4 @@
-// Looks for a line between two convex polygons along one of their edges (separating axis theorem).
+// Searches for a line between two convex polygons along one of their edges (separating axis theorem).
 #include "host/flatten/overlap.h"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ class Buffers {
   Buffers(const Value& root, std::optional<std::string_view> binaryChunk, const scene::SceneFile& file,
           const scene::LoadOptions& options);
 
-  /// The view that a property like `bufferView` refers to. Throws PlaceError, at the place of the mistake, if the view
+  /// The view that a property like `bufferView` refers to. Throws PlaceError, at the place of the error, if the view
   /// or its buffer does not fit or cannot be read.
   BufferView view(const Value& reference);
 

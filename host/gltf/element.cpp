@@ -56,7 +56,7 @@ ElementType elementTypeOf(const Value& accessor) {
                    accessor.booleanOr("normalized", false)};
   const bool isInteger = type.component != Component::real && type.component != Component::unsignedInt;
   if (type.normalised && !isInteger) accessor.require("normalized").fail("only bytes and shorts can be normalised");
-  // The columns of matrices of bytes and shorts are padded, and nothing in glTF uses them.
+  // The columns of matrices of bytes and shorts are padded. glTF does not use such matrices.
   if (name.name.starts_with("MAT") && type.component != Component::real) {
     accessor.require("componentType").fail("matrices of integers are not supported");
   }

@@ -1,4 +1,4 @@
-// The extensions that are known, and how far.
+// The supported extensions, and the extent of their support.
 #pragma once
 #include <string>
 #include <string_view>
@@ -22,8 +22,8 @@ struct UsedExtensions {
   std::vector<std::string> unsupported;
 };
 
-/// Throws PlaceError unless asset.version is 2.x and every required extension is known. Warns of optional ones that are
-/// not.
+/// Throws PlaceError unless asset.version is 2.x and every required extension is supported. Warns of optional ones that
+/// are not.
 UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log);
 
 }  // namespace candela::gltf

@@ -59,7 +59,7 @@ struct GltfMaterial {
   double anisotropyRotation = 0;         ///< KHR_materials_anisotropy; in radians
   /// CANDELA_materials_conductor, docs/gltf.md
   std::optional<scene::Conductor> conductor{};
-  /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_dispersion".
+  /// Properties of the material that are not in this structure: "base colour texture", "KHR_materials_dispersion".
   std::set<std::string> unread;
 };
 

@@ -1,4 +1,4 @@
-// Makes a scene of nodes.
+// Builds a scene from nodes.
 #include "host/gltf/scene_assembly.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ float leastAlphaOf(const scene::TextureImage& image) {
   return static_cast<float>(least) / 255;
 }
 
-// A name that is no text is none: other readers report it.
+// A name that is not a string is ignored: other readers report it.
 std::string nameOf(const Value& value, const std::string& absent) {
   const auto name = value.json().is_object() ? value.json().find("name") : value.json().end();
   if (name == value.json().end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return absent;

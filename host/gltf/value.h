@@ -28,7 +28,7 @@ class Value {
   const nlohmann::json& json() const { return *json_; }
   [[noreturn]] void fail(const std::string& message) const { throw PlaceError(pointer_, message); }
 
-  /// A member of this object; find() gives nothing where there is none.
+  /// Returns a member of this object; find() returns nothing if there is none.
   std::optional<Value> find(std::string_view key) const;
   Value require(std::string_view key) const;
   /// The member `name` of the member `extensions`, if there is one.
@@ -45,7 +45,7 @@ class Value {
   std::size_t indexInto(std::string_view list, std::size_t limit) const;
   bool boolean() const;
   const std::string& text() const;
-  /// An array of so many numbers.
+  /// Returns an array of as many numbers as Vector has components.
   template <class Vector>
   Vector vector() const;
 

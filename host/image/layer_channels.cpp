@@ -11,7 +11,7 @@
 namespace candela::image {
 namespace {
 
-constexpr double kDepthOfNothing = 1e10;  // where Blender has its far end
+constexpr double kDepthOfNothing = 1e10;  // the distance that Blender uses
 
 /// The sums of one pixel by their names.
 class PixelSums {

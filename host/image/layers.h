@@ -28,7 +28,7 @@ enum class Layer : std::uint32_t {
   variance,
   samples,
   moments,       ///< what `candela denoise` needs; has the sums of normal and albedo, too
-  cryptoObject,  ///< counts of ids and no sums, as the next
+  cryptoObject,  ///< counts of ids and no sums, like the next
   cryptoMaterial
 };
 

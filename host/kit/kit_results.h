@@ -61,7 +61,7 @@ struct KitResults {
   std::string tuned;  ///< fastest settings, as text; empty if they were not measured
 };
 
-/// Reads a `results.json` with the schema "candela-kit/1". Steps that gave no result are null in it. Throws FileError,
+/// Reads a `results.json` with the schema "candela-kit/1". Steps without a result are null in it. Throws FileError,
 /// which names the file and the JSON pointer of the error.
 KitResults readKitResults(const std::filesystem::path& file);
 

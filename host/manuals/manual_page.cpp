@@ -12,7 +12,7 @@
 namespace candela::manuals {
 namespace {
 
-// Returns text in which roff sees no request, no escape and no hyphen in place of a minus sign.
+// Returns text that roff prints literally: without requests and escapes, and with minus signs instead of hyphens.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char character : text) {

@@ -1,4 +1,4 @@
-// The child sends JSON values, one a line, through a pipe, and its messages go to a temporary file.
+// The child sends JSON values, one per line, through a pipe, and its messages go to a temporary file.
 #include "host/process/child_process.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// JSON as Python's objects.
+// Converts JSON to Python objects.
 #pragma once
 #include <pybind11/pybind11.h>
 

@@ -49,7 +49,7 @@ const FunctionOptions kMergeOptions{"merge", Command::merge, {}, {"--mixed-devic
 
 namespace {
 
-// Python's name of the option for layers says that it takes several.
+// Python's name of the option for layers is a plural, because it takes several.
 constexpr const char* kLayerOption = "--aov";
 constexpr const char* kLayerKeyword = "aovs";
 

@@ -12,7 +12,7 @@
 
 namespace candela::python {
 
-/// The exact sums of a render with everything that its files state. It does not change.
+/// The exact sums of a render with all metadata of its files. It does not change.
 struct PythonFilm {
   image::Film film;
   film::FilmHeader header;
@@ -24,7 +24,7 @@ struct PythonFilm {
 
   /// Converts the sums once, even if several threads call it. Without the GIL.
   const image::Image& picture() const;
-  /// The layers of picture(), also made once.
+  /// Returns the layers of picture(), which are also computed once.
   const std::map<image::Layer, LayerValues>& layers() const;
 
  private:

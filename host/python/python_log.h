@@ -1,4 +1,4 @@
-// Messages of a call: warnings of Python, and records of its logging.
+// The messages of a call, as Python warnings and logging records.
 #pragma once
 #include <mutex>
 #include <string>

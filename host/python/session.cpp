@@ -42,7 +42,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   return isComplete;
 }
 
-// The render as the command line would state it: with --samples, if it is a part.
+// Returns the render as on a command line: with --samples, if it is a part.
 cli::RenderJob PythonSession::jobSoFar() const {
   cli::RenderJob job = job_;
   const std::uint32_t first = first_.value_or(0);

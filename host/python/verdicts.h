@@ -8,7 +8,7 @@
 namespace candela::python {
 
 /// The result of a command that compares: its printed text, its JSON report, and whether the sides agree, which
-/// nothing says of two images without a criterion.
+/// is empty for two images without a criterion.
 struct Outcome {
   std::optional<bool> agrees;
   std::string verdict;  ///< sentences

@@ -37,7 +37,8 @@ class Meeting {
     isDone_ = true;
     done_.notify_one();
   }
-  /// Waits without the GIL for the end or for the time to look after Python; returns whether the work has ended.
+  /// Waits without the GIL for the end of the work, at most until Python must be served again; returns whether the work
+  /// has ended.
   bool wait() {
     constexpr std::chrono::milliseconds kPeriod{50};
     const py::gil_scoped_release released;
@@ -72,7 +73,7 @@ void lookAfterPython(Meeting& meeting, const py::object& progress) {
   meeting.passOn(progress);
 }
 
-// Threads of a driver that are still at work must not see libraries being unloaded.
+// Libraries must not be unloaded while threads of a driver still work.
 void leaveQuickly() {
   static std::once_flag once;
   std::call_once(once, [] {

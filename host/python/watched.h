@@ -8,7 +8,7 @@
 
 namespace candela::python {
 
-/// The view that work has of its caller. Both members are used from any thread, without the GIL.
+/// The work's connection to its caller. Both members may be used from any thread, without the GIL.
 struct Watch {
   const std::atomic<bool>& stop;  ///< true: the work is to end early, since its result is no longer wanted
   std::function<void(double fraction, std::uint64_t samples)> report;

@@ -35,7 +35,7 @@ enum class BuildQuality { fast, standard, high };
 /// Nodes of a BVH on the device: binary with single-precision boxes, or 8-wide with quantised boxes. automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
-/// Buffer type through which the device reads the scene. automatic: as AutomaticChoices says, if the scene fits.
+/// Buffer type through which the device reads the scene. automatic: see AutomaticChoices, if the scene fits.
 enum class SceneLoads { automatic, texel, storage };
 /// The kernels with which a device traces paths: one invocation traces a path to its end, or each stage of a segment
 /// has a separate kernel. automatic: see AutomaticChoices. Other integrators have one kernel each.
@@ -119,11 +119,11 @@ struct ExecutionSettings {
   AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
-  /// Duration of a dispatch at which the governor aims, in seconds, > 0. Short ones make a session stop soon.
+  /// Target duration of a dispatch for the governor, in seconds, > 0. With short dispatches, a session stops sooner.
   double dispatchSeconds = 0.1;
   std::uint32_t threads = 0;   ///< of the reference; 0: one per core
   std::uint32_t replicas = 0;  ///< of each sample, only by the reference: see host/render/replicas.h
-  /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows anyhow.
+  /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows in any case.
   std::uint64_t maxBandBytes = std::numeric_limits<std::uint64_t>::max();
   bool recordPaths = false;  ///< records the decisions of each pixel's path (one sample per pixel only): see PathRecord
 

@@ -5,7 +5,7 @@
 // 0: symmetric values are, and so are differences of a smaller and a larger magnitude. For such values and any rate >
 // 0, E exp(rate X - rate^2 X^2 / 2) <= 1 (their lemma 1). With the sum S of independent values and the sum Q of their
 // squares, a mixture of exp(rate S - rate^2 Q / 2) over fixed rates is therefore a supermartingale of mean at most 1,
-// and by Ville's inequality it ever reaches 1/p, at whatever number of values one looks, with probability at most p.
+// and by Ville's inequality the probability that it ever reaches 1/p, at any number of values, is at most p.
 #pragma once
 #include <cstdint>
 

@@ -14,7 +14,7 @@
 namespace candela::verify {
 namespace {
 
-// Few values cannot convince, however equal they are: small images are rendered in more batches.
+// A test of few values has no power, even if they are equal: small images are rendered in more batches.
 constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 

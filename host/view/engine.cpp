@@ -15,7 +15,7 @@
 namespace candela::view {
 namespace {
 
-constexpr double kFirstSeconds = 0.05;   // for which requests leave the first picture of a view in peace
+constexpr double kFirstSeconds = 0.05;   // for which requests do not interrupt the first picture of a view
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
 
 }  // namespace
@@ -35,7 +35,7 @@ Engine::~Engine() {
 
 void Engine::loop() {
   while (!inbox_.isEnded()) {
-    if (!guarded([this] { iterate(); })) isPaused_ = true;  // or it would fail over and over
+    if (!guarded([this] { iterate(); })) isPaused_ = true;  // otherwise it would fail repeatedly
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace candela::view {
 
-/// A scene and the sessions that render it. The order of the members is that in which they depend on each other.
+/// A scene and the sessions that render it. Members depend on the members before them.
 struct Sessions {
   std::shared_ptr<const scene::Scene> scene;
   render::RenderSettings settings;  ///< `image.size` is the full resolution
@@ -24,7 +24,8 @@ struct Sessions {
 struct EngineHooks {
   /// Prepares the reference, which takes little time, with the scene as it is, or as it is in its file now.
   std::function<Sessions(const Choice&, bool reads)> load;
-  /// Adds the device's session to a copy of `sessions` without any, and has its driver compile. On another thread.
+  /// Adds the device's session to a copy of `sessions` without any, and lets its driver compile. Called on another
+  /// thread.
   std::function<void(const Choice&, Sessions&)> addDevice;
   /// Copies the film of the device to the picture that the window shows, on the device. Returns false if the window
   /// cannot show it from there, so that the engine reads the film.

@@ -1,4 +1,5 @@
-// Translates mouse and keyboard into a view: cameras, modes, the divider. It knows no window system.
+// Translates mouse and keyboard input into changes of the view: camera, mode, divider. It is independent of the window
+// system.
 #pragma once
 #include <cstdint>
 #include <set>

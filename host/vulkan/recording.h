@@ -13,7 +13,7 @@
 namespace candela::vulkan {
 
 struct RecordedShader {
-  std::vector<std::uint32_t> spirv;  ///< as the driver got it, with the specialisation constants at their values
+  std::vector<std::uint32_t> spirv;  ///< as passed to the driver, with the specialisation constants set to their values
   PipelineOptions options;
 };
 

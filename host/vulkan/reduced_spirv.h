@@ -1,4 +1,4 @@
-// SPIR-V whose specialisation constants have their values.
+// SPIR-V whose specialisation constants are set to their values.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace candela::vulkan {
 
-/// Returns the module with the constants at their values, and without branches and functions that are never reached.
+/// Returns the module with the constants at their values, and without unreachable branches and functions.
 /// Drivers then do not compile code that a scene does not use, which takes some of them seconds, minutes or gigabytes:
 /// docs/driver-workarounds.md section 10. Arithmetic on the values of a scene is untouched. Throws InternalError if the
 /// optimiser refuses the module.

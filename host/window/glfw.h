@@ -23,8 +23,8 @@ struct Glfw {
 #undef CANDELA_DECLARE
 };
 
-/// Opens the library once and connects to the display. Throws NoDeviceError with the package to install, or with what
-/// to do where there is no display.
+/// Opens the library once and connects to the display. Throws NoDeviceError with the package to install, or with the
+/// remedy if there is no display.
 const Glfw& openGlfw();
 
 }  // namespace candela::window
