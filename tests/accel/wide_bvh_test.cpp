@@ -1,4 +1,4 @@
-// Invariants of collapsed trees and of their quantised boxes.
+// Invariants of 8-wide BVHs and of their quantised boxes.
 #include "host/accel/wide_bvh.h"
 
 #include <algorithm>

@@ -9,7 +9,8 @@ namespace {
 
 using Catch::Contains;
 
-// Faults that hit variants alone: OpCopyObject becomes OpSNegate, or the last index of OpCompositeInsert is off by one.
+// Faults that affect only variants: OpCopyObject becomes OpSNegate, or the last index of OpCompositeInsert is off by
+// one.
 constexpr const char* kFaultyCopies = "83:all:126";
 constexpr const char* kFaultyInserts = "82:all:plus";
 

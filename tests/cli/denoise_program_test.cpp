@@ -1,4 +1,4 @@
-// Denoising as a user requests it, and what is refused.
+// Denoising as a user requests it, and refused requests.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

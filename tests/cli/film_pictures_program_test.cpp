@@ -1,4 +1,4 @@
-// What film files say and the pictures that they give, on the reference tracer.
+// Descriptions of film files, and the pictures that are made of them, on the reference tracer.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Films that are divided, resumed and merged as a person does it, on the reference tracer.
+// Films that are divided, resumed and merged as by a user, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ TEST_CASE("a film of every integrator and sampler can be divided") {
   }
 }
 
-TEST_CASE("a film goes on to more samples per pixel as if they had been asked for at once") {
+TEST_CASE("a film that is resumed with more samples per pixel equals one with them from the start") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string whole = kReference.film(scene, folder.path("whole.exr"), {"--spp", "20"});
@@ -47,7 +47,7 @@ TEST_CASE("a film goes on to more samples per pixel as if they had been asked fo
   CHECK(jsonOf(part + ".json")["counts"] == jsonOf(folder.path("whole.exr") + ".json")["counts"]);
 }
 
-TEST_CASE("films whose samples depend on their number do not go on to another") {
+TEST_CASE("films whose samples depend on --spp are not resumed with another") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string strata = folder.path("strata.exr");
@@ -111,7 +111,7 @@ TEST_CASE("a film is not resumed nor merged with other layers") {
   kReference.film(scene, folder.path("rest.exr"), {"--resume", with, "--aov", "normal,samples"});
 }
 
-TEST_CASE("a film goes on under the same environment only, whatever the name of its file") {
+TEST_CASE("a film is resumed only under the same environment, whatever the name of its file") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   image::Image map{4, 2, std::vector<glm::vec3>(8, glm::vec3(0.5f)), {}, {}, {}, {}};
@@ -135,7 +135,7 @@ TEST_CASE("a film goes on under the same environment only, whatever the name of 
   CHECK(result.exitCode == 0);
 }
 
-TEST_CASE("with --resume-anyway a film goes on, and is marked as mixed for good") {
+TEST_CASE("with --resume-anyway a film is resumed, and stays marked as mixed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string film = folder.path("film.exr");
@@ -151,7 +151,7 @@ TEST_CASE("with --resume-anyway a film goes on, and is marked as mixed for good"
   CHECK(description["samples"] == 48 * 36 * 12);
 }
 
-TEST_CASE("a film file is not overwritten by a render that does not go on from it") {
+TEST_CASE("a film file is not overwritten by a render that does not resume it") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string film = folder.path("film.exr");

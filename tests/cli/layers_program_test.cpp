@@ -1,4 +1,4 @@
-// Layers as a user requests them, and what is refused.
+// Layers as a user requests them, and refused requests.
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run_program.h"

@@ -1,4 +1,4 @@
-// Malformed files: each is refused with the place of its mistake.
+// Malformed files: each is refused with the place of its error.
 #include <functional>
 
 #include "tests/gltf/gltf_file.h"
@@ -6,7 +6,7 @@
 namespace candela::gltf {
 namespace {
 
-/// A change to a good file, and how its only error begins, behind the file's name.
+/// A change to a valid file, and the beginning of its only error after the file's name.
 struct Malformed {
   std::function<void(GltfFile&)> change;
   std::string error;
@@ -200,7 +200,7 @@ const std::vector<Malformed> kMalformed{
 
 }  // namespace
 
-TEST_CASE("each mistake in a file is reported with its JSON pointer and exit code 2") {
+TEST_CASE("each error in a file is reported with its JSON pointer and exit code 2") {
   REQUIRE(errorsOf(goodFile().text()).empty());
   for (const Malformed& malformed : kMalformed) {
     GltfFile file = goodFile();
@@ -228,7 +228,7 @@ TEST_CASE("damaged GLB files are refused") {
   CHECK(errorsOf(glbOf({{0x4e4f534a, R"({"asset":{"version":"2.0"}})"}})).empty());
 }
 
-TEST_CASE("several mistakes are reported together") {
+TEST_CASE("several errors are reported together") {
   GltfFile file = goodFile();
   file.root["materials"][0]["alphaMode"] = "GLOW";
   file.primitive()["mode"] = 9;

@@ -1,4 +1,4 @@
-// Every dialect in circulation is read as its programs meant it.
+// Every dialect in circulation is read as its programs interpret it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
