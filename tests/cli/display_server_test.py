@@ -35,7 +35,7 @@ class Packet:
 
 
 class Stub(threading.Thread):
-    """A server that keeps the images it is sent. `limit`: closes the connection after as many packets."""
+    """A server that stores the images that it receives. `limit`: closes the connection after this number of packets."""
 
     def __init__(self, limit=None, reads=True):
         super().__init__(daemon=True)
