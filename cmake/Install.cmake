@@ -1,4 +1,4 @@
-# What `cmake --install` installs: the program, and the libraries that render with their headers, for other projects:
+# The files of `cmake --install`: the program, and the libraries of the renderer with their headers, for other projects:
 #   find_package(candela REQUIRED)
 #   target_link_libraries(mine PRIVATE candela::candela)
 include(CMakePackageConfigHelpers)

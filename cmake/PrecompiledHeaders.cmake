@@ -1,8 +1,8 @@
-# Two precompiled headers, one for the libraries and one for the tests, of headers of the standard library and of other
-# projects alone, so that no edit of the project's own invalidates them. No source file relies on them.
+# Two precompiled headers, one for the libraries and one for the tests, only of headers of the standard library and of
+# other projects, so that no edit of the project's own headers invalidates them. No source file relies on them.
 
 # candela_precompile(TARGET SHARED): compiles TARGET's sources after the precompiled header of the target SHARED. At the end
-# of the calling directory, so that a target which has a precompiled header of its own by then keeps it.
+# of the calling directory, so that a target that has its own precompiled header by then keeps it.
 function(candela_precompile target shared)
   cmake_language(EVAL CODE "cmake_language(DEFER CALL candela_precompile_now ${target} ${shared})")
 endfunction()

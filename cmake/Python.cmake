@@ -1,4 +1,4 @@
-# The Python module is built where pybind11 is found: CANDELA_BUILDS_PYTHON says whether it is.
+# The Python module is built where pybind11 is found: CANDELA_BUILDS_PYTHON is true then.
 set(CANDELA_PYTHON_MODULE AUTO CACHE STRING "Build the Python module: ON, OFF, or AUTO for where pybind11 is installed")
 set_property(CACHE CANDELA_PYTHON_MODULE PROPERTY STRINGS AUTO ON OFF)
 

@@ -1,6 +1,6 @@
 # candela_shaders(TARGET NAME.comp...): compiles each compute shader, of this folder or else of shaders/, to SPIR-V
 # (Vulkan 1.2) and embeds it in TARGET as `candela::spirv::NAME` (a std::span<const std::uint32_t>), declared in
-# "spirv/NAME.h". Included files, looked for in shaders/, are tracked, so that editing one rebuilds what reads it.
+# "spirv/NAME.h". Included files, looked for in shaders/, are tracked, so that editing one rebuilds the shaders that include it.
 find_program(GLSLANG glslangValidator REQUIRED)
 
 function(candela_shaders target)
@@ -35,7 +35,7 @@ function(candela_shaders target)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>)
 endfunction()
 
-# candela_spirv_hash(TARGET): embeds one hash of all shaders that TARGET has been given so far, as
+# candela_spirv_hash(TARGET): embeds one hash of all shaders of TARGET so far, as
 # `candela::spirv::hash` (a std::string_view of 64 hexadecimal digits) in "spirv/hash.h".
 function(candela_spirv_hash target)
   get_target_property(modules ${target} CANDELA_SPIRV)
@@ -49,7 +49,7 @@ function(candela_spirv_hash target)
   target_sources(${target} PRIVATE ${header})
 endfunction()
 
-# One test spirv_val_NAME for every shader that candela_shaders has been given so far.
+# One test spirv_val_NAME for every shader that has been passed to candela_shaders so far.
 function(candela_spirv_tests)
   find_program(SPIRV_VAL spirv-val REQUIRED)
   get_property(modules GLOBAL PROPERTY CANDELA_SPIRV)

@@ -1,4 +1,4 @@
-# With CANDELA_STATIC_LIBRARIES the program needs nothing but the C library and, when it runs, the Vulkan loader: all other libraries are
+# With CANDELA_STATIC_LIBRARIES, the program needs only the C library and, at run time, the Vulkan loader: all other libraries are
 # linked from their archives. Their symbols and those of the C++ library stay hidden, since drivers load the host's libraries into the
 # same process.
 option(CANDELA_STATIC_LIBRARIES "Link all libraries but the C library from archives" OFF)

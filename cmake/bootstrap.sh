@@ -1,9 +1,9 @@
 #!/bin/sh
-# From a bare Debian 12 or 13 to a picture: installs what is missing of cmake/packages.txt, configures, builds, and then
+# Installs the missing packages of cmake/packages.txt on Debian 12 or 13, configures, builds, and then
 #   sh cmake/bootstrap.sh test [ARGUMENTS]   runs all tests (arguments go to ctest)
 #   sh cmake/bootstrap.sh ARGUMENTS          runs candela with these arguments
-# The environment may choose a preset of CMakePresets.json (CANDELA_PRESET, default: release), and for the first time a
-# compiler (CXX) and its options (CXXFLAGS).
+# The environment may choose a preset of CMakePresets.json (CANDELA_PRESET, default: release) and, for the first build,
+# a compiler (CXX) and its options (CXXFLAGS).
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -13,7 +13,7 @@ list=$root/cmake/packages.txt
 
 say() { printf 'bootstrap: %s\n' "$*" >&2; }
 
-# The packages that running candela, or with "test" the tests too, needs.
+# Prints the packages that the program needs and, with "test", those of the tests, too.
 packages() {
   if [ "$1" = test ]; then
     sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$list"
@@ -64,7 +64,7 @@ install_packages() {
   rm -f "$build/build.ninja" # configure anew: CMake may find more now
 }
 
-# Where there is no dpkg, libraries cannot be looked up: CMake names the first that is missing.
+# Without dpkg, libraries cannot be looked up: CMake names the first missing one.
 require_tools() {
   missing=
   for tool in c++ cmake ninja glslangValidator; do
@@ -85,7 +85,7 @@ require_packages() {
   [ -z "$missing" ] || install_packages "$missing"
 }
 
-# Runs a step silently; what it printed is shown if it fails.
+# Runs a step silently; its output is shown if it fails.
 quietly() {
   if ! "$@" >"$build/bootstrap.log" 2>&1; then
     cat "$build/bootstrap.log" >&2
@@ -96,7 +96,7 @@ quietly() {
 
 tests_configured() { grep -qs '^BUILD_TESTING:[A-Z]*=ON$' "$build/CMakeCache.txt"; }
 
-# Configures where that is not done yet, with tests if $1 is ON. A build that has tests keeps them.
+# Configures if this has not been done yet, with tests if $1 is ON. A build that has tests keeps them.
 configure() {
   tests=$1
   if tests_configured; then

@@ -1,7 +1,7 @@
-"""What a distributed render consists of: frames, each divided into shards by ranges of samples.
+"""The plan of a distributed render: frames, each divided into shards by ranges of samples.
 
 A plan is stored as plan.json in the folder of the job, which every machine sees. Shards and films have fixed names in
-that folder, so that what is done can be seen from the files alone.
+that folder, so that the files alone show the progress.
 """
 import json
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Simulates a render on many nodes that may be taken away at any time, and prints what it costs.
+"""Simulates a render on many nodes that may be preempted at any time, and prints its cost.
 
     simulate.py [--nodes 1000] [--node-hours 2000] [--shards 4000] [--preemptions-per-day 6] ...
 

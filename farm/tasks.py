@@ -1,4 +1,4 @@
-"""The work of one task: rendering a shard, and merging the shards of a frame. Schedulers are not mentioned here."""
+"""The work of one task: rendering a shard, and merging the shards of a frame. This file is independent of schedulers."""
 import fcntl
 import os
 import signal
@@ -15,7 +15,7 @@ INTERRUPTED = 7  # of candela: the film is written and can be resumed
 
 @contextmanager
 def exclusive(path: Path):
-    """Holds a lock on `path`; yields whether it was free. A task that was requeued may overlap with its former self."""
+    """Holds a lock on `path`; yields whether it was free. A requeued task may overlap with its earlier run."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         try:
@@ -63,7 +63,7 @@ def shard_command(plan, job: Path, frame: int, shard: int):
 
 
 def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
-    """Renders what the shard lacks. Returns candela's exit code, or SUCCESS if nothing was to do."""
+    """Renders the missing samples of the shard. Returns candela's exit code, or SUCCESS if none were missing."""
     film = planning.shard_file(job, frame, shard)
     with exclusive(film.with_suffix(".lock")) as is_free:
         if not is_free:

@@ -19,10 +19,10 @@ uint colourRow(uint row, uint kind) {
   return texCoordRow(row, kind) + ((kind & kFlagTexCoords) != 0u ? kTexCoordRows : 0u);
 }
 
-// Returns the vertex colour at such a point.
+// Returns the vertex colour at a point of a triangle whose attributes begin at `row`.
 vec4 colourAt(uint row, uint kind, vec2 weights) { return interpolatedRows(colourRow(row, kind), weights); }
 
-// Returns the unit tangent at such a point and its handedness, or 0 if the vertices' tangents cancel out.
+// Returns the unit tangent at a point of such a triangle and its handedness, or 0 if the vertices' tangents cancel out.
 vec4 tangentAt(uint row, uint kind, vec2 weights) {
   uint tangentRow = colourRow(row, kind) + ((kind & kFlagColours) != 0u ? kColourRows : 0u);
   vec3 mean = interpolatedRows(tangentRow, weights).xyz;

@@ -69,7 +69,7 @@ vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
   return f;
 }
 
-// Computes what depends on wo. Must be called before a material is evaluated or sampled. `outside`: wo is on the side to
+// Computes the members that depend on wo. Must be called before a material is evaluated or sampled. `outside`: wo is on the side to
 // which the primitive's own normal points.
 void prepareLobes(inout Material m, vec3 wo, bool outside) {
   if (kHasSurfaces && m.isSurface) m.lobes = lobesAt(m.surface, wo, outside);

@@ -1,4 +1,4 @@
-// A direction by which a path continues.
+// A sampled direction in which a path continues.
 #ifndef CANDELA_BSDF_SAMPLE_GLSL
 #define CANDELA_BSDF_SAMPLE_GLSL
 #include "shared/render_data.h"

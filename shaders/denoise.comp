@@ -8,7 +8,7 @@ layout(push_constant) uniform Constants { DenoiseConstants constants; };
 layout(set = 0, binding = 0, std430) readonly buffer Pixels { DenoisePixel pixels[]; };
 layout(set = 0, binding = 1, std430) writeonly buffer Results { vec4 results[]; };
 
-// Values of the statistic up to which a neighbour counts fully, and from which on it does not count.
+// A neighbour has full weight up to the first of these values of the statistic, and none from the second on.
 const float kFullMembership = 0.3;
 const float kNoMembership = 1.5;
 const float kPixelTolerance = 4.0;

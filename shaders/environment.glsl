@@ -1,5 +1,5 @@
-// The environment: texels of its map that stand for the radiance in a direction, and light samples of it
-// (docs/light-transport.md section 6).
+// The environment: the choice of a texel of its map as the radiance in a direction, and light samples of
+// it (docs/light-transport.md section 6).
 #ifndef CANDELA_ENVIRONMENT_GLSL
 #define CANDELA_ENVIRONMENT_GLSL
 #include "lights.glsl"

@@ -30,7 +30,7 @@ bool inRange(float value) { return floatBitsToUint(value) < 0x7f800000u || value
 
 float keptValue(float value) { return inRange(value) ? min(value, kFilmMaximum) : 0.0; }
 
-// Returns what the film adds for a sample.
+// Returns the radiance that the film adds for a sample.
 vec3 keptRadiance(vec3 radiance) {
   return vec3(keptValue(radiance.x), keptValue(radiance.y), keptValue(radiance.z));
 }

@@ -3,7 +3,7 @@
 #define CANDELA_FRESNEL_GLSL
 
 // Exact reflectance for unpolarised light. c in (0, 1] is the cosine of the angle of incidence, and n > 0 is the index
-// of refraction behind the boundary divided by that before it. With g = n times the cosine of refraction,
+// of refraction on the far side of the boundary, divided by that on the near side. With g = n times the cosine of refraction,
 // rs = (c - g) / (c + g) and rp = rs (c (g + c) - 1) / (c (g - c) + 1) (Cook and Torrance 1982), where
 // g - c = (n^2 - 1) / (g + c) does not cancel. With total reflection the result is 1, and g is 0.
 float fresnelReflectance(float c, float n, out float g) {

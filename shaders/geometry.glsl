@@ -1,5 +1,5 @@
 // Ray-primitive tests in single precision: docs/light-transport.md section 4. Each returns the distance of the closest
-// valid hit, or kNoHit. `leaving` says that the primitive is the ray's origin primitive.
+// valid hit, or kNoHit. `leaving` is true if the primitive is the ray's origin primitive.
 #ifndef CANDELA_GEOMETRY_GLSL
 #define CANDELA_GEOMETRY_GLSL
 #include "math.glsl"

@@ -1,6 +1,6 @@
-// Layers: sums of what camera rays hit, and of parts of the light, in records behind the film of the band
-// (docs/layers.md). What a sample will add is pending until it ends, so that layers have the samples of the film wherever
-// a path stops. Without kLayerSums a layer is no code at all.
+// Layers: sums of properties of the surfaces that camera rays hit, and of parts of the light, in records after the film
+// of the band (docs/layers.md). The contributions of a sample are pending until it ends, so that layers have the
+// samples of the film wherever a path stops. Without kLayerSums, layers generate no code.
 #ifndef CANDELA_LAYERS_GLSL
 #define CANDELA_LAYERS_GLSL
 
@@ -11,7 +11,7 @@
 
 layout(set = 0, binding = kBindingFilm, std430) buffer Layers { uvec4 layerRows[]; };
 
-// What the current sample will add.
+// The pending contributions of the current sample.
 const uint kPendingHit = 1u;
 const uint kPendingScatteredOnce = 2u;
 const uint kPendingUnscattered = kThroughSpecular ? 4u : kPendingHit;
@@ -69,10 +69,10 @@ void loadPendingLayers(uint pixelIndex) {
   if (kSumsScatteredOnce) pending.scatteredOnce = pendingVector(header + kScatteredOnceSumRow);
 }
 
-// Whether the ray of this segment has hit a surface that layers show something behind.
+// True if layers see through the surface that the ray of this segment has hit.
 bool seenThrough = false;
 
-// Returns whether the layers show what is behind the surface: a perfect mirror, or smooth glass alone.
+// Returns whether layers see through the surface: a perfect mirror, or smooth glass without another lobe.
 bool isPerfect(Material m) {
   bool isGlass = kHasDielectric && m.dielectricWeight > 0.0 && m.diffuseWeight == 0.0 && m.glossyWeight == 0.0;
   return !(kHasSurfaces && m.isSurface) && (kHasMirror && m.mirror || isGlass);
@@ -87,8 +87,8 @@ bool showsHit(Material material, float t, uint depth) {
   return !seenThrough;
 }
 
-// Notes what a hit adds, which is that of the camera ray unless layers show what is behind it. `radiance` is the path's
-// up to here.
+// Notes the values of a hit that layers show: that of the camera ray, or the first that layers do not see through.
+// `radiance` is the path's radiance so far.
 void noteFirstHit(Ray ray, Surface surface, Material material, float t, uint depth, vec3 radiance) {
   if (depth == 1u) pending.stored = kThroughSpecular ? kPendingUnscattered : kPendingHit;
   if (depth == 1u && kSumsUnscattered) pending.unscattered = radiance;
@@ -120,7 +120,7 @@ void addParts(inout PartialSums sums, vec3 value) {
   sums.low += ivec3(low);
 }
 
-// Returns 0 for what is not finite, and kFilmMaximum with the sign of what is larger. Sets `bad` for both.
+// Returns 0 for components that are not finite, and limits the others to kFilmMaximum in magnitude. Sets `bad` in both cases.
 vec3 layerValue(vec3 value, inout bool bad) {
   uvec3 size = floatBitsToUint(value) & 0x7fffffffu;
   bool fits = all(lessThanEqual(size, uvec3(floatBitsToUint(kFilmMaximum))));
@@ -131,7 +131,7 @@ vec3 layerValue(vec3 value, inout bool bad) {
 
 float partOf(float kept, float part) { return inRange(part) ? min(part, kept) : 0.0; }
 
-// Returns a part of the light, limited to what the film adds for the whole.
+// Returns a part of the light, limited to the radiance that the film adds for the sample.
 vec3 partOf(vec3 kept, vec3 part) {
   return vec3(partOf(kept.x, part.x), partOf(kept.y, part.y), partOf(kept.z, part.z));
 }
@@ -175,7 +175,7 @@ void storeChannels(uint row, PartialSums sums, vec3 value) {
   for (uint i = 0u; i < 3u; ++i) storeChannel(row + i, sums.high[i], sums.middle[i], sums.low[i], value[i]);
 }
 
-// Adds what was gathered to the sums of the pixel, and stores what is pending.
+// Adds the gathered sums to those of the pixel, and stores the pending values.
 void storeLayers(uint pixelIndex) {
   uint header = layerHeader(pixelIndex);
   uvec4 counts = layerRows[header];

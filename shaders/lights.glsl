@@ -93,7 +93,7 @@ LightSample samplePointLight(Light light, Surface from) {
   return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true, light.position);
 }
 
-// The share of its intensity that a spot light sends along `wi`, which points towards it.
+// The fraction of its intensity that a spot light emits along -wi; wi points towards it.
 float spotFactor(Light light, vec3 wi) {
   vec4 cone = sceneRowFloat(lightRow(constants.lightCount) + uint(light.area));
   float share = clamp((-dot(cone.xyz, wi) - cone.w) * light.radius, 0.0, 1.0);

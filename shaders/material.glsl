@@ -194,7 +194,7 @@ void applyTextures(inout Material material, uint index, Surface surface) {
   }
 }
 
-// The only source of what integrators know about a material. It depends on nothing but the surface point.
+// Integrators obtain materials only from this function, which depends only on the surface point.
 Material materialAt(Surface surface) {
   uint index = surface.kind >> kMaterialShift;
   Material material = loadMaterial(index);

@@ -103,7 +103,7 @@ vec4 grainPlace(vec3 wo, float roughness, float strength, vec2 alpha) {
   return vec4(wo.z * (1.0 + towards) / (wo.z + towards), azimuth, roughness, strength);
 }
 
-// Returns what microfacetAlbedo() does, for alpha along x and y.
+// As microfacetAlbedo(), for alphas along x and y.
 vec2 grainAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
   vec4 place = grainPlace(wo, roughness, strength, alpha);
   float white = min(1.0, grainValue(firstGrainRow(), kGrainCells, place));

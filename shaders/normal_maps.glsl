@@ -21,7 +21,7 @@ bool hasTangents(Surface surface) {
   return (surface.kind & needed) == needed;
 }
 
-// Turns the shading normal of such a surface by the normal map that a reference selects, unless it is 0.
+// Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.
 void mapNormal(inout Surface surface, uint reference, float scale) {
   if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
   uint texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
@@ -66,8 +66,8 @@ vec3 facetScattering(Material m, Facets facets, vec3 wo, vec3 wi, bool transmitt
   return sum;
 }
 
-// Returns a sample of the facet as it leaves the surface: mirrored if it is on the wrong side of it, and with the light that
-// is mirrored to it.
+// Returns the sample of the surface for a sample of the facet: its direction is mirrored if it is on the wrong side of
+// the surface, and its weight and pdf include those of the direction that is mirrored to it.
 BsdfSample leavingFacet(Material m, Facets facets, vec3 wo, BsdfSample next) {
   bool transmitted = next.lobe == kLobeRefract;
   bool keeps = (dot(next.wi, facets.geometric) > 0.0) != transmitted;

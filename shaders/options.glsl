@@ -1,4 +1,4 @@
-// The specialisation constants by name, and what follows from them.
+// The specialisation constants by name, and constants that are derived from them.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
 #include "../host/image/layer_sum_list.h"
@@ -50,7 +50,7 @@ const uint kKindCount = CANDELA_PRIMITIVE_KINDS(COUNT_KIND);
 const uint kOnlyKind = kKindCount != 1u ? kManyKinds : CANDELA_PRIMITIVE_KINDS(CHOOSE_KIND) kManyKinds;
 #undef CHOOSE_KIND
 
-// Which sums of layers there are, the first record of each in a pixel's records, and the number of these records.
+// The sums of layers that exist, the first record of each in a pixel's records, and the number of these records.
 #define DECLARE_SUM(sum, has, row, bit, count) const bool has = (kLayerSums & (1u << bit)) != 0u;
 CANDELA_LAYER_SUMS(DECLARE_SUM)
 #undef DECLARE_SUM

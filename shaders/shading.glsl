@@ -33,8 +33,8 @@ bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
   return (dot(direction, shading.facing) > 0.0) != transmitted;
 }
 
-// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer is
-// chosen, and `material` becomes that layer alone.
+// Applies the normal map of a material or of its coat to the shading normal. If the material has a coat, one layer is
+// chosen, and `material` becomes this layer.
 void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey key, uint depth) {
   uint index = surface.kind >> kMaterialShift;
   uint base = textureOf(index, kSlotNormal);

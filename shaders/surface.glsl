@@ -1,4 +1,4 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md section 5.4 to 5.12. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.12. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL

@@ -1,5 +1,5 @@
-// Notes that record what a path computes, for the kernel that replays one sample. In every other kernel a note is no
-// code at all: docs/driver-workarounds.md section 10.
+// Notes that record what a path computes, for the kernel that replays one sample. In all other kernels, notes
+// generate no code: docs/driver-workarounds.md section 10.
 #ifndef CANDELA_TRACE_GLSL
 #define CANDELA_TRACE_GLSL
 

@@ -20,7 +20,7 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
 }
 
-// Returns what glassAlbedo() does, for alpha along x and y.
+// As glassAlbedo(), for alphas along x and y.
 float grainGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alpha, float ior, bool outside) {
   vec4 place = grainPlace(wo, roughness, strength, alpha);
   float scaled = min(sqrt(2.0 * (ior - 1.0) / (ior + 1.0)), 1.0) * float(kGrainGlassIorCells);
@@ -78,7 +78,7 @@ vec3 transmittedDirection(Glass glass, vec3 wo, vec3 h, float cosOH, vec3 mirror
   return unit((inverse * cosOH - cosT) * h - inverse * wo);
 }
 
-// `pdf` is that of a surface that is nothing but glass.
+// `pdf` is that of a surface that consists only of glass.
 vec3 evaluateThinTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out float pdf) {
   vec3 mirrored = vec3(wi.xy, -wi.z);
   vec3 h = unit(wo + mirrored);

@@ -1,4 +1,4 @@
-// Entry point of the views. They have a kernel of their own: docs/driver-workarounds.md section 10.
+// Entry point of the views. They have a separate kernel: docs/driver-workarounds.md section 10.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lanes.glsl"

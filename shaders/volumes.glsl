@@ -4,7 +4,7 @@
 #include "material.glsl"
 #include "math.glsl"
 
-// Crossings of surfaces by this invocation that a nesting of volumes does not explain.
+// Number of this invocation's crossings of surfaces that closed, disjoint volumes cannot have.
 uint volumeFaults = 0u;
 
 // The volume of a ray that was transmitted, if the ray before it was in `volume`.

@@ -53,7 +53,7 @@ void addSteps(uint pixelIndex, Work work) {
   if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
 }
 
-// Returns the offset in `words` of a path record, behind the queues: see `records` in lanes.glsl.
+// Returns the offset in `words` of a path record; the records follow the queues: see `records` in lanes.glsl.
 uint recordWord(uint pixelIndex, uint depth) {
   return queueWord(kQueueCount, 0u) + 2u * (pixelIndex * kRecordedVertices + depth - 1u);
 }

@@ -1,5 +1,5 @@
-# candela_vulkan_layer(NAME SOURCE PATH): a Vulkan layer from SOURCE and the layer.json.in beside it, in a folder of its own,
-# NAME_folder. PATH becomes the value of VK_LAYER_PATH with this folder and those of other layers, above all that of validation. The layer is
+# candela_vulkan_layer(NAME SOURCE PATH): a Vulkan layer from SOURCE and the layer.json.in beside it, in a separate folder,
+# NAME_folder. PATH becomes the value of VK_LAYER_PATH with this folder and those of other layers, especially the validation layer. The layer is
 # not instrumented, since the loader loads it into any program.
 function(candela_vulkan_layer name source path)
   find_package(Vulkan REQUIRED)

@@ -40,7 +40,7 @@ function(candela_discover_on_driver name driver icd package slow)
     add_test(NAME "${driver}: ${name}" COMMAND sh -c "echo '${driver} is not installed: apt-get install ${package}, then configure again'; exit 1")
     return()
   endif()
-  # OUTPUT_SUFFIX only keeps the files of two discoveries of one program apart; nothing is written under that name.
+  # OUTPUT_SUFFIX only distinguishes the files of two discoveries of one program; no file is written under that name.
   string(REGEX REPLACE ",?\\[" "~[" fast "${slow}")
   if(driver STREQUAL swiftshader)
     string(APPEND fast "~[lavapipe-only]")

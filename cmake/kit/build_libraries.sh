@@ -2,14 +2,14 @@
 # Usage: build_libraries.sh FOLDER
 #
 # Builds, from the sources of the Debian release on which it runs, archives of the libraries that Debian has only as shared ones, and
-# installs them in FOLDER/root. It needs no root privileges, and changes no list of apt. What is there already is not built again.
+# installs them in FOLDER/root. It needs no root privileges, and does not change apt's package lists. Existing archives are not built again.
 set -eu
 
 folder=$(realpath -m "$1")
 root=$folder/root
 . /etc/os-release
 
-# Runs apt-get with lists and a cache of its own.
+# Runs apt-get with separate lists and a separate cache.
 apt_get() {
   apt-get -qq -o Dir::Etc::SourceList="$folder/apt/sources.list" -o Dir::Etc::SourceParts=- \
     -o Dir::State::Lists="$folder/apt/lists" -o Dir::Cache="$folder/apt/cache" -o APT::Sandbox::User="$(id -un)" "$@"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures one Vulkan device with Candela: does it compute the right light, and how fast is it? Writes results.json, results.md and
+# Measures whether a Vulkan device computes the right light, and how fast it is. Writes results.json, results.md and
 # results.svg. It needs a Vulkan driver; no installation, no network, no privileges. It takes a few minutes on a GPU.
 set -u
 
@@ -8,8 +8,8 @@ usage() {
 Usage: ./run.sh [--device SELECTOR] [--quick | --full] [-o FOLDER]
 
   --device SELECTOR  index or part of the name of a device in `./candela devices` (default: the best GPU)
-  --quick, --full    small or large images (default: small ones if every device is in software)
-  -o FOLDER          folder for the results, which is made (default: results)
+  --quick, --full    small or large images (default: small images if every device is a software device)
+  -o FOLDER          folder for the results, which is created (default: results)
 END
 }
 
@@ -41,7 +41,7 @@ work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 trap 'echo "run.sh: interrupted, and no results are written" >&2; exit 7' INT TERM
 
-# The kit measures what a new user gets: settings that `candela tune` stored on this machine, and compiled pipelines, have no effect.
+# The kit measures the behaviour for a new user: settings that `candela tune` stored on this machine, and compiled pipelines, have no effect.
 export CANDELA_CACHE_DIR="$work/cache"
 candela() { "$kit/candela" "$@"; }
 
@@ -80,7 +80,7 @@ step() {
   steps="${steps:+$steps, }{\"name\": \"$name\", \"exitCode\": $code, \"seconds\": $seconds}"
 }
 
-# Prints the reports of steps as a JSON array, and null for those that gave none.
+# Prints the reports of steps as a JSON array, with null for steps without a report.
 reports() {
   separator=
   for name in "$@"; do
@@ -132,7 +132,7 @@ if [ $size = full ]; then quick=false; fi
   printf '"tune": %s}\n' "$(reports tune)"
 } > "$work/results.json"
 
-# A report shows that the file is whole, before it replaces an older one.
+# A report shows that the file is complete, before it replaces an older one.
 candela report "$work/results.json" --markdown "$work/results.md" --svg "$work/results.svg" || exit 70
 mv "$work/results.json" "$work/results.md" "$work/results.svg" "$out" || exit 2
 echo "The results are $out/results.json, results.md and results.svg."

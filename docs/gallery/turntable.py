@@ -17,7 +17,7 @@ OPTIONS = ["--size", "240x150", "--spp", "96", "--tonemap", "agx", "--exposure",
 
 
 def scene_from(text, angle):
-    """Returns the scene with its camera turned about the vertical axis by `angle` in radians."""
+    """Returns the scene with its camera rotated about the vertical axis by `angle` in radians."""
     lines = text.split("\n")
     for i, line in enumerate(lines):
         if line.startswith("from "):

@@ -21,17 +21,18 @@ constexpr std::size_t kTaskItems = std::size_t{1} << 14;
 
 void requireOptions(const BvhOptions& options, std::size_t itemCount) {
   if (itemCount > kMaxBvhPrimitives) {
-    throw InternalError(fmt::format("BVH over {} primitives, at most {} fit", itemCount, kMaxBvhPrimitives));
+    throw InternalError(fmt::format("a BVH over {} primitives; the maximum is {}", itemCount, kMaxBvhPrimitives));
   }
-  if (options.maxLeafSize < 1) throw InternalError("BVH leaves of 0 primitives");
+  if (options.maxLeafSize < 1) throw InternalError("a BVH with leaves of 0 primitives");
   if (!(options.traversalCost > 0 && options.intersectionCost > 0)) {
     throw InternalError(
-        fmt::format("BVH costs {} and {}, both must be above 0", options.traversalCost, options.intersectionCost));
+        fmt::format("BVH costs {} and {}; both must be above 0", options.traversalCost, options.intersectionCost));
   }
   const std::uint32_t needed = levelsNeeded(itemCount, options.maxLeafSize);
   if (options.maxDepth < needed) {
-    throw InternalError(fmt::format("BVH depth {} for {} primitives, {} a leaf: at least {} is needed",
-                                    options.maxDepth, itemCount, options.maxLeafSize, needed));
+    throw InternalError(
+        fmt::format("a maximum BVH depth of {} for {} primitives and {} per leaf: at least {} is needed",
+                    options.maxDepth, itemCount, options.maxLeafSize, needed));
   }
 }
 

@@ -229,7 +229,7 @@ Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {
         fmt::format("a grid of density {} and at most {} cells along an axis", options.density, options.maxSide));
   }
   if (bounds.size() > kMaxGridPrimitives) {
-    throw InternalError(fmt::format("a grid over {} primitives, at most {} fit", bounds.size(), kMaxGridPrimitives));
+    throw InternalError(fmt::format("a grid over {} primitives; the maximum is {}", bounds.size(), kMaxGridPrimitives));
   }
   if (bounds.empty()) return {};
   return GridBuilder(bounds, options).build();

@@ -14,7 +14,7 @@ double reachOf(const Aabb& bounds) {
 // For smaller extents, the scale would overflow.
 constexpr double kMinCellSize = 0x1p-100;
 
-// Returns s of the rule: the number of primitives per unit of length on the axes that take part.
+// Returns s of the rule: the number of primitives per unit of length on the axes with an extent.
 double linearDensity(const glm::dvec3& extent, double thinnest, std::size_t primitiveCount) {
   double product = 1;
   int axes = 0;

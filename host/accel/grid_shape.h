@@ -5,7 +5,7 @@
 // by 0 if the box is flat, and has no limit: a long thin box around one primitive would get as many cells as the ratio
 // of its length to its width. Three things are therefore different here.
 //
-// - Only axes with an extent take part: s = (N / product of their w_i)^(1/k) over k = 3, 2 or 1 axes; the others have
+// - Only axes with an extent count: s = (N / product of their w_i)^(1/k) over k = 3, 2 or 1 axes; the others have
 //   one cell. An extent within the padding of the boxes (kThinnestCell times the largest coordinate) counts as none.
 // - No cell is thinner than this padding, for the same reason.
 // - The builder lowers the density until the numbers of cells and references are within limits that grow with N

@@ -20,7 +20,7 @@
 // The factor 1 + 2 gamma(3) on the far distance (Ize, JCGT 2013) is part of these 8 u: it is harmless, but not needed.
 //
 // Rounding is monotonic, so the ancestors of an accepted box are accepted too, at a distance that is not greater: nodes
-// need no pad of their own. For the same reason, a primitive test that also intersects its own padded box, and accepts
+// need no separate padding. For the same reason, a primitive test that also intersects its own padded box, and accepts
 // no distance smaller than the entry into it, is independent of the structure by construction, whatever its errors.
 //
 // These tests are free of cancellation: the sphere by the distance of its centre from the closest point of the ray

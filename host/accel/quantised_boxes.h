@@ -8,7 +8,7 @@
 //
 // Products with the step are exact. On each axis, t therefore has at most these errors, in units of length:
 //   u q step                      of the first product,
-//   2 u |origin - o| + u |o|      of difference and product behind it, and of the padded ray,
+//   2 u |origin - o| + u |o|      of the difference, of the product after it, and of the padded ray,
 //   u |plane - o|                 of the sum (or less, where both make one fma),
 //   5 u |plane - o|               of a division of 2.5 ulp.
 // Let M be the larger magnitude among the faces of all eight boxes along the axis. |origin| and |plane| are at most

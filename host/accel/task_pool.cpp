@@ -16,7 +16,7 @@ TaskPool::TaskPool(std::uint32_t threadCount) {
   try {
     for (std::uint32_t i = 1; i < threadCount; ++i) threads_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {
-    // The system permits no more threads: the running threads and the waiting thread do the work.
+    // If the system permits no more threads, the running threads and the waiting thread do the work.
   }
 }
 

@@ -123,7 +123,8 @@ class Collapser {
   // Appends the primitives of the leaf. Returns their bits of a leaf mask.
   std::uint32_t appendLeaf(const BvhNode& leaf) {
     if (leaf.count > kMaxWideLeaf) {
-      throw InternalError(fmt::format("a leaf of {} primitives, a wide tree takes {}", leaf.count, kMaxWideLeaf));
+      throw InternalError(
+          fmt::format("a leaf of {} primitives; the maximum of an 8-wide BVH is {}", leaf.count, kMaxWideLeaf));
     }
     const auto first = bvh_.primitiveIndices.begin() + leaf.first;
     wide_.primitiveIndices.insert(wide_.primitiveIndices.end(), first, first + leaf.count);
@@ -168,7 +169,8 @@ WideBvh join(WideBvh wide, std::span<const Pending> roots, std::span<const WideB
     wide.depth = std::max(wide.depth, roots[i].depth + part.depth);
     wide.nodeCount += part.nodeCount;
   }
-  if (wide.nodes.size() > kMaxWideNodes) throw InternalError(fmt::format("a wide tree of {} nodes", wide.nodes.size()));
+  if (wide.nodes.size() > kMaxWideNodes)
+    throw InternalError(fmt::format("an 8-wide BVH of {} nodes", wide.nodes.size()));
   return wide;
 }
 

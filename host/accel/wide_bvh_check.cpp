@@ -55,7 +55,8 @@ class WideBvhValidator {
     for (std::size_t i = 0; i < primitiveSeen_.size(); ++i) {
       if (!primitiveSeen_[i]) return fmt::format("primitive {} is in no leaf", i);
     }
-    if (order_.size() != wide_.nodeCount) return fmt::format("{} nodes, said to be {}", order_.size(), wide_.nodeCount);
+    if (order_.size() != wide_.nodeCount)
+      return fmt::format("{} nodes are reached, but nodeCount is {}", order_.size(), wide_.nodeCount);
     return std::nullopt;
   }
 

@@ -34,7 +34,7 @@ std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device,
     for (const render::SceneLoads loads :
          choices(asked.execution.sceneLoads, render::SceneLoads::texel, render::SceneLoads::storage)) {
       settings.execution.sceneLoads = loads;
-      // If the scene fits in no way, the constructor reports what is too large.
+      // If the scene does not fit with either, the constructor reports the excess.
       if (asked.execution.sceneLoads == render::SceneLoads::automatic && any &&
           !device::canBind(device.info(), flat, loads))
         continue;

@@ -25,7 +25,7 @@ struct Measurement {
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without compilation of the pipeline
   std::vector<double> buildSeconds{};  ///< build times of the acceleration structure, one per preparation, ascending
   double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
-  bool agrees = true;                  ///< every run was complete and gave the film of most runs of the same image
+  bool agrees = true;  ///< every run was complete, and its film is that of the majority of runs of the same image
   /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
   std::optional<double> relMse{};
 
@@ -43,7 +43,7 @@ double percentile(std::span<const double> ascending, double q);
 /// Returns (maximum - minimum) / median; 0 for none.
 double spread(std::span<const double> ascending);
 
-/// How often the sessions of variants are prepared.
+/// The number of times that the sessions of variants are prepared.
 enum class Preparation {
   once,     ///< once: the session is kept and reset
   everyRun  ///< for each run, so that the build of the acceleration structure is measured as often as tracing
@@ -51,7 +51,7 @@ enum class Preparation {
 
 /// Runs every variant `repeats` times, interleaved. Returns one measurement per variant, in their order, or none at all
 /// if `control` stops a run, since the results would be incomplete.
-/// Throws what Renderer::prepare and Session::advance throw.
+/// Throws the exceptions of Renderer::prepare and Session::advance.
 std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
                                             std::span<const Variant> variants, std::uint32_t repeats,
                                             const render::RenderControl& control,

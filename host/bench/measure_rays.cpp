@@ -1,4 +1,4 @@
-// Measures rays alone, and compares their hits.
+// Measures the tracing of rays, and compares their hits.
 #include "host/bench/measure_rays.h"
 
 #include <sys/resource.h>

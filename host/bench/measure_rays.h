@@ -1,4 +1,5 @@
-// Traces the rays of a scene alone, by kind and layout, interleaved, so that noise of the machine affects all equally.
+// Traces rays of a scene without the rest of their paths, by kind and layout, interleaved, so that noise of the machine
+// affects all equally.
 #pragma once
 #include <atomic>
 #include <cstdint>

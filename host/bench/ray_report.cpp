@@ -1,4 +1,4 @@
-// Formats the benchmark of rays alone.
+// Formats the benchmark of rays.
 #include "host/bench/ray_report.h"
 
 #include <fmt/format.h>

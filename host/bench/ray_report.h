@@ -1,4 +1,4 @@
-// The benchmark of rays alone: scenes, kinds of rays and layouts, as text, Markdown and JSON.
+// The benchmark of rays: scenes, kinds of rays and layouts, as text, Markdown and JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>

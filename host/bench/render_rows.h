@@ -13,7 +13,7 @@ nlohmann::ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash
 /// Returns the fields of a report besides its rows: schema, version, device, driver and repeats.
 nlohmann::ordered_json reportJson(const std::string& device, const std::string& driver, std::uint32_t repeats);
 
-/// E.g. "candela 0.1.0 on llvmpipe, Mesa 22.3.6; median of 3, runs interleaved".
+/// Returns e.g. "candela 0.1.0 on llvmpipe, Mesa 22.3.6; median of 3, runs interleaved".
 std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats);
 
 }  // namespace candela::bench

@@ -1,4 +1,4 @@
-// Compares two reports of a benchmark row by row, to find what became slower.
+// Compares two reports of a benchmark row by row, to find slowdowns.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

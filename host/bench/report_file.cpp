@@ -1,4 +1,4 @@
-// Limits the size, since a report has some kilobytes.
+// Reads reports with a limited size, since a real one has a few kilobytes.
 #include "host/bench/report_file.h"
 
 #include <fmt/format.h>

@@ -48,7 +48,7 @@ TextTable tableOf(const SweepReport& report) {
 
 std::string headline(const SweepReport& report) { return bench::headline(first(report), report.repeats); }
 
-// Returns the fastest variant among the rows of one scene, starting at `from`, and moves `from` behind them.
+// Returns the fastest variant among the rows of one scene, starting at `from`, and moves `from` past them.
 const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
   const SweepRow* fastest = nullptr;
   const SweepRow& start = report.rows[from];

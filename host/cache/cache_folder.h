@@ -1,4 +1,4 @@
-// The folder of files that Candela can make again: results of tuning and compiled pipelines.
+// The folder of files that Candela can recreate: results of tuning and compiled pipelines.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -1,4 +1,4 @@
-// Makes keys of devices and the file names that follow from them.
+// Computes keys of devices, and file names from them.
 #include "host/cache/device_key.h"
 
 #include <fmt/format.h>

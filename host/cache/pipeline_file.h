@@ -15,7 +15,7 @@ struct PipelineLookup {
   std::string problem;          ///< why the file must not be used; completes "FILE is ignored: "
 };
 
-/// Reads what writePipelines() wrote. Drivers trust the content of their pipeline caches, so a file is used only if its
+/// Reads a file of writePipelines(). Drivers trust the content of their pipeline caches, so a file is used only if its
 /// key, size and checksum are right.
 PipelineLookup readPipelines(const std::filesystem::path& file, const DeviceKey& key);
 

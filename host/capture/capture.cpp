@@ -23,7 +23,8 @@ bool isDispatch(const RecordedCommand& command) { return std::holds_alternative<
 // Buffers whose content decides the expected values, as the search goes back from the last dispatch.
 class NeededBuffers {
  public:
-  /// Returns whether the command decides the content of a needed buffer; what it reads is needed from then on.
+  /// Returns whether the command decides the content of a needed buffer; the buffers that it reads are needed from then
+  /// on.
   bool take(const RecordedCommand& command) {
     return std::visit([&](const auto& one) { return takeOne(one); }, command);
   }
@@ -106,7 +107,9 @@ void apply(const RecordedCopy& copy, std::vector<Content>& contents) {
   std::memmove(&contents[copy.to][copy.toOffset], &contents[copy.from][copy.fromOffset], copy.bytes);
 }
 
-void apply(const RecordedDispatch&, std::vector<Content>&) { throw InternalError("a dispatch is not applied"); }
+void apply(const RecordedDispatch&, std::vector<Content>&) {
+  throw InternalError("a dispatch cannot be applied on the host");
+}
 
 template <class R>
 auto& lastDispatchOf(R& recording) {

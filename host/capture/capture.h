@@ -1,4 +1,4 @@
-// A piece of a device's work that another program can repeat, with the results that it must give.
+// A part of a device's work that another program can repeat, with the results that it must produce.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -20,19 +20,19 @@ struct TextFile {
 
 struct Capture {
   std::string title;              ///< the case, or the scene with the pixel and the sample
-  std::string expectedBy;         ///< who computed the expected values, e.g. "the reference tracer"
-  std::string found;              ///< what differs on the device where it was captured; empty: nothing
+  std::string expectedBy;         ///< the tracer that computed the expected values, e.g. "the reference tracer"
+  std::string found;              ///< the differences on the device where it was captured; empty: none
   std::string capturedOn;         ///< name and driver of this device
   std::size_t differing = 0;      ///< number of values that differ there
-  std::string note;               ///< sentences about what is rendered; may be empty
+  std::string note;               ///< sentences about the picture; may be empty
   std::vector<TextFile> files;    ///< beside the program, e.g. the scene, or other forms of modules
   vulkan::Recording work;         ///< the commands whose results are expected; buffers have no other use
-  std::vector<Content> contents;  ///< of each buffer before the first command; what was never written is 0
+  std::vector<Content> contents;  ///< of each buffer before the first command; bytes that were never written are 0
   ExpectedValues expected;        ///< of the buffers of the last dispatch
 };
 
-/// Cuts a recording down to what decides the content of the buffers of its last dispatch. Commands before the first
-/// dispatch become contents; later ones remain. Throws InternalError if there is no dispatch.
+/// Reduces a recording to the commands that decide the content of the buffers of its last dispatch. Commands before the
+/// first dispatch become contents; later ones remain. Throws InternalError if there is no dispatch.
 Capture cutDown(const vulkan::Recording& recording);
 
 /// Returns the last dispatch. Throws InternalError if there is none.

@@ -5,7 +5,7 @@
 
 namespace candela::capture {
 
-/// How the words of a value are read. The numbers are written to files: see reproduce.c.
+/// The interpretation of the words of a value. The numbers are written to files: see reproduce.c.
 enum class ValueType : std::uint32_t {
   word = 0,    ///< an unsigned integer of 32 bits, or bits that must be equal
   number = 1,  ///< a 32-bit float

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Says whether two executions of a reduced module disagree, for spirv-reduce. Run it in the folder of the capture, where
+# Tests whether two executions of a reduced module disagree, for spirv-reduce. Run it in the folder of the capture, where
 # reproduce.c has been compiled:
 #
 #     export ICD_A=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json ICD_B=/path/to/another_icd.json
@@ -11,14 +11,14 @@
 #     ICD_B   driver of the second execution (default: ICD_A)
 #     ENV_A   variables of the first execution, as NAME=VALUE NAME=VALUE ... (default: none)
 #     ENV_B   variables of the second execution
-#     MUTATE  command that is given the candidate, and a file in which it writes the module of the second execution
+#     MUTATE  command that is called with the candidate and with a file, to which it writes the module of the second execution
 #     MODULE  index of the module that is reduced (default: 0)
-#     MIN     number of values that must differ (default: the number in minimum.txt), so that the reduction keeps the fault
+#     MIN     number of values that must differ (default: the number in minimum.txt), so that the reduction preserves the fault
 #             and does not end at another one
 #     ERROR   relative difference of floats and sums that is ignored (default: 0.001)
-#     LIMIT   seconds that an execution may take (default: 10): a loop without an end is not interesting
-#     AS_IS=1 executes the module as it is. Otherwise undefined values are 0, since drivers may differ in them, blocks
-#             that are never reached are removed, and a loop that nothing leaves is not interesting
+#     LIMIT   seconds that an execution may take (default: 10): an infinite loop is not interesting
+#     AS_IS=1 executes the module as it is. Otherwise undefined values are 0, since drivers may differ in them, unreachable
+#             blocks are removed, and a loop that no branch leaves is not interesting
 #
 # Exit codes: 0 interesting, 1 not.
 set -u
@@ -58,7 +58,7 @@ define() {
     spirv-opt --target-env=vulkan1.2 --eliminate-dead-branches --eliminate-dead-const "$2.defined" -o "$2"
 }
 
-# Says whether a branch leaves each loop: some drivers end a loop without an end.
+# Tests whether a branch leaves each loop: some drivers end infinite loops.
 has_exits() {
   spirv-dis --raw-id --no-header --no-color "$1" | awk '
     $1 == "OpLoopMerge" { merge[$2] }

@@ -1,4 +1,4 @@
-// Words the README.md of a capture.
+// Writes the README.md of a capture.
 #include "host/capture/readme_text.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ std::string countText(std::size_t count, const char* one, const char* several) {
 
 std::string foundText(const Capture& capture) {
   if (capture.found.empty()) {
-    return fmt::format("It was captured on {}, which gave these values.", capture.capturedOn);
+    return fmt::format("It was captured on {}, which computed these values.", capture.capturedOn);
   }
   return fmt::format("On {}:\n\n```\n{}\n```", capture.capturedOn, capture.found);
 }
@@ -23,8 +23,8 @@ std::string readmeText(const Capture& capture) {
   return fmt::format(
       R"(# {}
 
-This folder repeats a piece of work of Candela, a path tracer that judges Vulkan drivers, on any Vulkan 1.2 device: {} with {} and {}. {} must have
-the values that {} computed. {} {}
+The program in this folder repeats work of Candela, a path tracer that verifies Vulkan drivers, on any Vulkan 1.2 device: {} with {} and {}.
+It compares {} of the result with those that {} computed. {} {}
 
 ## How to run it
 
@@ -37,11 +37,11 @@ It prints the first value that differs. The exit code is 0 if no value differs, 
 ## Files
 
 - `reproduce.c` and `capture.h`: the program and its tables.
-- `module_*.spv`: the shaders as the driver gets them; specialisation constants are set, and the code that they disable is removed.
+- `module_*.spv`: the shaders as they are passed to the driver; specialisation constants are set, and the code that they disable is removed.
 - `buffer_*.bin`, `write_*.bin`: contents of buffers. Buffers without a file begin with equal words.
-- `expected.bin`: records of 32 bytes (type, buffer, word, 0, lowest and highest permitted value as doubles).
+- `expected.bin`: records of 32 bytes (type, buffer, word, 0, minimum and maximum permitted value as doubles).
 - `minimum.txt`: number of values that must differ when the shader is reduced.
-- `interesting.sh`: says whether two executions of a module disagree, for `spirv-reduce`.
+- `interesting.sh`: tests whether two executions of a module disagree, for `spirv-reduce`.
 
 ## How to reduce the shader
 

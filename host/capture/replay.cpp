@@ -1,4 +1,4 @@
-// Makes the buffers, pipelines and commands of a capture again.
+// Recreates the buffers, pipelines and commands of a capture.
 #include "host/capture/replay.h"
 
 #include <fmt/format.h>

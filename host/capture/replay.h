@@ -13,11 +13,11 @@ namespace candela::capture {
 /// vulkan::Device does.
 std::vector<Content> replay(const Capture& capture, const vulkan::DeviceInfo& device);
 
-/// Returns the words of a value, the first one first: one, or three for ValueType::sum.
+/// Returns the words of a value, least significant first: one, or three for ValueType::sum.
 std::span<const std::uint32_t> wordsOf(const Capture& capture, const ExpectedValue& value,
                                        const std::vector<Content>& contents);
 
-/// The value that the words stand for.
+/// Returns the value of the words.
 double valueOf(ValueType type, std::span<const std::uint32_t> words);
 
 /// Repeats the work on the device where it was captured, and sets Capture::differing and, if a value differs and no

@@ -1,5 +1,5 @@
 /*
- * Repeats recorded Vulkan work and compares its results with those that are expected. C99; needs vulkan.h and the loader:
+ * Repeats recorded Vulkan work and compares its results with the expected ones. C99; needs vulkan.h and the loader:
  *
  *     cc -std=c99 -o reproduce reproduce.c -lvulkan && ./reproduce
  *

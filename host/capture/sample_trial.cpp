@@ -36,7 +36,7 @@ std::uint32_t& maxSegmentsOf(RecordedDispatch& dispatch) {
   return *reinterpret_cast<std::uint32_t*>(&dispatch.pushConstants[offsetof(gpu::DispatchConstants, maxSegments)]);
 }
 
-// The first dispatch with the segments of all of them.
+// Returns the first dispatch, with the segments of all dispatches.
 vulkan::Recording asOneDispatch(const vulkan::Recording& recording) {
   vulkan::Recording one = recording;
   std::uint32_t segments = 0;
@@ -59,7 +59,7 @@ bool givesFilm(const Capture& capture, const vulkan::DeviceInfo& device, const i
   return std::equal(wanted.begin(), wanted.end(), found.begin());
 }
 
-// The pixels that are in one workgroup with this one, if the image is divided into workgroups from its corner on.
+// Returns the pixels in the workgroup of this one, if the image is divided into workgroups from its corner on.
 render::Window workgroupOf(const render::PixelSample& sample, const render::Extent& group, const render::Extent& size) {
   const std::uint32_t x = sample.x / group.width * group.width, y = sample.y / group.height * group.height;
   return {x, y, std::min(group.width, size.width - x), std::min(group.height, size.height - y)};

@@ -1,4 +1,5 @@
-// Renders one sample of a few pixels again and again, with other settings and other scenes, until little is left of it.
+// Renders one sample of a few pixels repeatedly, with smaller settings and scenes, to find a small case that still
+// fails.
 #pragma once
 #include <memory>
 #include <optional>
@@ -17,7 +18,7 @@ struct Sample {
   std::uint32_t index = 0;
 };
 
-/// A device, and what its pipelines have: see DeviceOptions.
+/// A device, and the options of its pipelines: see DeviceOptions.
 struct TrialDevice {
   vulkan::DeviceInfo info;
   std::uint32_t subgroupSize = 0;
@@ -33,7 +34,7 @@ class SampleTrial {
   /// Returns how many values of the film differ from the expected ones, of which there may be none. Throws as
   /// Renderer::prepare() does.
   std::size_t differing(const scene::Scene& scene, const Sample& sample);
-  /// Returns whether a value differs; no if the scene cannot be rendered.
+  /// Returns whether a value differs; false if the scene cannot be rendered.
   bool fails(const scene::Scene& scene, const Sample& sample);
   /// Returns the work on the device and the expected values: one dispatch, unless the kernel consists of several, or
   /// gives another result in one. Throws as Renderer::prepare() does.
@@ -51,8 +52,8 @@ class SampleTrial {
 };
 
 /// Returns the smallest workgroup, region and number of segments at which the sample of the pixel still fails: first
-/// one pixel in a workgroup of its own, then one in the settings' workgroup, then all pixels of its workgroup. If none
-/// fails, the first is returned.
+/// one pixel in a workgroup of one invocation, then one in the settings' workgroup, then all pixels of its workgroup.
+/// If none fails, the first is returned.
 Sample smallestSample(SampleTrial& trial, const scene::Scene& scene, const render::RenderSettings& settings,
                       const render::PixelSample& sample);
 

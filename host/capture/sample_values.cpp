@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::uint32_t kReplicas = 16;
 constexpr std::uint32_t kPixelWords = sizeof(image::FilmPixel) / sizeof(std::uint32_t);
-constexpr std::uint32_t kSumWords = 4;  // a sum and the count behind it
+constexpr std::uint32_t kSumWords = 4;  // a sum and the count after it
 
-/// The radiance of a sample and how far a device may be from it, in each channel.
+/// The radiance of a sample, and the maximum difference of a device in each channel.
 struct Radiance {
   glm::dvec3 mean{0};
   double tolerance = 0;

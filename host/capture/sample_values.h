@@ -1,4 +1,4 @@
-// The film that one sample of each pixel must give.
+// The expected film of one sample of each pixel.
 #pragma once
 #include <cstdint>
 
@@ -11,16 +11,16 @@ namespace candela::capture {
 /// Binding of the film in the kernels that render: docs/architecture.md.
 inline constexpr std::uint32_t kFilmBinding = 2;
 
-/// Returns the sums and counts of the pixels of the settings' window after sample `index` alone, as the reference
+/// Returns the sums and counts of the pixels of the settings' window after only sample `index`, as the reference
 /// computes them. The tolerance of a sum is that of docs/testing.md, "The verdict on a device". Pixels that single
-/// precision cannot decide are left out.
+/// precision cannot decide are omitted.
 ExpectedValues expectedFilm(const scene::Scene& scene, const render::RenderSettings& settings, std::uint32_t index,
                             render::Renderer& reference);
 
 /// Returns the words of the same pixels, all of which are expected.
 ExpectedValues bitsOf(const image::Film& film);
 
-/// Returns how many of the values the film does not have.
+/// Returns the number of values from which the film differs.
 std::size_t differingCount(const image::Film& film, const ExpectedValues& expected);
 
 }  // namespace candela::capture

@@ -56,7 +56,7 @@ class Statements final : public SceneParts {
   static constexpr std::size_t kAlways = static_cast<std::size_t>(-1);
   struct Line {
     std::string text;
-    std::size_t part;  ///< to which it belongs, or kAlways
+    std::size_t part;  ///< part to which it belongs, or kAlways
   };
 
   std::string name_, folder_;

@@ -1,4 +1,4 @@
-// A scene of which parts can be left out.
+// A scene whose parts can be removed.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,11 +12,11 @@ namespace candela::capture {
 class SceneParts {
  public:
   virtual ~SceneParts() = default;
-  /// Number of parts that can be left out.
+  /// Number of parts that can be removed.
   virtual std::size_t count() const = 0;
-  /// Returns the scene with these parts alone. Throws Error if there is no such scene.
+  /// Returns the scene with only these parts. Throws Error if there is no such scene.
   virtual scene::Scene with(const Subset& parts) const = 0;
-  /// Returns a scene file with these parts alone, or an empty text if the format of the file does not permit it.
+  /// Returns a scene file with only these parts, or an empty text if the format of the file does not permit it.
   virtual std::string textWith(const Subset& parts) const = 0;
   /// Plural noun for the parts, such as "statements".
   virtual const char* noun() const = 0;

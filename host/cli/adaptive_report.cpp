@@ -18,14 +18,13 @@ void requireAdaptable(const Arguments& arguments) {
   const std::uint32_t pilot = render::pilotSamples(*arguments.noiseThreshold);
   if (image.sampleCount <= pilot) {
     throw UsageError(
-        fmt::format("--noise-threshold {}: every pixel has {} samples before it may stop; state the "
-                    "maximum, above {}, with --spp",
+        fmt::format("--noise-threshold {}: every pixel gets at least {} samples; set --spp, the maximum, above {}",
                     *arguments.noiseThreshold, pilot, pilot));
   }
   if (arguments.samples) {
     throw UsageError(
-        "--samples: a part of the samples cannot tell where to stop; with --noise-threshold, divide the image by "
-        "--crop");
+        "--samples: with --noise-threshold, only all samples together decide where to stop; divide the image with "
+        "--crop instead");
   }
   if (image.crop) requireAligned(*image.crop, image.size);
 }
@@ -54,8 +53,9 @@ ordered_json adaptiveJson(const render::AdaptivePlan& plan, const image::Film& f
 }
 
 std::string adaptiveBiasText(const std::string& threshold) {
-  return fmt::format("--noise-threshold {}: numbers of samples depend on the samples (docs/adaptive-sampling.md)",
-                     threshold);
+  return fmt::format(
+      "--noise-threshold {}: the number of samples of a pixel depends on their values (docs/adaptive-sampling.md)",
+      threshold);
 }
 
 }  // namespace candela::cli

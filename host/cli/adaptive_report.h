@@ -1,4 +1,4 @@
-// Reports on adaptive sampling, and the options that go with it.
+// Reports on adaptive sampling, and the options that exclude it.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,20 +8,21 @@
 
 namespace candela::cli {
 
-/// Throws UsageError if the resolved arguments ask for adaptive sampling with other options that exclude it.
+/// Throws UsageError if the resolved arguments combine adaptive sampling with options that exclude it.
 void requireAdaptable(const Arguments& arguments);
 
-/// The plan of resolved arguments; nothing without --noise-threshold.
+/// Returns the plan of resolved arguments; nothing without --noise-threshold.
 std::optional<render::AdaptivePlan> planOf(const Arguments& arguments);
 
-/// E.g. "16 to 256 samples per pixel, 38.5 on average". The film has a pixel.
+/// Returns e.g. "16 to 256 samples per pixel, 38.5 on average". The film must have a pixel.
 std::string adaptiveText(const image::Film& film);
 
-/// Numbers of samples, half-regions and errors of a film. `maxSamples` is the limit of the plan.
+/// Returns the numbers of samples, half-regions and errors of a film. `maxSamples` is the limit of the plan.
 nlohmann::ordered_json adaptiveJson(const render::AdaptivePlan& plan, const image::Film& film,
                                     std::uint32_t maxSamples);
 
-/// The sentence about the bias of adaptive sampling in the metadata of images. `threshold` is a number or its notation.
+/// Returns the sentence about the bias of adaptive sampling in the metadata of images. `threshold` is a number or its
+/// notation.
 std::string adaptiveBiasText(const std::string& threshold);
 
 }  // namespace candela::cli

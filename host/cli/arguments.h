@@ -46,7 +46,7 @@ struct PixelPlace {
   std::uint32_t y = 0;  ///< from the top
 };
 
-/// What `candela conformance` runs, and what it expects.
+/// The cases that `candela conformance` runs, and the files with its expectations.
 struct ConformanceArguments {
   bool variants = false;                 ///< the cases are kernels against variants of them
   bool list = false;                     ///< print the names of the cases, and run none
@@ -61,11 +61,11 @@ struct ConformanceArguments {
   std::filesystem::path captures;  ///< folder for captures of cases that fail; empty for none
 };
 
-/// Where `candela capture` writes, and whose results are expected.
+/// The folder to which `candela capture` writes, and the device whose results are expected.
 struct CaptureArguments {
   std::filesystem::path folder;
-  std::string expect;         ///< selector of a device; empty: the reference tracer, or the twin of a case
-  double shrinkSeconds = 60;  ///< time for leaving parts of the scene out
+  std::string expect;         ///< selector of a device; empty: the reference tracer, or the host for a case
+  double shrinkSeconds = 60;  ///< time limit for removing parts of the scene
 };
 
 /// A default-constructed object has the default of every option; the option table reads the defaults from it.
@@ -89,9 +89,10 @@ struct Arguments {
   std::string device;    ///< "cpu", or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
-  bool denoise = false;  ///< of a render: its images are denoised, and its films have what that needs
+  bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
   image::DisplayTransform display;
-  std::optional<float> exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: by the image
+  std::optional<float>
+      exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: computed from the image
 
   std::optional<double> noiseThreshold;  ///< relative error at which regions stop; empty: all have the same samples
 

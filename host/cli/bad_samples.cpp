@@ -1,4 +1,4 @@
-// Words the report on bad samples, and builds the commands that replay them.
+// Writes the report on bad samples, and the commands that replay them.
 #include "host/cli/bad_samples.h"
 
 #include <fmt/format.h>

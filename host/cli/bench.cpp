@@ -1,4 +1,4 @@
-// `candela bench`: selects the benchmark, and does the checks common to all benchmarks.
+// `candela bench`: selects the benchmark, and makes the checks that are common to all benchmarks.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// `candela bench compare OLD.json NEW.json`: finds what became slower.
+// `candela bench compare OLD.json NEW.json`: finds slowdowns.
 #include <iostream>
 #include <nlohmann/json.hpp>
 

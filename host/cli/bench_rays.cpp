@@ -1,4 +1,4 @@
-// `candela bench rays`: times rays alone, with every layout of a scene that the device supports.
+// `candela bench rays`: times the tracing of rays, with every node layout that the device supports.
 #include <fmt/format.h>
 
 #include "host/bench/device_tracer.h"

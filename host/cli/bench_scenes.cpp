@@ -56,7 +56,7 @@ bool measureScene(const Arguments& arguments, render::Renderer& renderer, const 
 }  // namespace
 
 ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
-  sweepOver(arguments);  // reports errors before anything is loaded
+  sweepOver(arguments);  // reports errors before any scene is loaded
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;
   report.repeats = arguments.repeats;

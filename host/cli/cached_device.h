@@ -1,4 +1,4 @@
-// A device whose compiled pipelines are kept in the cache folder.
+// A device whose compiled pipelines are stored in the cache folder.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -13,8 +13,8 @@
 namespace candela::cli {
 
 /// Opens the device of `arguments.device` with the pipelines that earlier commands compiled, and stores those of this
-/// command when it is destroyed, unless --no-cache is given. The cache never makes a command fail: whatever prevents
-/// reading or writing is a detail in the log, and the file is left or replaced. Throws NoDeviceError.
+/// command when it is destroyed, unless --no-cache is given. The cache never makes a command fail: if it cannot be
+/// read or written, the log has the reason, and the file is not changed or is replaced. Throws NoDeviceError.
 class CachedDevice {
  public:
   CachedDevice(const Arguments& arguments, const Log& log, const std::vector<std::string>& windowExtensions = {});

@@ -36,12 +36,12 @@ std::optional<vulkan::DeviceInfo> otherDevice(const Arguments& arguments, const 
                   arguments.capture.expect, device.name));
 }
 
-// Options of renders have no meaning for cases.
+// Refuses options of renders for cases.
 void refuseSceneOptions(const Arguments& arguments) {
   for (const std::string& option : arguments.given) {
     static constexpr std::array kOfCases{"--output", "--expect", "--device", "--quiet", "--verbose"};
     if (std::ranges::find(kOfCases, option) != kOfCases.end()) continue;
-    throw UsageError(fmt::format("{} has no meaning for the case {}", option, arguments.files.front()));
+    throw UsageError(fmt::format("{} does not apply to the case {}", option, arguments.files.front()));
   }
 }
 
@@ -112,8 +112,9 @@ void report(const Capture& capture, const Arguments& arguments) {
   const std::string folder = shellQuoted(arguments.capture.folder.string());
   std::cout << capture.title << "\n"
             << (capture.note.empty() ? "" : capture.note + "\n")
-            << (capture.found.empty() ? fmt::format("{} gives the expected values.\n", capture.capturedOn)
-                                      : fmt::format("{} gives other values: {}\n", capture.capturedOn, capture.found))
+            << (capture.found.empty()
+                    ? fmt::format("{} computes the expected values.\n", capture.capturedOn)
+                    : fmt::format("{} computes other values: {}\n", capture.capturedOn, capture.found))
             << fmt::format("To repeat it: cd {} && cc -std=c99 -o reproduce reproduce.c -lvulkan && ./reproduce\n",
                            folder)
             << std::flush;

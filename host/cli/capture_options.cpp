@@ -13,9 +13,9 @@ std::vector<Option> captureOptions() {
          [](auto& a) -> auto& { return a.capture.folder; }),
     valued({"--pixel", kCapture, kGroup, "for a scene: pixel whose sample is captured; 0,0 is the top left"},
            orAbsent(pixelPlace(kMaxSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
-    valued({"--expect", kCapture, kGroup, "expect the bits that another device computes, named as by --device; without this option, what the host computes is expected, with a tolerance for each value"},
+    valued({"--expect", kCapture, kGroup, "expect exactly the values that another device computes, named as for --device (default: the values that the host computes, with a tolerance for each)"},
            text("DEVICE", "a device"), [](auto& a) -> auto& { return a.capture.expect; }),
-    valued({"--shrink-time", kCapture | kConformance, kGroup, "if the device is wrong: time for leaving parts of the scene out that do not matter, or transformations of a variant; 0s: none"},
+    valued({"--shrink-time", kCapture | kConformance, kGroup, "if the device is wrong: time for removing the parts of the scene, or the transformations of a variant, that the failure does not need; 0s: none"},
            duration(0), [](auto& a) -> auto& { return a.capture.shrinkSeconds; }),
   };
 }

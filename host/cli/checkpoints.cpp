@@ -1,4 +1,4 @@
-// Writes films and keeps account of the time.
+// Writes films, and measures the time that this takes.
 #include "host/cli/checkpoints.h"
 
 #include <fmt/format.h>

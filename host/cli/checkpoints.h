@@ -1,4 +1,4 @@
-// Writes the film of a render to its film file, as often as it may.
+// Writes the film of a render to its film file, as often as --checkpoint-every and its cost permit.
 #pragma once
 #include <filesystem>
 
@@ -12,8 +12,9 @@ namespace candela::cli {
 
 class Checkpoints {
  public:
-  /// `scene` outlives the object. `header` is that of the film without what setContent() sets, `firstSample` that of
-  /// its pixels, `before` the work of earlier runs. `every` is the minimum time between two writes in seconds.
+  /// `scene` outlives the object. `header` is that of the film, without the members that setContent() sets,
+  /// `firstSample` is the first sample of its pixels, `before` the work of earlier runs. `every` is the minimum time
+  /// between two writes in seconds.
   Checkpoints(const scene::Scene& scene, std::filesystem::path file, double every, film::FilmHeader header,
               std::uint32_t firstSample, film::WorkReport before, const Log& log);
 
@@ -21,13 +22,14 @@ class Checkpoints {
   /// render was stopped for it: everything since then counts as its cost. Returns false, with a message in the log, if
   /// that fails; then the file has its old content.
   bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
-  /// Goes on after a failure of the device: `header` is that of the film from now on, and `lost` the work of the
-  /// session that failed.
+  /// Continues after a failure of the device: `header` is that of the film from now on, and `lost` the work of
+  /// the session that failed.
   void goOn(film::FilmHeader header, const film::WorkReport& lost);
-  /// When the film is to be written again, a time of monotonicSeconds(): so that all writes together take at most 1 %
-  /// of the time if the next one takes as long as the last. The cost of the first is not known before.
+  /// The time of the next write, in terms of monotonicSeconds(). It is chosen such that all writes together take at
+  /// most 1 % of the time if the next one takes as long as the last. The cost of the first write is not known in
+  /// advance.
   double nextWrite() const { return nextWrite_; }
-  /// The work that went into the film, all runs together, as last written.
+  /// Returns the work of all runs on the film, as last written.
   const film::WorkReport& work() const { return work_; }
 
  private:

@@ -12,10 +12,10 @@ std::span<const CommandInfo> commandTable() {
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
       {Command::view, "view", "view SCENE",
-       "show a scene in a window, while it is rendered by a device, the reference or both", "scene", 1, 1, runView},
+       "show a scene in a window while a device, the reference tracer or both render it", "scene", 1, 1, runView},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
       {Command::doctor, "doctor", "doctor",
-       "say whether renders work on this machine, what is wrong with it, and how to fix it", "", 0, 0, runDoctor},
+       "check whether this machine can render, and report what is wrong and how to fix it", "", 0, 0, runDoctor},
       {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1, kAnyNumber,
        runCheck},
       {Command::compare, "compare", "compare A B | SCENE",
@@ -30,17 +30,16 @@ std::span<const CommandInfo> commandTable() {
        "trace one sample on a device and on the reference tracer, and show where the paths diverge", "scene", 1, 1,
        runExplain},
       {Command::capture, "capture", "capture SCENE | CASE -o FOLDER",
-       "write a C program with the shader, the data and the expected results of one sample of a scene, or of a case of "
-       "`candela conformance`",
+       "write a C program that repeats one sample of a scene, or one case of `candela conformance`, with its shaders, "
+       "data and expected results",
        "scene or case", 1, 1, runCapture},
       {Command::generate, "generate", "generate KIND",
        "write a procedural scene; `candela generate --help` lists the kinds", "kind", 1, 1, runGenerate},
       {Command::boxes, "boxes", "boxes SCENE", "write the boxes of a scene's BVH as a scene", "scene", 1, 1, runBoxes},
       {Command::film, "film", "film FILE", "describe a film file, or make pictures of it without rendering",
        "film file", 1, 1, runFilm},
-      {Command::denoise, "denoise", "denoise FILE -o FILE", "make denoised pictures of a film file", "film file", 1, 1,
-       runDenoise},
-      {Command::merge, "merge", "merge FILM... -o FILE", "add films of parts of a render", "film file", 1, kAnyNumber,
+      {Command::denoise, "denoise", "denoise FILE -o FILE", "denoise a film file", "film file", 1, 1, runDenoise},
+      {Command::merge, "merge", "merge FILM... -o FILE", "merge films of parts of a render", "film file", 1, kAnyNumber,
        runMerge},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
        "time renders of scenes, acceleration structures (table1: on the built-in scenes mirror and balls) or rays "
@@ -49,8 +48,8 @@ std::span<const CommandInfo> commandTable() {
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,
        kAnyNumber, runTune},
-      {Command::report, "report", "report RESULTS.json...", "compare devices by the results of the kit", "results file",
-       1, kAnyNumber, runReport},
+      {Command::report, "report", "report RESULTS.json...",
+       "compare devices by the results that the kit measured on them", "results file", 1, kAnyNumber, runReport},
   }};
   return table;
 }

@@ -23,7 +23,7 @@ struct CommandInfo {
 std::span<const CommandInfo> commandTable();
 const CommandInfo& commandInfo(Command command);
 
-// Each command has a file of its own. Commands return an exit code for results (done, differ, interrupted, invalid
+// Each command has a separate file. Commands return an exit code for results (done, differ, interrupted, invalid
 // scenes) and throw Error if there is no result.
 ExitCode runRender(const Arguments& arguments, const Log& log);
 ExitCode runDevices(const Arguments& arguments, const Log& log);

@@ -1,4 +1,4 @@
-// `candela conformance`: asks a device many small questions, each in a child process.
+// `candela conformance`: runs many small cases on a device, each in a child process.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void printNames(const Cases& cases) {
   std::cout << std::flush;
 }
 
-// A driver that crashes while it lists its devices ends a child alone.
+// A driver that crashes while it lists its devices ends only a child process.
 vulkan::DeviceInfo deviceFor(const std::string& selector) {
   const doctor::ListedDevices listed = doctor::listAllDevices();
   if (!listed.failure.empty()) {
@@ -82,8 +82,8 @@ void requireWritableOutputs(const Arguments& arguments) {
 ExitCode runConformance(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the cases ask a Vulkan driver, which the reference tracer is not; choose a Vulkan device (see "
-        "candela devices)");
+        "--device cpu: the cases test a Vulkan driver, which the reference tracer does not use; choose a Vulkan device "
+        "(see candela devices)");
   }
   const Cases cases = chosenCases(arguments.conformance);
   if (arguments.conformance.list) {

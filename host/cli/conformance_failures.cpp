@@ -25,7 +25,7 @@ const Case& caseNamed(const Cases& cases, const std::string& name) {
   return *std::ranges::find(cases, name, &Case::name);
 }
 
-// A driver that crashes ends a child alone.
+// A driver that crashes ends only a child process.
 void captureFailure(const Case& question, const vulkan::DeviceInfo& device, const std::filesystem::path& folder,
                     const Log& log) {
   const process::ChildResult result = process::runInChild(kCaptureLimit, [&] {
@@ -35,7 +35,7 @@ void captureFailure(const Case& question, const vulkan::DeviceInfo& device, cons
   if (result.failure.empty()) {
     log.note(fmt::format("{}: captured in {}", question.name, (folder / question.name).string()));
   } else {
-    log.warning(fmt::format("{}: capturing it {}", question.name, result.failure));
+    log.warning(fmt::format("{}: the process that captures it {}", question.name, result.failure));
   }
 }
 

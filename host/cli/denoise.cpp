@@ -1,4 +1,4 @@
-// `candela denoise`: makes denoised pictures of a film file.
+// `candela denoise`: denoises a film file.
 #include <fmt/format.h>
 
 #include "host/cli/commands.h"
@@ -22,7 +22,7 @@ void requireStatisticsOf(const film::FilmReader& reader, const image::Film& film
 }  // namespace
 
 ExitCode runDenoise(const Arguments& arguments, const Log& log) {
-  if (arguments.outputs.empty()) throw UsageError("candela denoise: state the image to write with -o FILE");
+  if (arguments.outputs.empty()) throw UsageError("no output given: name an image file with -o FILE");
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   film::FilmReader reader(arguments.files.front());
   const image::Film film = film::readFilm(reader);

@@ -13,17 +13,17 @@
 namespace candela::cli {
 namespace {
 
-// The image joins those whose light is biased on purpose, which verdicts refuse.
+// The image is marked as biased on purpose, so that verdicts refuse it.
 void noteBias(image::Image& image) {
   std::string& bias = image.metadata[verify::kBiasMetadata];
   bias += (bias.empty() ? "" : "; ") + std::string("denoised: neighbours are averaged");
 }
 
-// A finished render is not lost with its device: the host goes on.
+// A finished render is not lost with its device: the host denoises it instead.
 std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
                                       const Log& log) {
   const auto filterOnHost = [&](const Error& error) {
-    log.warning(fmt::format("{}; the host denoises the image instead", error.what()));
+    log.warning(fmt::format("{}; the image is denoised on the host instead", error.what()));
     return filterByReference(statistics);
   };
   CachedDevice cached(arguments, log);
@@ -45,7 +45,7 @@ void requireDenoisable(const Arguments& arguments) {
 
 void requireDenoisable(const RenderJob& job) {
   if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
-  throw UsageError("--denoise needs at least two samples per pixel; state --spp 2 or more");
+  throw UsageError("--denoise needs at least two samples per pixel; use --spp 2 or more");
 }
 
 Arguments withDenoiseLayers(Arguments arguments) {

@@ -1,4 +1,4 @@
-// Counts failures and words the advice.
+// Counts failures, and writes their messages.
 #include "host/cli/device_failures.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ bool is(const Error& error) {
   return dynamic_cast<const T*>(&error) != nullptr;
 }
 
-// A driver that resets its device needs a moment, above all after the second failure in a row.
+// A driver that resets its device needs time, especially after the second consecutive failure.
 std::chrono::milliseconds pauseBefore(int attempt) {
   return std::chrono::milliseconds(attempt == 1 ? 0 : 500 * attempt);
 }
@@ -57,13 +57,14 @@ std::string DeviceFailures::explain(const Error& error, const std::string& film)
   std::string text = error.what();
   if (count_ > 0) text += fmt::format("; opening the device again {} times did not help", count_);
   if (!film.empty()) {
-    text += fmt::format("; {} has the samples so far: the same command with --resume {} goes on", film,
+    text += fmt::format("; {} contains the samples so far: run the same command with --resume {} to continue", film,
                         shellQuoted(film));
   }
   text += is<OutOfMemoryError>(error)
               ? "; close other programs that use the device, or render a smaller --size or --crop"
               : "; candela doctor checks the device and its driver";
-  if (job_.arguments.fallback == Fallback::none) text += ", and --fallback cpu finishes on the reference tracer";
+  if (job_.arguments.fallback == Fallback::none)
+    text += ", and --fallback cpu lets the reference tracer finish the render";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// Decides whether a render whose device fails tries again, goes on without the device, or ends.
+// Decides whether a render whose device fails tries again, continues without the device, or ends.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,8 +14,8 @@ class DeviceFailures {
   /// Both must outlive the object.
   DeviceFailures(const RenderJob& job, const Log& log) : job_(job), log_(log) {}
 
-  /// Whether opening the device again may help: it was lost, or memory ran out; after a first failure, also if it is
-  /// not found any more. Not for devices that hang, which cannot be opened again while they do.
+  /// Returns whether opening the device again may help: it was lost, or memory ran out; after a first failure, also if
+  /// it is not found any more. Not for devices that hang, which cannot be opened again while they do.
   bool isOne(const Error& error) const;
   /// Counts a failure. Returns whether the device is to be opened again, after a pause that grows with each failure,
   /// and says so; at most three times in all.
@@ -27,7 +27,7 @@ class DeviceFailures {
 
   /// The exit code of a render that ends by `error`: ExitCode::deviceLost or outOfMemory.
   static ExitCode codeOf(const Error& error);
-  /// The cause, and what to do next. `film` is the file that has the samples so far; empty if there is none.
+  /// Returns the cause and the remedy. `film` is the file that contains the samples so far; empty if there is none.
   std::string explain(const Error& error, const std::string& film) const;
 
  private:

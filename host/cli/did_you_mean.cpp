@@ -1,4 +1,4 @@
-// Words the suggestion for a mistyped word.
+// Writes the suggestion for a mistyped word.
 #include "host/cli/did_you_mean.h"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 namespace candela::cli {
 
 /// Returns the transform of the options; without --tonemap, depths and costs get their false colours, scaled to the
-/// image. `--exposure auto` is that of the image, and 0 for false colours.
+/// image. `--exposure auto` is computed from the image, and is 0 for false colours.
 image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image);
 
 /// Returns a false colour with its scale, as metadata: "heat, scale 213".

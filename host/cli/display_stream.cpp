@@ -1,4 +1,4 @@
-// Divides images into tiles, and sends those that differ from what the server has.
+// Divides images into tiles, and sends those that have changed.
 #include "host/cli/display_stream.h"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ DisplayStream::DisplayStream(const ServerAddress& address, std::string name, con
   try {
     server_.emplace(address);
   } catch (const FileError& error) {
-    log_.warning(fmt::format("--display-server {}; the render goes on without it", error.what()));
+    log_.warning(fmt::format("--display-server {}; the render continues without it", error.what()));
   }
 }
 
@@ -71,7 +71,7 @@ void DisplayStream::show(const image::Image& image) {
   try {
     send(image);
   } catch (const FileError& error) {
-    log_.warning(fmt::format("--display-server {}; the render goes on without it", error.what()));
+    log_.warning(fmt::format("--display-server {}; the render continues without it", error.what()));
     server_.reset();
   }
 }

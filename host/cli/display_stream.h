@@ -11,13 +11,13 @@
 namespace candela::cli {
 
 /// Streams the channels of an image to tev. A server that cannot be reached, or fails later, is a warning: the render
-/// goes on without it.
+/// continues without it.
 class DisplayStream {
  public:
   /// Connects. `name` is that of the image in the viewer. `log` outlives the object.
   DisplayStream(const ServerAddress& address, std::string name, const Log& log);
 
-  /// Sends the tiles that changed since the last call; all images have the size and the channels of the first.
+  /// Sends the tiles that changed since the last call; all images must have the size and the channels of the first.
   void show(const image::Image& image);
 
  private:

@@ -11,8 +11,8 @@ namespace candela::cli {
 ExitCode runDoctor(const Arguments& arguments, const Log& log) {
   if (arguments.device == "cpu") {
     throw UsageError(
-        "--device cpu: the reference tracer needs nothing that could be wrong; choose a Vulkan device (see candela "
-        "devices)");
+        "--device cpu: the reference tracer needs no driver, so there is nothing to examine; choose a Vulkan device "
+        "(see candela devices)");
   }
   requireWritableReport(arguments.json);
   log.note("examining this machine; a software device may take a minute to compile its kernels");

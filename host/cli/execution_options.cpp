@@ -1,4 +1,4 @@
-// Options that decide how an image is rendered, but not what it shows.
+// Options of the execution of a render, which do not change the image.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -18,7 +18,7 @@ constexpr float kMaxGridDensity = 64;
 std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
-    valued({"--device", kTracing | kTune | kDoctor | kConformance | kDenoise, kGroup, "`cpu` for the reference tracer, or the index or a part of the name of a device in `candela devices`"},
+    valued({"--device", kTracing | kTune | kDoctor | kConformance | kDenoise, kGroup, "device that renders: its index in `candela devices` or a part of its name; `cpu`: the reference tracer"},
            text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "acceleration structure"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),
@@ -42,9 +42,9 @@ std::vector<Option> executionOptions() {
            orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.settings.execution.segmentsPerDispatch; }),
     valued({"--hang-timeout", kTracing | kTune | kDenoise, kGroup, "time after which a device that has not finished its work counts as hung; 0s: never; `auto`: 50 times the longest dispatch and at least 10 s, or never on devices in software"},
            orAbsent(duration(0), "auto"), [](auto& a) -> auto& { return a.hangTimeout; }),
-    valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails for good: `cpu` for the reference tracer, which marks the film as mixed"},
+    valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails permanently; `cpu`: the reference tracer, and the film is marked as mixed"},
            choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
-    valued({"--memory", kReadingScenes | kFilm | kMerge | kDenoise, kGroup, "memory that may be used; what needs more is refused before it is allocated"},
+    valued({"--memory", kReadingScenes | kFilm | kMerge | kDenoise, kGroup, "maximum memory to use; work that needs more is refused before memory is allocated"},
            orAbsent(byteCount(), "the machine's"), [](auto& a) -> auto& { return a.memory; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
     flag({"--no-cache", kTracing | kTune | kDenoise, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},

@@ -16,12 +16,12 @@ struct FilmDescription {
   std::uint64_t badSamples = 0;
   std::vector<film::SampleBox> missing;  ///< of the image
   film::WorkReport work;
-  std::optional<std::string> adaptive{};     ///< numbers of samples of adaptive sampling, in words
+  std::optional<std::string> adaptive{};     ///< statistics of adaptive sampling, as text
   nlohmann::ordered_json adaptiveFigures{};  ///< see adaptiveJson()
 };
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work);
-/// With the report of the work beside the file.
+/// Includes the report of the work beside the file.
 FilmDescription describe(const film::FilmReader& reader, const image::Film& film);
 
 std::string toText(const FilmDescription& description);

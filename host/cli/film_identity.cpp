@@ -16,8 +16,8 @@
 namespace candela::cli {
 namespace {
 
-// Size, samples and seed are members of the header. Where files may lie does not change what is read, and the scene's
-// hash covers the environment.
+// Size, samples and seed are members of the header. The folders that files may be in do not change what is read, and
+// the scene's hash covers the environment.
 bool isSetting(const Option& option) {
   const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
   const std::string name = option.name();
@@ -31,8 +31,8 @@ std::string structureText(const RenderJob& job, const render::RenderStatistics& 
                      statistics.bvhQuality, statistics.layout, job.settings.structure.gridDensity);
 }
 
-// Films that were begun before there were these options go on without them, so that films note them only where they
-// are not the default.
+// Films of versions without these options can be resumed, because films record these options only if they do not
+// have their defaults.
 constexpr std::array<std::string_view, 3> kLateSettings{"--background", "--noise-threshold", "--aov-through-specular"};
 
 std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
@@ -50,7 +50,8 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
   return settings;
 }
 
-// Why a film that was begun with another number of samples per pixel cannot go on to that of the job, as a clause.
+// Returns the reason, as a clause, why a film with another number of samples per pixel cannot be resumed by the job;
+// null: it can.
 const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
   render::ImageSettings before = job.settings.image;
   before.sampleCount = begunWith;
@@ -61,7 +62,7 @@ const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
   return nullptr;
 }
 
-// A film may go on to another --spp where its samples do not depend on it.
+// A film may be resumed with another --spp if its samples do not depend on it.
 void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
   const std::uint32_t wanted = job.settings.image.sampleCount;
   if (film.samplesPerPixel == wanted) return;
@@ -69,23 +70,23 @@ void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film
   if (why == nullptr) {
     film.samplesPerPixel = wanted;
   } else if (!job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: the film was begun with --spp {}, and cannot go on to --spp {}: {}",
+    throw FileError(fmt::format("{}: the film was started with --spp {}, and cannot be resumed with --spp {}: {}",
                                 reader.file().string(), film.samplesPerPixel, wanted, why));
   }
 }
 
 void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& header) {
   if (film.header().window == header.window) return;
-  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; state --crop {}",
-                              film.file().string(), render::windowText(film.header().window),
-                              render::windowText(header.window), render::windowText(film.header().window)));
+  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; use --crop {}", film.file().string(),
+                              render::windowText(film.header().window), render::windowText(header.window),
+                              render::windowText(film.header().window)));
 }
 
 // Sums that samples did not add cannot be computed later, whatever the user accepts.
 void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
   if (film.header().layers == header.layers) return;
   const std::string layers = layerText(film.header().layers);
-  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; state --aov {}", film.file().string(),
+  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
                               layers, layerText(header.layers), layers));
 }
 
@@ -95,21 +96,21 @@ void insertSorted(std::vector<T>& items, const T& item) {
   if (place == items.end() || *place != item) items.insert(place, item);
 }
 
-// The first sample of a film that samples can be appended to.
+// Returns the first sample of a film, which must be one that samples can be appended to.
 std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range) {
   const film::FilmHeader& film = reader.header();
   if (film.covered.empty() && film.begun.empty()) return std::nullopt;
   const std::optional<std::uint32_t> first = film::firstSampleOf(film);
   if (!first) {
     throw FileError(
-        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts by "
-                    "themselves, and merge them",
+        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts separately, "
+                    "and merge them",
                     reader.file().string()));
   }
   const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
   if (range.first == *first && range.end >= next) return first;
   throw FileError(
-      fmt::format("{}: the film starts at sample {} and goes to {}, and the render has samples {}:{}; state "
+      fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
                   "--samples {}:N",
                   reader.file().string(), *first, next, range.first, range.end, *first));
 }
@@ -152,7 +153,7 @@ render::SampleRange samplesOf(const RenderJob& job) {
   const std::uint32_t total = job.settings.image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
   if (range.end <= total) return range;
-  throw UsageError(fmt::format("--samples {}:{} goes beyond the {} samples per pixel; state the total with --spp",
+  throw UsageError(fmt::format("--samples {}:{} exceeds the {} samples per pixel; set the total with --spp",
                                range.first, range.end, total));
 }
 
@@ -167,7 +168,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
     differences.insert(differences.end(), more.begin(), more.end());
   }
   if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; --resume-anyway goes on all the same, and marks the film as mixed",
+    throw FileError(fmt::format("{}: {}; --resume-anyway resumes nevertheless, and marks the film as mixed",
                                 reader.file().string(), differences.front()));
   }
   for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);

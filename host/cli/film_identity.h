@@ -1,4 +1,4 @@
-// Describes a render in its film file, and decides whether a render can go on from a film file.
+// Describes a render in its film file, and decides whether a render can resume a film file.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace candela::cli {
 
-/// The header of the film of a job, without samples. `statistics` are those of the prepared session.
+/// Returns the header of the film of a job, without samples. `statistics` are those of the prepared session.
 film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics);
 
 /// Sets the parts of the header that depend on the samples: the coverage of a film whose pixels hold consecutive
 /// samples from `first` on, and the names of its mattes.
 void setContent(film::FilmHeader& header, const image::Film& film, const scene::Scene& scene, std::uint32_t first);
 
-/// Adapts the header of a film to another session that goes on with it after the device failed: `now` is that of the
-/// session. Throws DeviceLostError if the session's device or driver is another one, unless `mayDiffer`; then the film
+/// Adapts the header of a film to another session that continues it after the device failed: `now` is that of the
+/// session. Throws DeviceLostError if the session's device or driver differs, unless `mayDiffer`; then the film
 /// is marked as mixed.
 void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer);
 
-/// The samples of each pixel that a job renders. Throws UsageError if --samples goes beyond --spp.
+/// Returns the samples of each pixel that a job renders. Throws UsageError if --samples exceeds --spp.
 render::SampleRange samplesOf(const RenderJob& job);
 
 /// Adapts the header of a job to that of the film that it resumes: a film that differs is refused with FileError, which

@@ -9,7 +9,7 @@
 
 namespace candela::cli {
 
-/// Reports the share of a range of samples that is done, samples of earlier runs included.
+/// Reports the fraction of a range of samples that is done, including samples of earlier runs.
 class FilmProgress {
  public:
   /// `report` gets the fraction and the number of samples that this process has traced.

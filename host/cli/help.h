@@ -7,8 +7,8 @@
 
 namespace candela::cli {
 
-/// Returns usage, options and exit codes of one command, or of all commands (quoted in README). Lines have at most 100
-/// columns.
+/// Returns usage, options and exit codes of one command, or of all commands (quoted in docs/command-line.md). Lines
+/// have at most 100 columns.
 std::string helpText(std::optional<Command> command);
 
 }  // namespace candela::cli

@@ -1,4 +1,4 @@
-// The titles and meanings.
+// The titles of groups of options, and the meanings of exit codes.
 #include "host/cli/help_sections.h"
 
 #include <array>

@@ -15,7 +15,8 @@ std::string toleranceText(const ImageVerdict& verdict) {
                      *verdict.tolerance);
 }
 
-// Whether the image has what the test needs, or lost it because its light was changed on purpose.
+// Returns whether the image has the statistics that the test needs, or lost them because its light was changed on
+// purpose.
 bool isMeasurement(const image::Image& image) {
   return verify::carriesVariance(image) || image.metadata.contains(verify::kBiasMetadata);
 }

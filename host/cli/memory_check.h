@@ -21,7 +21,7 @@ struct MemoryNeed {
 /// `arguments` are resolved (see resolveRequests).
 MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments);
 
-/// Throws OutOfMemoryError, with the sizes and what would help, if that exceeds the memory budget.
+/// Throws OutOfMemoryError, with the sizes and a remedy, if that exceeds the memory budget.
 void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments);
 
 }  // namespace candela::cli

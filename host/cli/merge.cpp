@@ -1,4 +1,4 @@
-// `candela merge`: adds films of parts of a render.
+// `candela merge`: merges films of parts of a render.
 #include "host/film/merge.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// The table of all options. A name may have several rows, each for other commands. Parsing, help, README's block, the
-// settings in reports and the commands that replay a sample are derived from this table.
+// The table of all options. A name may have several rows, each for other commands. Parsing, help, manual pages,
+// completions, the settings in reports and the commands that replay a sample are derived from this table.
 #pragma once
 #include <functional>
 #include <string>

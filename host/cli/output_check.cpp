@@ -57,8 +57,7 @@ void requireCheckpoint(const Arguments& arguments) {
   }
   if (!arguments.resume.empty() && std::filesystem::equivalent(file, arguments.resume, ignored)) return;
   throw FileError(
-      fmt::format("{}: the file exists, and its samples would be lost; go on from it with --resume {}, or "
-                  "remove it",
+      fmt::format("{}: the file exists, and its samples would be lost; continue it with --resume {}, or remove it",
                   file.string(), file.string()));
 }
 

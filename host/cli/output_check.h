@@ -12,9 +12,9 @@ void requireWritableFile(const std::filesystem::path& file);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
 /// Throws UsageError if a file that the command writes is one that it reads. `merge` may replace one of its films, and
-/// a render the film that it goes on from.
+/// a render the film that it resumes.
 void requireSeparateFiles(const Arguments& arguments);
-/// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not go on
+/// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not continue
 /// from it: its samples are not to be lost.
 void requireCheckpoint(const Arguments& arguments);
 /// Throws UsageError if layers (--aov) are requested and there is no EXR or film file, and no display

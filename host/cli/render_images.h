@@ -14,7 +14,7 @@ using Metadata = std::map<std::string, std::string>;
 
 /// Returns the metadata of an image file, which describe how it was rendered.
 Metadata metadataOf(const RenderJob& job, const render::RenderResult& result);
-/// Returns what the header of a film file says of that.
+/// Returns the same from the header of a film file.
 Metadata metadataOf(const film::FilmHeader& header, const image::Film& film);
 
 /// Returns the means of a film with these metadata, and with alpha if the film has it.

@@ -83,7 +83,7 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
   if (settings.image.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
   log.warning(
-      "the scene has no point light, and --integrator whitted ignores all others: surfaces show only their own "
+      "the scene has no point light, and --integrator whitted ignores all other lights: surfaces show only their own "
       "emission");
 }
 
@@ -158,13 +158,13 @@ void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
   if (statistics.structure == render::AccelKind::grid) {
     throw FileError(
-        fmt::format("the device stopped {} traversals of the grid before their end, so the image would be wrong and is "
-                    "not written; use --accel bvh",
+        fmt::format("the device stopped {} traversals of the grid early, so the image would be wrong and is not "
+                    "written; use --accel bvh",
                     statistics.truncated));
   }
   throw InternalError(
-      fmt::format("{} loops ended before their work was done, so the image would be wrong and is not written; "
-                  "a smaller --segments-per-dispatch or another --accel may help",
+      fmt::format("the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
+                  "--segments-per-dispatch or another --accel may help",
                   statistics.truncated));
 }
 

@@ -18,16 +18,16 @@ class RenderWatch {
 
   /// Becomes true when there is something to do.
   const std::atomic<bool>& stop() const { return stop_; }
-  /// Whether the render is to end before it is finished.
+  /// Returns whether the render has to end before it is finished.
   bool mustEnd() const { return isInterrupted() || isTimeUp(); }
   bool isTimeUp() const { return monotonicSeconds() >= deadline_; }
-  /// Lets the render go on. A request to write from this call on counts as new.
+  /// Lets the render continue. A request to write from this call on counts as new.
   void goOn();
   /// The film is to be written at `time`, of monotonicSeconds().
   void writeAt(double time);
   /// The film is to be shown at `time`, of monotonicSeconds().
   void showAt(double time);
-  /// Whether the film is to be written, by request or by its time.
+  /// Returns whether the film has to be written, by request or because its time has come.
   bool mustWrite() const;
 
  private:

@@ -1,4 +1,4 @@
-// Refuses comparisons without a sense.
+// Refuses comparisons that make no sense.
 #include "host/cli/requirements.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 namespace candela::cli {
 
-/// Each throws UsageError, with an alternative, if the arguments ask a command for something without a sense. None
+/// Each throws UsageError, with an alternative, if the arguments request something that makes no sense. None
 /// needs the scene.
 void requireVerifiable(const Arguments& arguments);
 void requireComparable(const Arguments& arguments);

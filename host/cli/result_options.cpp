@@ -1,4 +1,4 @@
-// Options of what is done with an image or a film: files, comparison, verification and explanation.
+// Options of the results of renders: image and film files, comparison, verification and explanation.
 #include <fmt/ranges.h>
 
 #include "host/cli/option_groups.h"
@@ -23,15 +23,15 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--aov", kRender | kView, kGroup, fmt::format("layers that EXR files and films get beside the image, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
+    valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.settings.image.layers; }),
-    valued({"--display-server", kRender, kGroup, "show the image in the viewer tev, which listens there, while it is rendered (tev's port: 14158)"},
+    valued({"--display-server", kRender, kGroup, "show the image, while it is rendered, in the viewer tev at this address (tev's default port: 14158)"},
            orAbsent(serverAddress(), "none"), [](auto& a) -> auto& { return a.displayServer; }),
-    flag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels; a film of --checkpoint is not denoised, and gets what `candela denoise` needs"},
+    flag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels; the film of --checkpoint is stored without denoising, with the sums that `candela denoise` needs"},
          [](auto& a) -> auto& { return a.denoise; }),
     valued({"--tonemap", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
-    valued({"--exposure", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "exposure of 8-bit files and of FLIP in EV; each doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
+    valued({"--exposure", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "exposure of 8-bit files and of FLIP in stops; each stop doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},
            orAbsent(realNumber<float>("STOPS", -64, 64), "auto"), [](auto& a) -> auto& { return a.exposure; }),
   };
 }
@@ -39,11 +39,11 @@ std::vector<Option> outputOptions() {
 std::vector<Option> filmOptions() {
   constexpr OptionGroup kGroup = OptionGroup::film;
   return {
-    path({"--checkpoint", kRender, kGroup, "film file that the render can go on from: written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.checkpoint; }),
+    path({"--checkpoint", kRender, kGroup, "film file from which the render can be resumed; written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.checkpoint; }),
     valued({"--checkpoint-every", kRender, kGroup, "minimum time between two writes of the film, which also take at most 1 % of the time"},
            duration(0), [](auto& a) -> auto& { return a.checkpointEvery; }),
-    path({"--resume", kRender, kGroup, "go on from a film file, up to --spp"}, "FILE", [](auto& a) -> auto& { return a.resume; }),
-    flag({"--resume-anyway", kRender, kGroup, "go on although scene, settings or device differ; the film is marked as mixed"},
+    path({"--resume", kRender, kGroup, "resume the render of a film file, up to --spp samples per pixel"}, "FILE", [](auto& a) -> auto& { return a.resume; }),
+    flag({"--resume-anyway", kRender, kGroup, "resume although scene, settings or device differ; the film is marked as mixed"},
          [](auto& a) -> auto& { return a.resumeAnyway; }),
     valued({"--time-limit", kRender, kGroup, "stop after this time, as Ctrl-C does"},
            orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.timeLimit; }),
@@ -79,7 +79,7 @@ std::vector<Option> verificationOptions() {
            orAbsent(share("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
-    valued({"--time-limit", kVerify, kGroup, "do not start another look at the images after this time"},
+    valued({"--time-limit", kVerify, kGroup, "do not start another test of the images after this time"},
            orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify | kConformance, kGroup, "write the results as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),

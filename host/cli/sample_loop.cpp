@@ -1,4 +1,4 @@
-// Advances a session, and asks the plan of adaptive sampling what comes next.
+// Advances a session by the steps that the plan of adaptive sampling returns.
 #include "host/cli/sample_loop.h"
 
 namespace candela::cli {

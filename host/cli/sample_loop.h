@@ -14,7 +14,7 @@ namespace candela::cli {
 /// The loop around one session, which stops where the watch says so.
 class SampleLoop {
  public:
-  /// `pause` is called whenever the watch wants something, and is told whether the film must be written. The arguments
+  /// `pause` is called whenever the watch requests a pause, with whether the film must be written. The arguments
   /// must outlive the object.
   SampleLoop(render::Session& session, RenderWatch& watch, std::function<void(bool mustWrite)> pause)
       : session_(session), watch_(watch), pause_(std::move(pause)) {}
@@ -22,7 +22,7 @@ class SampleLoop {
   /// Traces these samples of all pixels that the session does not leave out. Returns false if the render is
   /// interrupted.
   bool trace(const render::SampleRange& range, FilmProgress& progress);
-  /// Traces as many samples as the plan asks for, of `maxSamples`. Returns false if the render is interrupted.
+  /// Traces as many of `maxSamples` samples as the plan requires. Returns false if the render is interrupted.
   bool traceAdaptively(const render::AdaptivePlan& plan, std::uint32_t maxSamples, FilmProgress& progress);
 
   /// Returns the film that may be stored now.

@@ -1,4 +1,4 @@
-// Options that decide what is rendered: those of the image, and those of the scene file.
+// Options that decide the image, and options of the scene file.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -59,13 +59,13 @@ std::vector<Option> imageOptions() {
            choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.settings.image.pixelOrigin; }),
     valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.settings.image.lightSize; }),
-    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "maximum of what light that was scattered twice or more contributes to a sample, against fireflies; the image is then too dark, and says so; `off`: unbiased"},
+    valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "limit of each contribution of light that was scattered twice or more, to suppress fireflies; the image becomes too dark, and its files say so; `off`: unbiased"},
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.settings.image.indirectLimit; }),
-    valued({"--background", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "what camera rays see where they hit nothing: `env`: what lights the scene (environment, sky or background colour); `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light stays the same"},
+    valued({"--background", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "what camera rays see where they hit nothing; `env`: the environment, sky or background colour that lights the scene; `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light on surfaces stays the same"},
            choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.settings.image.backdrop; }),
-    flag({"--aov-through-specular", kRender | kView, kGroup, "layers show the first hit that is neither a perfect mirror nor glass; the parts of the light stay as they are"},
+    flag({"--aov-through-specular", kRender | kView, kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
          [](auto& a) -> auto& { return a.settings.image.layersThroughSpecular; }),
-    valued({"--noise-threshold", kRender, kGroup, "sample adaptively: stop where the estimated relative error of a pixel is at most T, for example 0.2; --spp is the maximum; `off`: --spp samples everywhere"},
+    valued({"--noise-threshold", kRender, kGroup, "sample adaptively: stop sampling a pixel when its estimated relative error is at most T, for example 0.2; --spp is the maximum number of samples; `off`: --spp samples everywhere"},
            orAbsent(realNumber<double>("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.noiseThreshold; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),

@@ -160,11 +160,12 @@ std::string toText(const RenderReport& report) {
 void reportFlaws(const RenderReport& report, const Log& log) {
   for (const std::string& line : badSampleLines(report.badSamples, report.job)) log.problem(line);
   if (const std::uint64_t faults = report.result.statistics.volumeFaults; faults > 0) {
-    log.warning(fmt::format("{} rays found volumes that are open or overlap; absorption is wrong there", faults));
+    log.warning(
+        fmt::format("{} rays hit volumes that are not closed or that overlap; absorption is wrong there", faults));
   }
   if (const std::uint64_t count = badLayerCount(report.result.film); count > 0) {
     log.warning(
-        fmt::format("{} samples have values of layers that are not finite or above 2^20, which are limited", count));
+        fmt::format("{} samples have layer values that are not finite or above 2^20; these were clamped", count));
   }
 }
 

@@ -1,4 +1,4 @@
-// Options of bench, tune and the commands that write scenes, and those that all commands share.
+// Options of bench, tune, view and the commands that write scenes, and options of all commands.
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -20,9 +20,9 @@ std::vector<Option> benchmarkOptions() {
   return {
     valued({"--repeat", kBench | kTune, kGroup, "runs of each variant, interleaved; the median is reported"},
            wholeNumber(1, kMaxRepeats), [](auto& a) -> auto& { return a.repeats; }),
-    paths({"--sweep", kBench, kGroup, "for scenes: measure each value of an option (named without its dashes); repeatable, for all combinations"}, "NAME=V,V,...",
+    paths({"--sweep", kBench, kGroup, "for scenes: measure each of these values of an option (named without its dashes); if repeated, all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
-    valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row may lose"},
+    valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row of the report may lose"},
            share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued({"--markdown", kBench | kTune | kReport, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
@@ -57,9 +57,9 @@ std::vector<Option> generationOptions() {
 std::vector<Option> viewingOptions() {
   constexpr OptionGroup kGroup = OptionGroup::viewing;
   return {
-    valued({"--spp", kView, kGroup, "samples per pixel after which the picture is finished; 0: one ray through the centre of each pixel"},
+    valued({"--spp", kView, kGroup, "samples per pixel of the finished picture; 0: one ray through the centre of each pixel"},
            orAbsent(wholeNumber(0, kMaxSamples), "4096"), [](auto& a) -> auto& { return a.sampleCount; }),
-    valued({"--show", kView, kGroup, "what the window shows first: a tracer, both with a divider, or their difference"},
+    valued({"--show", kView, kGroup, "what the window shows first: the image of one tracer, both images side by side, or their difference"},
            choice(kModes), [](auto& a) -> auto& { return a.viewMode; }),
   };
 }
@@ -70,7 +70,7 @@ std::vector<Option> generalOptions() {
     flag({"--stats", kRender, kGroup, "print times, numbers of rays and the settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
     valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
-    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with 3 if a sample is not finite, negative or too bright; files are still written"},
+    flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with code 3 if a sample is not finite, negative or too bright; files are still written"},
          [](auto& a) -> auto& { return a.strict; }),
     path({"--report", kCompare | kVerify, kGroup, "write an HTML page with the images, maps of their differences, figures and the verdict"}, "FILE",
          [](auto& a) -> auto& { return a.report; }),

@@ -1,4 +1,5 @@
-// The loop around a session: advance until something is to be done, do it, go on. A device that fails is opened again.
+// The loop around a session: it advances until the film must be written or the render must end. A device that fails is
+// opened again.
 #include "host/cli/trace_film.h"
 
 #include <fmt/format.h>
@@ -20,13 +21,13 @@
 namespace candela::cli {
 namespace {
 
-// The state from which a render goes on: the first sample that it traces, and the work of earlier runs.
+// The state from which a render continues: the first sample that it traces, and the work of earlier runs.
 struct Inheritance {
   std::uint32_t firstSample = 0;
   film::WorkReport work;
 };
 
-// Checks what the scene and the options tell before the session is prepared, which takes time.
+// Checks the scene and the options before the session is prepared, which takes time.
 std::optional<film::FilmReader> openFilm(const RenderJob& job) {
   if (job.arguments.resume.empty()) return std::nullopt;
   return film::FilmReader(job.arguments.resume);
@@ -39,10 +40,10 @@ std::uint64_t sampleCount(const image::Film& film) {
 }
 
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
-  if (watch.isTimeUp()) log.note("--time-limit: the time is up");
+  if (watch.isTimeUp()) log.note("--time-limit: the time limit is reached");
   if (job.arguments.checkpoint.empty()) return;
   const std::string file = shellQuoted(job.arguments.checkpoint.string());
-  log.note(fmt::format("the same command with --resume {} goes on", file));
+  log.note(fmt::format("run the same command with --resume {} to continue", file));
 }
 
 double deadlineOf(const RenderJob& job, double start) {
@@ -103,7 +104,7 @@ class FilmTrace {
   std::optional<Checkpoints> checkpoints_;  ///< with --checkpoint, from the first session on
   std::optional<render::Salvage> kept_;     ///< of the last session that failed
   film::WorkReport lost_;                   ///< of all sessions that failed
-  std::uint64_t samplesBefore_ = 0;         ///< in the film that the session went on from
+  std::uint64_t samplesBefore_ = 0;         ///< in the film that the session resumed
   bool isInterrupted_ = false;
   std::optional<SampleLoop> loop_;  ///< around `session_`
 };
@@ -119,7 +120,7 @@ void FilmTrace::load(const image::Film& film) {
   samplesBefore_ = sampleCount(film);
 }
 
-// The first session goes on from the film file, if there is one.
+// The first session resumes the film file, if there is one.
 void FilmTrace::inherit() {
   header_ = filmHeaderOf(job_, session_->statistics());
   inheritance_ = {range_.first, {}};
@@ -130,7 +131,7 @@ void FilmTrace::inherit() {
   if (hasFile()) checkpoints_.emplace(checkpointsAt(job_.arguments.checkpoint));
 }
 
-// Later sessions go on from the film of the one before.
+// Later sessions continue the film of the previous one.
 void FilmTrace::goOn() {
   const film::FilmHeader now = filmHeaderOf(job_, session_->statistics());
   if (sampleCount(kept_->film) == 0) {
@@ -282,7 +283,7 @@ TracedFilm FilmTrace::giveUp(const Error& error) {
   return traced;
 }
 
-// Returns nothing if the render goes on.
+// Returns nothing if the render continues.
 std::optional<TracedFilm> FilmTrace::handle(const Error& error) {
   salvage();
   if (failures_.mayTryAgain(error) || fallBack(error)) return std::nullopt;

@@ -11,7 +11,7 @@
 
 namespace candela::cli {
 
-/// How a caller watches and stops a render.
+/// The means by which a caller watches and stops a render.
 struct TraceControl {
   const std::atomic<bool>& stop;                        ///< true: the render ends with the samples so far
   std::atomic<bool>* writeRequested = nullptr;          ///< true: the film is written, and the flag reset; null: never

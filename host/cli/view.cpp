@@ -33,7 +33,7 @@ Arguments withChoice(Arguments arguments, const view::Choice& choice) {
   return arguments;
 }
 
-// Whether a pixel lacks samples.
+// Returns whether a pixel lacks samples.
 bool isPartial(const image::Film& film, const RenderJob& job) {
   return render::minSampleCount(film.pixels()) < job.settings.image.sampleCount;
 }

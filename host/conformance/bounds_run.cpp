@@ -1,4 +1,4 @@
-// Accesses five buffers, and looks at all of them afterwards.
+// Accesses five buffers, and checks all of them afterwards.
 #include "host/conformance/bounds_run.h"
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ void requireCapturable(const Case& question, const Finding& finding, const vulka
   }
 }
 
-// The text of the case names what differs better than the words of buffers.
+// The text of the case describes the difference better than words of buffers do.
 capture::Capture captureOf(const vulkan::Recording& recording, const Finding& finding,
                            const vulkan::DeviceInfo& device) {
   capture::Capture capture = capture::cutDown(recording);

@@ -1,4 +1,4 @@
-// Turns a case into a program that asks the same question without Candela.
+// Turns a case into a program that repeats it without Candela.
 #pragma once
 #include "host/capture/capture.h"
 #include "host/conformance/case.h"
@@ -6,9 +6,9 @@
 
 namespace candela::conformance {
 
-/// Runs a case on the device and returns its last dispatch, whose results the case states. Capture::found has what
-/// differs. `prepareShader` is DeviceOptions::prepareShader; cases that are captured in a way of their own ignore it.
-/// Throws UsageError if the case states no result of a single dispatch, or if the device lacks what it needs.
+/// Runs a case on the device and returns its last dispatch, whose results the case states. Capture::found
+/// describes the difference. `prepareShader` is DeviceOptions::prepareShader; cases with their own Case::capture ignore
+/// it. Throws UsageError if the case states no result of a single dispatch, or if the device lacks what it needs.
 capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device,
                              const vulkan::PrepareShader& prepareShader = {});
 

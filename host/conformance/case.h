@@ -1,4 +1,4 @@
-// A case of the conformance run: a question about a device, with its answer.
+// A case of the conformance run: a test of a device, with its finding.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -21,7 +21,7 @@ struct Finding {
   std::string text;  ///< of a failure: what differs; of a skipped case: the missing feature
   /// The values that the buffers of the last dispatch must contain; empty for a picture.
   capture::ExpectedValues expected{};
-  /// The case is a ShaderRun whose invocations do not read each other's inputs: some of them ask the question alone.
+  /// The case is a ShaderRun whose invocations do not read each other's inputs: some of them can run it alone.
   bool isPerInvocation = false;
 };
 
@@ -42,7 +42,7 @@ struct Case {
   std::string name;   ///< parts of letters, digits and underscores, separated by dots
   std::string group;  ///< cases of one group may run in one child process, because they share kernels or images
   std::function<Finding(Workbench&)> run;
-  /// Captures the case in a way of its own; empty: captureCase() records the work of run().
+  /// Captures the case in a special way; empty: captureCase() records the work of run().
   std::function<capture::Capture(const vulkan::DeviceInfo&)> capture{};
   /// Describes the smallest difference after a failure; empty: the case does not shrink. Call it while the process has
   /// one thread.

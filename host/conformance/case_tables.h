@@ -8,7 +8,8 @@ namespace candela::conformance {
 Cases integerCases();
 /// Arithmetic, roots, conversions and built-in functions of GLSL, to the errors that Vulkan allows.
 Cases floatCases();
-/// Candela's own functions: the exact sums of films, elementary functions and warps, to the errors that they state.
+/// Candela's own functions: the exact sums of films, elementary functions and warps, within the errors that their
+/// documentation states.
 Cases functionCases();
 /// Loops, breaks, switches, stacks.
 Cases controlCases();
@@ -22,7 +23,7 @@ Cases pictureCases();
 /// Returns all of the above.
 Cases allCases();
 
-/// Kernels against forms of them that must compute the same: `candela conformance --variants`.
+/// Kernels, compared with variants of them that must compute the same: `candela conformance --variants`.
 Cases variantCases();
 
 /// Returns the cases of `cases` whose name matches `glob`, a pattern with *, ? and [...] as in a shell.

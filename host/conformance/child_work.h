@@ -19,7 +19,7 @@ struct ChildNote {
 nlohmann::json toJson(const ChildNote& note);
 ChildNote noteFrom(const nlohmann::json& json);
 
-/// Runs the cases, and ends early after a device was lost, because nothing more can be asked of it.
+/// Runs the cases, and ends early after a device was lost, because it cannot run any more.
 void runInThisProcess(const std::vector<const Case*>& cases, const vulkan::DeviceInfo& device,
                       const process::ChildProcess::Send& send);
 

@@ -1,4 +1,4 @@
-// Runs a function of shaders/conformance/control.comp and compares each invocation with its twin.
+// Runs a function of shaders/conformance/control.comp and compares each invocation with its counterpart on the host.
 #pragma once
 #include "host/conformance/case.h"
 #include "host/conformance/control_twins.h"

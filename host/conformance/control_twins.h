@@ -1,4 +1,4 @@
-// These functions compute on the host what shaders/conformance/control.comp computes on a device.
+// Counterparts on the host of the functions of shaders/conformance/control.comp.
 #pragma once
 #include <cstdint>
 

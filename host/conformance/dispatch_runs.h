@@ -5,9 +5,9 @@
 
 namespace candela::conformance {
 
-/// Dispatches each of which reads what the one before wrote.
+/// Dispatches, each of which reads the results of the previous one.
 Finding runChain(vulkan::Device& device);
-/// Rounds of a queue with indirect dispatches, as the wavefront kernel has them.
+/// Rounds of a queue with indirect dispatches, as in the wavefront kernel.
 Finding runQueue(vulkan::Device& device);
 /// Fills, updates and copies of buffers.
 Finding runCopies(vulkan::Device& device);

@@ -60,7 +60,7 @@ NamePatterns::NamePatterns(const std::string& text, const std::string& fileName)
     try {
       expressions_.emplace_back(line);
     } catch (const std::regex_error& error) {
-      refuse(fileName, number, fmt::format("\"{}\" is no regular expression: {}", line, error.what()));
+      refuse(fileName, number, fmt::format("\"{}\" is not a valid regular expression: {}", line, error.what()));
     }
   });
 }

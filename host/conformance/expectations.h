@@ -1,4 +1,4 @@
-// The files that state what a driver is expected to do, in the formats of deqp-runner.
+// The files that state the expected results of a driver, in the formats of deqp-runner.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -25,7 +25,8 @@ Baseline readBaseline(const std::filesystem::path& file);
 class NamePatterns {
  public:
   NamePatterns() = default;
-  /// Reads one expression a line; empty lines and lines that start with # are ignored. Throws FileError with the line.
+  /// Reads one expression per line; empty lines and lines that start with # are ignored. Throws FileError with the
+  /// line.
   NamePatterns(const std::string& text, const std::string& fileName);
   bool match(const std::string& name) const;
 

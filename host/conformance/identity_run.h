@@ -1,4 +1,4 @@
-// The built-in variables that say which invocation is which, and the sizes that a device supports.
+// The built-in variables that identify invocations, and the sizes that a device supports.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,15 +18,15 @@ struct GroupShape {
 inline constexpr std::array<std::uint32_t, 5> kSubgroupSizes{4, 8, 16, 32, 64};
 
 bool hasShape(const vulkan::DeviceInfo& device, const GroupShape& shape);
-/// Returns the limits of workgroups, as what is missing.
+/// Returns the limits of workgroups, as the text of a skipped case.
 std::string missingShape(const vulkan::DeviceInfo& device);
 
 /// Returns whether pipelines may require the subgroup size.
 bool hasSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t size);
-/// Returns what is missing: VK_EXT_subgroup_size_control, or the size.
+/// Returns the missing feature: VK_EXT_subgroup_size_control, or the size.
 std::string missingSubgroupSize(const vulkan::DeviceInfo& device);
 
-/// Runs 3 x 2 x 2 workgroups of this shape. Each invocation runs once, and knows its workgroup, its local index and the
+/// Runs 3 x 2 x 2 workgroups of this shape. Each invocation must run once, with the right workgroup, local index and
 /// sizes.
 Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint32_t subgroupSize);
 

@@ -1,4 +1,4 @@
-// Integer functions and samplers, with the results that a host computes in its own way.
+// Integer functions and samplers, with the results that the host computes independently.
 #include <fmt/format.h>
 
 #include <bit>

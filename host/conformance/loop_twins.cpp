@@ -1,4 +1,4 @@
-// The loops of shaders/conformance/loops.glsl, written without jumps out of their middle where that is possible.
+// The loops of shaders/conformance/loops.glsl, written without exits in the middle where that is possible.
 #include <optional>
 #include <utility>
 
@@ -15,7 +15,7 @@ std::uint32_t chained(std::uint32_t state, std::uint32_t times) {
   return state;
 }
 
-// The sums of samples that end by chance. `atEnd`: the order of operations of endAtTheEnd().
+// Computes the sums of samples that end at random. `atEnd`: the order of operations of endAtTheEnd().
 Words sumOfSamples(std::uint32_t state, bool atEnd) {
   const std::uint32_t samples = 1 + state % 7;
   Words sum{};

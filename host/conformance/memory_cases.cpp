@@ -51,7 +51,7 @@ void checkBits(const MemoryRow& row, Span data, Span, Mismatches& mismatches) {
   }
 }
 
-// What was exchanged and what remains are what was stored, and the first word.
+// The exchanged values and the remaining one are the stored values and the first word.
 void checkExchanged(const MemoryRow& row, Span data, Span outputs, Mismatches& mismatches) {
   for (std::uint32_t slot = 0; slot < row.parameter; ++slot) {
     WordList stored{0}, seen{data[slot]};

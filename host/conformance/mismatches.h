@@ -1,4 +1,4 @@
-// Collects what differs in one case, for its text.
+// Collects the differences of one case, for its text.
 #pragma once
 #include <cstddef>
 #include <string>

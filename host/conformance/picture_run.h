@@ -10,7 +10,7 @@ namespace candela::conformance {
 /// Probability that a picture of a correct device fails.
 inline constexpr double kPictureAlpha = 1e-5;
 
-/// Time for leaving parts of a scene out that is captured.
+/// Time limit for removing parts of a captured scene.
 inline constexpr double kPictureShrinkSeconds = 20;
 
 struct Picture {
@@ -19,10 +19,10 @@ struct Picture {
   std::uint32_t subgroupSize = 0;  ///< that pipelines require; 0: as the driver chooses
 };
 
-/// Renders the picture on both sides and asks for the verdict of host/verify: decidable samples are equal, and the
-/// paired test finds no difference of light. A failure names the pixel, and the path vertex and quantity where its path
-/// leaves the reference's. Skipped if the device does not have the workgroup or the subgroup size. Throws as
-/// Renderer::prepare() does.
+/// Renders the picture on both sides and computes the verdict of host/verify: decidable samples are equal, and the
+/// paired test finds no difference of light. A failure names the pixel, and the path vertex and quantity at which its
+/// path diverges from the reference's. Skipped if the device does not have the workgroup or the subgroup size. Throws
+/// as Renderer::prepare() does.
 Finding comparePicture(const Picture& picture, Workbench& workbench);
 
 /// Captures sample 0 of the pixel of the picture that differs most. Throws as capture::captureScene() does.

@@ -14,7 +14,7 @@ std::string countsOf(const RunResult& run);
 /// Returns lines `case,Result,seconds`, sorted by case.
 std::string toCsv(const RunResult& run);
 nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& device, double seconds);
-/// Returns a JUnit test suite. Unexpected results are failures; skipped cases say what is missing.
+/// Returns a JUnit test suite. Unexpected results are failures; skipped cases name the missing feature.
 std::string toJunit(const RunResult& run, const vulkan::DeviceInfo& device, double seconds);
 
 }  // namespace candela::conformance

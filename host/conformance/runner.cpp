@@ -1,4 +1,4 @@
-// Starts children, listens to them, and judges what they send.
+// Starts child processes, reads their messages, and judges their results.
 #include "host/conformance/runner.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ class Runner {
     std::vector<const Case*> chosen;
     for (const Case& one : cases) {
       if (options_.expectations.skips.match(one.name)) {
-        record({one.name, {Status::skip}, "it is in the list of --skips"});
+        record({one.name, {Status::skip}, "the case is listed in --skips"});
       } else {
         chosen.push_back(&one);
       }
@@ -106,7 +106,8 @@ class Runner {
     }
   }
 
-  // A child that was lost in a case has failed this case. The others run again, each on its own.
+  // If a child process is lost in a case, this case has failed. The remaining cases run again, each in a separate
+  // process.
   void settleEnd(Running& running) {
     const std::string failure = running.child->failure();
     if (running.isComplete()) return;
@@ -135,7 +136,7 @@ class Runner {
     if (batch.isSecondAttempt) return settleSecond(std::move(found));
     if (verdict.isExpected()) return record(std::move(found));
     if (options_.expectations.flakes.match(one.name))
-      return recordFlake(std::move(found), "it is in the list of --flakes");
+      return recordFlake(std::move(found), "the case is listed in --flakes");
     first_[one.name] = std::move(found);
     waiting_.push_back({{&one}, true});
   }
@@ -143,7 +144,7 @@ class Runner {
   void settleSecond(CaseResult second) {
     CaseResult first = std::move(first_.at(second.name));
     if (!second.verdict.isExpected()) return record(std::move(first));
-    recordFlake(std::move(first), fmt::format("run again alone, the result was {}", textOf(second.verdict)));
+    recordFlake(std::move(first), fmt::format("when run again alone, the result was {}", textOf(second.verdict)));
   }
 
   void recordFlake(CaseResult found, const std::string& why) {

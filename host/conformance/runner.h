@@ -34,7 +34,7 @@ struct RunResult {
   std::vector<CaseResult> cases;  ///< sorted by name; those that ended
   bool interrupted = false;
 
-  /// Returns whether every case ended, and none differs from what was expected.
+  /// Returns whether every case ended with the expected result.
   bool isExpected() const;
 };
 

@@ -40,7 +40,7 @@ scene::Scene makeScene(const std::string& name) {
   if (name == "depth_of_field") return read(std::string(embedded::depth_of_field), name);
   if (name == kMeshKind) return read(generated(kMeshKind, kMeshSize), name);
   const MaterialScene* const material = materialScene(name);
-  if (material == nullptr) throw InternalError(fmt::format("there is no scene {}", name));
+  if (material == nullptr) throw InternalError(fmt::format("there is no built-in scene {}", name));
   scene::Scene scene = read(textOf(*material), name);
   if (!material->environment.empty()) {
     scene.environment = environment::makeEnvironment({.source = std::string(material->environment)}, scene.up);

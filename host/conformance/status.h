@@ -22,7 +22,7 @@ struct Verdict {
 /// Returns "Pass", "Fail", "Skip", "Crash", "Timeout", "Flake", "ExpectedFail", or "UnexpectedImprovement(Pass)" with
 /// the name of the status that it was.
 std::string textOf(const Verdict& verdict);
-/// Reads what textOf() writes, and the words "KnownFlake", "Warn" and "Missing" of deqp-runner, which stand for a
+/// Reads what textOf() writes, and the words "KnownFlake", "Warn" and "Missing" of deqp-runner, which mean a
 /// flake, a pass and a failure. Returns nothing for any other word.
 std::optional<Verdict> verdictNamed(std::string_view word);
 

@@ -27,7 +27,7 @@ Code recordedWords(const vulkan::ShaderCode& made) {
   return made.specialisations.empty() ? made.words : vulkan::frozenSpirv(made.words, made.specialisations);
 }
 
-/// Makes the variant of each module, and remembers its plain form.
+/// Makes the variant of each module, and stores its plain form.
 class BothForms {
  public:
   explicit BothForms(const Variant& variant)
@@ -61,7 +61,7 @@ class BothForms {
   std::map<Code, Code> plainOf_;
 };
 
-// One sample after the other, so that the film has one of them at a time.
+// Samples are rendered one by one, so that the film has one of them at a time.
 class SampleFilms {
  public:
   SampleFilms(const Picture& picture, const vulkan::DeviceInfo& device, const vulkan::PrepareShader& form)

@@ -1,4 +1,4 @@
-// Captures two forms of a kernel whose results differ.
+// Captures two variants of a kernel whose results differ.
 #pragma once
 #include "host/conformance/picture_run.h"
 #include "host/variants/variant.h"
@@ -10,7 +10,7 @@ namespace candela::conformance {
 capture::Capture captureForms(const Picture& picture, const variants::Variant& variant,
                               const vulkan::DeviceInfo& device);
 
-/// Captures what the variant computes, with the reference's values as expected ones. Throws as capturePicture() does.
+/// Captures the variant with the reference's values as the expected ones. Throws as capturePicture() does.
 capture::Capture captureVerdict(const Picture& picture, const variants::Variant& variant,
                                 const vulkan::DeviceInfo& device);
 

@@ -79,7 +79,7 @@ void addFilms(const KernelRow& row, Cases& cases) {
   }
 }
 
-// Specialisation constants change no rounding, so that the verdict judges the other variants alone.
+// Specialisation constants change no rounding, so that the verdict judges only the other variants.
 void addVerdicts(const KernelRow& row, Cases& cases) {
   const Picture picture = pictureOf(row, row.scenes.front());
   for (const Variant& variant : variants::allVariants()) {
@@ -91,7 +91,7 @@ void addVerdicts(const KernelRow& row, Cases& cases) {
   }
 }
 
-// Accesses beyond the end of a buffer may differ between forms, and a copy has no module.
+// Accesses beyond the end of a buffer may differ between variants, and a copy has no module.
 bool hasForms(const Case& one) {
   return one.name.rfind("memory.robust.", 0) != 0 && one.name.rfind("memory.command.", 0) != 0;
 }

@@ -1,4 +1,4 @@
-// Observes forms of kernels.
+// Observes variants of kernels.
 #include "host/conformance/variant_question.h"
 
 #include "host/conformance/workbench.h"
@@ -6,8 +6,8 @@
 namespace candela::conformance {
 namespace {
 
-// The probe of the loop limit remains as it is: it measures the device, and what it finds divides the work alike for
-// all forms.
+// The probe of the loop limit is not changed: it measures the device, and its result divides the work in the same
+// way for all variants.
 constexpr std::string_view kProbe = "loop_probe";
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A form of a kernel that must compute the same as the plain one.
+// A variant of a kernel that must compute the same as the plain form.
 #pragma once
 #include <functional>
 #include <memory>

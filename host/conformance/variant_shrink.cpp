@@ -1,4 +1,4 @@
-// Observes forms in child processes.
+// Observes variants in child processes.
 #include "host/conformance/variant_shrink.h"
 
 #include <fmt/format.h>
@@ -16,14 +16,14 @@ using capture::Subset;
 using variants::Variant;
 using Names = std::vector<std::string>;
 
-/// The answer of a child process.
+/// The result of a child process.
 struct Trial {
   std::string key;  ///< of the observation, or kLost
   Names modules;    ///< that the form has, in the order of their pipelines
-  Names notes;      ///< what each step did to each module
+  Names notes;      ///< the changes that each step made to each module
 };
 
-constexpr const char* kLost = "does not end regularly";
+constexpr const char* kLost = "does not terminate normally";
 
 void addOnce(Names& names, const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -38,7 +38,7 @@ class Shrinker {
     const Trial plain = observe(plainFormOf(question_), {});
     const Trial whole = observe(question_.variant, plain.modules);
     plainKey_ = plain.key;
-    if (whole.key == plainKey_) return "it does not differ any more when it runs again";
+    if (whole.key == plainKey_) return "the difference did not recur in a second run";
     Variant form = question_.variant;
     form.steps = stepsLeft(plain.modules);
     const Names modules = modulesLeft(form, plain.modules);
@@ -46,7 +46,7 @@ class Shrinker {
   }
 
  private:
-  // The steps that remain if none can be left out, in all modules.
+  // Returns the steps that remain when none can be removed, in all modules.
   std::vector<variants::Step> stepsLeft(const Names& modules) {
     const std::vector<variants::Step>& all = question_.variant.steps;
     if (all.empty()) return {};
@@ -78,7 +78,7 @@ class Shrinker {
     return observe(form, modules).key != plainKey_;
   }
 
-  // Transforms these modules alone.
+  // Transforms only these modules.
   Trial observe(const Variant& form, const Names& modules) const {
     const process::ChildResult result = process::runInChild(limits_.trial, [&] {
       Names seen, notes;

@@ -1,4 +1,4 @@
-// Shrinks a difference between two forms of a kernel to the transformations that it needs.
+// Shrinks a difference between two variants of a kernel to the transformations that it needs.
 #pragma once
 #include "host/conformance/variant_question.h"
 
@@ -6,8 +6,8 @@ namespace candela::conformance {
 
 /// Observes with fewer and fewer steps of the variant, in fewer and fewer modules, each time in a child process, as
 /// long as the result differs from that of the plain form. Returns a text that names the steps and the modules that
-/// remain; none can be left out unless the time was over, which the text says. Call it while this process has one
-/// thread. Throws InternalError if no child can be started.
+/// remain. None of them can be removed, unless the time was over, which the text then states. Call it while this
+/// process has one thread. Throws InternalError if no child can be started.
 std::string smallestDifference(const VariantQuestion& question, const vulkan::DeviceInfo& device,
                                const ShrinkLimits& limits);
 

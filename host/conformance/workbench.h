@@ -1,4 +1,4 @@
-// What the cases of one child process share: the open device and the two tracers.
+// The objects that the cases of one child process share: the open device and the two tracers.
 #pragma once
 #include <map>
 #include <memory>
@@ -13,7 +13,7 @@ namespace candela::conformance {
 
 class Workbench {
  public:
-  /// `recording` receives everything that the devices of open() are given; null: nothing is recorded. `prepareShader`
+  /// `recording` receives all work of the devices of open(); null: nothing is recorded. `prepareShader`
   /// is DeviceOptions::prepareShader.
   explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {},
                      vulkan::PrepareShader prepareShader = {});

@@ -103,7 +103,7 @@ void AtomicFile::openNamed() {
   if (descriptor_.isOpen()) temporary_ = name;
 }
 
-// The name is always the same, so that what a killed program left under it goes away.
+// The name is always the same, so that the file of a killed program is replaced.
 void AtomicFile::giveName(int descriptor) {
   fs::path name = target_;
   name += ".candela-part";

@@ -11,7 +11,7 @@ namespace candela {
 
 /// Replaces or creates a file. A temporary file beside it is written, synced and renamed by commit(). Until then, and
 /// after any error, the old file stays unchanged. Where the file system can, the temporary file has no name before
-/// commit(), so that a program that is killed leaves at most one file behind, which the next write replaces; elsewhere
+/// commit(), so that a program that is killed leaves at most one file, which the next write replaces; elsewhere
 /// the destructor removes it. A symbolic link still points to the file that is replaced. Devices and pipes are written
 /// in place. All functions throw FileError, which names the file and the cause.
 class AtomicFile {
@@ -34,7 +34,7 @@ class AtomicFile {
 
   std::filesystem::path name_;  ///< as given, for messages
   bool inPlace_;
-  std::filesystem::path target_;     ///< the absolute path behind symbolic links
+  std::filesystem::path target_;     ///< the absolute path, without symbolic links
   std::filesystem::path temporary_;  ///< empty if there is nothing to remove
   FileDescriptor descriptor_;
 };

@@ -8,7 +8,7 @@ namespace candela {
 
 class FileDescriptor {
  public:
-  /// Takes ownership of `value`, the result of open(). A negative value stands for no file.
+  /// Takes ownership of `value`, the result of open(). A negative value means that there is no file.
   explicit FileDescriptor(int value) : value_(value) {}
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;

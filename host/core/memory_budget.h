@@ -1,4 +1,4 @@
-// The memory that the program may use, and the refusal of what does not fit.
+// The memory that the program may use, and the refusal of work that needs more.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ std::uint64_t memoryBudget();
 void limitMemory(std::uint64_t bytes);
 
 /// Throws OutOfMemoryError unless `bytes` are within the budget: allocating them could succeed, but would make the
-/// machine swap. The message says that `what` needs them, and what would help: `remedy` is a clause.
+/// machine swap. The message names `what`, which needs them, and `remedy`, a clause.
 void requireMemory(const std::string& what, std::uint64_t bytes, const std::string& remedy);
 
 }  // namespace candela

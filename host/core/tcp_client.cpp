@@ -1,4 +1,4 @@
-// Connects to the first of a host's addresses that answers.
+// Connects to the first of a host's addresses that accepts a connection.
 #include "host/core/tcp_client.h"
 
 #include <fmt/format.h>

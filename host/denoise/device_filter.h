@@ -8,13 +8,13 @@
 
 namespace candela::denoise {
 
-/// How the work is divided, which does not change a bit of the result.
+/// The division of the work, which does not change a bit of the result.
 struct FilterDivision {
   std::uint64_t maxBandBytes = std::uint64_t{64} << 20;  ///< of device memory, unless one row takes more
   std::uint32_t maxDispatchPixels = 1u << 16;            ///< unless one row has more; few, so that a dispatch is short
 };
 
-/// Returns what filterByReference() returns, computed by the device in single precision: within
+/// Returns the result of filterByReference(), computed by the device in single precision: within
 /// kDeviceTolerance * (1 + value). Throws as vulkan::Device::run() does.
 std::vector<glm::vec3> filterOnDevice(vulkan::Device& device, const PixelStatistics& statistics,
                                       const FilterDivision& division = {});

@@ -23,7 +23,7 @@ void requireStatistics(const image::Film& film);
 /// pixel with fewer than two samples has the count 0. The film must pass requireStatistics().
 PixelStatistics statisticsOf(const image::Film& film);
 
-/// Returns what the light of a pixel with this gpu::DenoisePixel::reflectance is divided by: at least 0.01 per channel.
+/// Returns the divisor of the light of a pixel with this gpu::DenoisePixel::reflectance: at least 0.01 per channel.
 glm::vec3 divisorOf(const glm::vec4& reflectance);
 
 }  // namespace candela::denoise

@@ -20,7 +20,7 @@ struct Place {
 
 Place operator+(const Place& a, const Place& b) { return {a.x + b.x, a.y + b.y}; }
 
-/// The places of a square around the origin.
+/// Returns the offsets in a square around the origin.
 std::vector<Place> square(int radius) {
   std::vector<Place> places;
   for (int y = -radius; y <= radius; ++y) {

@@ -1,4 +1,4 @@
-// The filter of docs/denoising.md in double precision: the reference that devices are compared with.
+// The filter of docs/denoising.md in double precision, with which devices are compared.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

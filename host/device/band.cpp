@@ -265,7 +265,7 @@ void Band::readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow>
   const std::size_t rowCount = layers.size() / film.size();
   for (std::size_t i = 0; i < layers.size(); ++i) {
     layers[i].pending = 0;
-    if (i % rowCount == 0) layers[i].words[2] = 0;  // what is pending
+    if (i % rowCount == 0) layers[i].words[2] = 0;  // pending units
   }
 }
 

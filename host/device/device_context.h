@@ -1,4 +1,4 @@
-// The device and its limits, which all sessions on it share.
+// The device and its limits, which its sessions share.
 #pragma once
 #include <cstdint>
 #include <memory>

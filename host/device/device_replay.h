@@ -1,4 +1,4 @@
-// Traces one sample again on the device, and reads back what its path computed.
+// Traces one sample again on the device, and reads back the quantities of its path.
 #pragma once
 #include "host/device/device_scene.h"
 #include "host/device/kernel.h"

@@ -10,14 +10,14 @@
 namespace candela::device {
 
 /// A picture in device memory: for each pixel, row by row from the top, red, green, blue and the number of samples as
-/// four floats, as view::Picture has them.
+/// four floats, as in view::Picture.
 class FilmMeans {
  public:
   FilmMeans(vulkan::Device device, const render::Extent& size);
 
-  /// Replaces each pixel by the mean of the film's pixel at the same position, if that has samples. A film of a lower
-  /// resolution covers several pixels by each of its own. Returns false, and changes nothing, if the film of `session`
-  /// is not on this device as a whole. It may be called while the session's advance() reports progress.
+  /// Replaces each pixel by the mean of the film's pixel at the same position, if that has samples. A pixel of a film
+  /// of lower resolution covers several pixels of the picture. Returns false, and changes nothing, if the film of
+  /// `session` is not on this device as a whole. It may be called while the session's advance() reports progress.
   bool update(render::Session& session);
 
   render::Extent size() const { return size_; }

@@ -11,8 +11,8 @@ constexpr std::uint32_t kPreferredSegments = 128;
 constexpr double kGrowth = 2.0;         // per step, near the target
 constexpr double kFastGrowth = 8.0;     // per step, while even this growth stays below the target
 constexpr double kSmoothing = 0.3;      // fraction of an increase applied at once, near the target
-constexpr double kAimRecovery = 1.001;  // per dispatch: expensive regions, such as a strip of the image, come again in
-                                        // the next sweep
+constexpr double kAimRecovery = 1.001;  // per dispatch: expensive regions, such as a strip of the image, recur in the
+                                        // next sweep
 
 std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
   if (pixels >= static_cast<double>(most)) return most;

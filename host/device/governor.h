@@ -6,7 +6,7 @@ namespace candela::device {
 
 struct GovernorOptions {
   double targetSeconds = 0.1;        ///< desired duration of a submission
-  double limitSeconds = 0.25;        ///< maximum duration; a longer submission makes the governor aim lower
+  double limitSeconds = 0.25;        ///< maximum duration; a longer submission lowers the target
   std::uint32_t maxSegments = 1024;  ///< maximum of Plan::segments, e.g. from the device's loop limit
   std::uint64_t totalPixels = 0;     ///< of the image, or the band of it, that is rendered; > 0
   /// Fewer invocations would leave a large device idle. A dispatch has fewer only to limit the time.
@@ -36,8 +36,8 @@ class Governor {
   Plan next() const;
   /// Returns the number of segments for a region that is already chosen and has this number of unfinished pixels.
   std::uint32_t segmentsFor(std::uint64_t activePixels) const;
-  /// Records the duration of a dispatch. `plan` is what was run; `activePixels` of its pixels had work left when it
-  /// began.
+  /// Records the duration of a dispatch. `plan` is the plan that was executed; `activePixels` of its pixels had work
+  /// left when it began.
   void record(const Plan& plan, std::uint64_t activePixels, double seconds);
 
  private:

@@ -33,8 +33,8 @@ class GpuSession final : public render::Session {
   render::PathRecords paths() override;
   render::Replay replay(const render::PixelSample& sample) override;
 
-  /// Returns the film in device memory, or null if it is not all there: no sample was traced since the film was emptied
-  /// or loaded, or the image has several bands. It may be called while advance() reports progress.
+  /// Returns the film in device memory, or null if the device does not have all of it: no sample was traced since the
+  /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.
   const vulkan::Buffer* residentFilm() const;
   render::Extent filmSize() const { return {film_.width(), film_.height()}; }
 

@@ -16,7 +16,8 @@ std::unique_ptr<Band> GpuSession::tryBand() {
                                   bandHeight_);
   } catch (const OutOfMemoryError& error) {
     if (bandHeight_ == 1) throw;
-    statistics_.warnings.push_back(fmt::format("bands of {} rows are tried: {}", (bandHeight_ + 1) / 2, error.what()));
+    statistics_.warnings.push_back(
+        fmt::format("trying again with bands of {} rows: {}", (bandHeight_ + 1) / 2, error.what()));
     return nullptr;
   }
 }

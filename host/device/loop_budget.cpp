@@ -55,8 +55,8 @@ LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const
   const std::uint64_t segments = bruteForceSegments(limit, flat.slotCount, raysPerSegment);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
   throw FileError(
-      fmt::format("--accel none over {} primitives: {} stops loops after {} iterations; at most {} primitives, or "
-                  "use --accel bvh",
+      fmt::format("--accel none with {} primitives: {} stops loops after {} iterations, which allows at most {} "
+                  "primitives; use --accel bvh",
                   flat.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment)));
 }
 

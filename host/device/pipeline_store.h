@@ -16,7 +16,7 @@ class PipelineStore {
   static constexpr std::size_t kCapacity = 16;
 
   /// Returns the pipeline of this code with these options, and creates it if it is not cached. Modules are identified
-  /// by the address of their words. Throws what ComputePipeline's constructor throws.
+  /// by the address of their words. Throws the exceptions of ComputePipeline's constructor.
   vulkan::ComputePipeline get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
                               const vulkan::PipelineOptions& options);
 

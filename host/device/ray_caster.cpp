@@ -120,7 +120,7 @@ RaySets RayCaster::makeRays() {
     for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
       const gpu::CastRay& ray = made[std::size_t{pixel} * gpu::kRayKindCount + kind];
       if (kind == gpu::kPrimaryRay && ray.direction.w != 0)
-        throw InternalError("a loop was stopped while rays were made");
+        throw InternalError("the device stopped a loop while rays were generated");
       if (ray.originLimit.w > 0) sets[kind].push_back(ray);
     }
   }
@@ -147,7 +147,7 @@ std::vector<gpu::CastHit> RayCaster::hits() const {
   if (!result.empty()) hits_.download(std::as_writable_bytes(std::span(result)));
   const bool stopped = std::any_of(result.begin(), result.end(),
                                    [](const gpu::CastHit& hit) { return hit.found.w != 0; });
-  if (stopped) throw InternalError("the device stopped a loop before a ray's search was over");
+  if (stopped) throw InternalError("the device stopped the traversal of a ray");
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Traces rays alone on a device, for benchmarks of traversal without paths, shading and film.
+// Traces given rays on a device, for benchmarks of traversal without paths, shading and film.
 #pragma once
 #include <array>
 #include <span>
@@ -14,8 +14,8 @@
 
 namespace candela::device {
 
-/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve. Pixels without such a ray are left
-/// out.
+/// Rays of each kind (kPrimaryRay ...) in the order of pixels along Morton's curve. Pixels without such a ray are
+/// omitted.
 using RaySets = std::array<std::vector<gpu::CastRay>, gpu::kRayKindCount>;
 
 /// One scene in one layout on a device, ready to trace rays through it.
@@ -29,8 +29,8 @@ class RayCaster {
   /// lights. Throws InternalError if the device stopped a loop.
   RaySets makeRays();
 
-  /// Replaces the rays on the device. `anyHit`: whether anything is hit before a ray's maximum distance is to be found;
-  /// otherwise the closest hit, at any distance.
+  /// Replaces the rays on the device. `anyHit`: only whether the ray hits anything before its maximum distance is
+  /// computed; otherwise the closest hit, at any distance.
   void load(std::span<const gpu::CastRay> rays, bool anyHit);
   /// Traces the loaded rays once. Returns the duration of the device's dispatches in seconds. The first one after
   /// load() includes the driver's compilation.

@@ -34,7 +34,7 @@ class TileCursor {
   render::Extent image_;
   render::Extent step_;   ///< rectangles are multiples of it
   bool isTiled_ = false;  ///< rectangles are exactly step_
-  /// Where the next rectangle begins. Everything above it is done, and what is left of it within step_.height.
+  /// The start of the next rectangle. Everything above it is done, and so is everything left of it within step_.height.
   std::uint32_t x_ = 0, y_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Estimates for each row of a band how many pixels still have samples to do.
+// Estimates for each row of a band the number of pixels that lack samples.
 #pragma once
 #include <cstdint>
 #include <span>

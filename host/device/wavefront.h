@@ -1,4 +1,4 @@
-// The rounds of the wavefront: which of its stages run when, and on which queues. shaders/wavefront.glsl describes the
+// The rounds of the wavefront: the order of its stages, and their queues. shaders/wavefront.glsl describes the
 // stages.
 #pragma once
 #include <cstdint>

@@ -43,7 +43,7 @@ Check checkFolder(const fs::path& folder) {
     return {
         "cache folder", Status::warning,
         fmt::format("{} cannot be written: {}; kernels are compiled again by every command", folder.string(), problem),
-        "create this folder and let yourself write to it, or name another folder with CANDELA_CACHE_DIR"};
+        "create this folder with write permission, or name another folder with CANDELA_CACHE_DIR"};
   }
   const Content content = contentOf(folder);
   return {"cache folder", Status::ok,

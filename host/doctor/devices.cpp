@@ -22,7 +22,7 @@ void openDriver(const std::string& library) {
   for (const char* entry : {"vk_icdGetInstanceProcAddr", "vkGetInstanceProcAddr"}) {
     if (::dlsym(handle, entry) != nullptr) return;
   }
-  throw std::runtime_error(library + " is no Vulkan driver: it has no vk_icdGetInstanceProcAddr");
+  throw std::runtime_error(library + " is not a Vulkan driver: it has no vk_icdGetInstanceProcAddr");
 }
 
 ListedDevices listIn(const std::function<void()>& prepare) {

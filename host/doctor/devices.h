@@ -1,4 +1,4 @@
-// Lists Vulkan devices in a child process, since a driver may crash while it looks for them.
+// Lists Vulkan devices in a child process, since a driver may crash while it enumerates them.
 #pragma once
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driver, driver
 
 namespace candela::doctor {
 
-/// Time after which a driver that still looks for devices is considered to hang.
+/// Time after which a driver that still enumerates devices counts as hung.
 inline constexpr std::chrono::seconds kListLimit{30};
 
 struct ListedDevices {
@@ -25,12 +25,12 @@ struct ListedDevices {
   std::string failure;  ///< as ChildResult::failure
 };
 
-/// Lists the devices of all drivers, or of the driver of `manifest` alone, after opening `library` to learn why that
+/// Lists the devices of all drivers, or only of the driver of `manifest`, after opening `library` to learn why that
 /// fails. Validation is off.
 ListedDevices listAllDevices();
 ListedDevices listDevicesOf(const std::string& manifest, const std::string& library);
 
-/// Two lines for each device: what it is, and the limits that matter.
+/// Two lines for each device: its description, and the limits that matter.
 Checks checkDevices(const std::vector<vulkan::DeviceInfo>& devices);
 
 }  // namespace candela::doctor

@@ -65,7 +65,7 @@ std::string Diagnosis::verdict() const {
       return fmt::format("A render will work, on {}{}.", device->name,
                          device->type == "CPU" ? ", in software: the picture is right, but a GPU is faster" : "");
     case ExitCode::differ:
-      return fmt::format("The pictures of {} are WRONG. `--device cpu` renders right ones without Vulkan.",
+      return fmt::format("The pictures of {} are WRONG. `--device cpu` renders correct ones without Vulkan.",
                          device->name);
     default:
       return "A render will not work on a Vulkan device; see the problems above. `--device cpu` renders without "

@@ -1,4 +1,4 @@
-// The examination of a machine: all checks and what follows from them.
+// The examination of a machine: all checks and their conclusion.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -82,7 +82,7 @@ std::string installOrUnset(const std::string& variable) {
   return variable.empty() ? kInstall : fmt::format("unset {}; if that does not help: {}", variable, kInstall);
 }
 
-// Examines what the loader finds with all drivers at once, as a render does.
+// Examines the devices that the loader finds with all drivers, as a render does.
 Check summary(const ListedDevices& all, const std::string& variable, const std::string& working) {
   if (!all.failure.empty()) {
     return {"devices", Status::problem, fmt::format("listing the devices of all drivers {}", all.failure),

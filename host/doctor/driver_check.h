@@ -15,7 +15,7 @@ struct DriverDiagnosis {
 };
 
 /// A driver that fails is a problem if there is no usable device, else a warning. A driver whose devices are not in
-/// this machine is in order.
+/// this machine is `ok`.
 DriverDiagnosis checkDrivers();
 
 }  // namespace candela::doctor

@@ -1,4 +1,4 @@
-// Finds GPUs that the kernel knows but no Vulkan driver uses.
+// Finds GPUs that the kernel lists but no Vulkan driver supports.
 #include "host/doctor/gpu_nodes.h"
 
 #include <fmt/format.h>

@@ -11,10 +11,10 @@ namespace candela::doctor {
 namespace {
 
 constexpr std::array kFaults{
-    KnownFault{"llvmpipe", "stops all loops of an invocation after 65,535 iterations together",
+    KnownFault{"llvmpipe", "stops the loops of an invocation after 65,535 iterations in total",
                "a scene that needs more in one dispatch fails with an error and never shows a wrong picture",
                "docs/driver-workarounds.md#4-a-word-beside-each-loop-condition"},
-    KnownFault{"llvmpipe", "compiles kernels with uniform loop bounds again at every dispatch and never frees them",
+    KnownFault{"llvmpipe", "recompiles kernels with uniform loop bounds at every dispatch and never frees them",
                "no kernel of Candela has such loops", "docs/driver-workarounds.md#5-no-loop-bound-that-is-uniform"},
     KnownFault{"swiftshader", "compiles code that a specialisation constant disables",
                "Candela removes that code first; kernels take a second or two to compile",

@@ -1,4 +1,4 @@
-// Faults of drivers that Candela knows, with the evidence.
+// Known faults of drivers, with the evidence.
 #pragma once
 #include <span>
 #include <string_view>
@@ -11,13 +11,13 @@ namespace candela::doctor {
 struct KnownFault {
   std::string_view driver;    ///< part of the name of the device or of the driver, in lower case
   std::string_view fault;     ///< predicate of a sentence about the driver
-  std::string_view effect;    ///< sentence on what this means for renders
+  std::string_view effect;    ///< sentence on the consequences for renders
   std::string_view evidence;  ///< page and heading
 };
 
 std::span<const KnownFault> knownFaults();
 
-/// One line for each fault of the device. None needs a remedy, since Candela avoids or detects it.
+/// Returns one line for each fault of the device. None needs a remedy, since Candela avoids or detects it.
 Checks checkKnownFaults(const vulkan::DeviceInfo& device);
 
 }  // namespace candela::doctor

@@ -36,7 +36,7 @@ Check checkMemory() {
   Check check{"memory", Status::ok, fmt::format("{:.1f} of {:.1f} GiB available", available / kGiB, total / kGiB), ""};
   if (available < kMinMemory) {
     check.status = Status::warning;
-    check.remedy = "end other programs, or render smaller pictures (--size)";
+    check.remedy = "close other programs, or render smaller pictures (--size)";
   }
   return check;
 }

@@ -9,7 +9,7 @@
 
 namespace candela::doctor {
 
-/// Time after which the device is considered to hang. Software Vulkan on a busy machine may take two minutes to
+/// Time after which the device counts as hung. Software Vulkan on a busy machine may take two minutes to
 /// compile.
 inline constexpr std::chrono::minutes kTrialLimit{5};
 

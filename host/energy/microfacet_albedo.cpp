@@ -60,7 +60,7 @@ class View {
   double length_;
 };
 
-// Adds what one normal scatters, for every boundary.
+// Adds the light that one normal scatters, for every boundary.
 void addGlass(const View& view, const dvec3& h, const Boundaries<double>& boundaries, double* sums) {
   const dvec3 wo = view.wo();
   const double cosine = dot(wo, h), reflected = view.weightOf(2 * cosine * h - wo);

@@ -13,7 +13,7 @@ class PreethamSky {
 
   /// Radiance of the sky, without the sun's disc, in a direction (unit vector) with y > 0. >= 0 in every channel.
   glm::dvec3 sky(const glm::dvec3& direction) const;
-  /// Irradiance of a surface that faces the sun, by its disc alone.
+  /// Irradiance of a surface that faces the sun, by only its disc.
   glm::dvec3 sun() const;
 
  private:

@@ -1,4 +1,4 @@
-// Finds the first difference and the first decision that differs, and words the result.
+// Finds the first difference and the first decision that differs, and states the result in words.
 #include "host/explain/explanation.h"
 
 #include <fmt/format.h>
@@ -45,15 +45,15 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
                            : "");
   }
   if (quantity.kind == Quantity::Kind::randomNumber)
-    return fmt::format("{}: {}; it must be equal to the bit", where, sides);
+    return fmt::format("{}: {}; it must be bit-identical", where, sides);
   const double allowed = explanation.replicas > 0 ? quantity.allowed() : kTolerance;
   return fmt::format("{}: {} apart (rounding allows {:.0e}); {}", where, apartText(quantity), allowed, sides);
 }
 
 std::string furthestText(const Explanation& explanation) {
-  if (!explanation.furthestBefore) return "all numbers are equal to the bit";
+  if (!explanation.furthestBefore) return "all numbers are bit-identical";
   const Place& place = *explanation.furthestBefore;
-  return fmt::format("no number is further apart than {} ({})", apartText(explanation.at(place)),
+  return fmt::format("no number differs by more than {} ({})", apartText(explanation.at(place)),
                      placeText(explanation, place));
 }
 

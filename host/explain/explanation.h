@@ -29,12 +29,12 @@ struct Explanation {
   render::PathTrace device;
   render::PathTrace reference;
   std::vector<Stage> stages;
-  std::uint32_t replicas = 0;  ///< number of replicas that say what rounding allows
+  std::uint32_t replicas = 0;  ///< number of replicas by which the effect of rounding is estimated
   /// In the order of the estimator. Empty: no decision differs, and no number by more than rounding allows.
   std::optional<Place> firstDifference;
   /// After this decision, the two paths are unrelated and nothing is compared.
   std::optional<Place> firstDecision;
-  /// The number with the largest difference before the first difference; empty if all are equal to the bit.
+  /// The number with the maximum difference before the first difference; empty if all are bit-identical.
   std::optional<Place> furthestBefore;
 
   const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }
@@ -50,8 +50,8 @@ void requirePaths(render::Integrator integrator);
 /// Traces the sample on both sides. The pixel is within the image.
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
                           const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference);
-/// Compares two replays. `scene` provides names for indices. `replicas` of the reference's path say how far rounding
-/// may take each quantity; without any it is kTolerance.
+/// Compares two replays. `scene` provides names for indices. `replicas` of the reference's path show how large the
+/// effect of rounding on each quantity may be; without any, the limit is kTolerance.
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,
                            const render::PixelSample& sample, const render::Replay& device,
                            const render::Replay& reference, std::span<const render::PathTrace> replicas = {});

@@ -12,7 +12,7 @@ constexpr std::size_t kSideWidth = 36;
 constexpr std::size_t kNumberWidth = 12;
 constexpr std::size_t kLineWidth = 100;
 
-// Numbers have columns of their own, so that the components of vectors are aligned; words begin where digits do.
+// Each number has a column, so that the components of vectors are aligned; words begin where digits do.
 std::string cell(const Value& value) {
   std::string text = value.words.empty() ? "" : " " + value.words;
   for (const double number : value.numbers) text += fmt::format("{:<{}}", fmt::format("{: .5g}", number), kNumberWidth);

@@ -11,7 +11,7 @@
 
 namespace candela::explain {
 
-/// Where no replicas of the path are known, numbers, like pixels, are equal up to this fraction of the larger one:
+/// If there are no replicas of the path, numbers, like pixels, count as equal up to this fraction of the larger one:
 /// single precision gives 1e-7, which a few reflections at flat surfaces increase to 1e-5.
 inline constexpr double kTolerance = verify::kRelativeTolerance;
 
@@ -45,7 +45,7 @@ struct Quantity {
 
 /// A decision, equal or not. The words describe the choice of each side.
 Quantity decision(std::string name, std::string device, std::string reference);
-/// A random number, which must be equal to the bit.
+/// A random number, which must be bit-identical.
 Quantity randomNumber(std::string name, std::uint32_t device, std::uint32_t reference);
 
 // Numbers. A number that is missing on one side only follows a decision that differs, and is not compared.

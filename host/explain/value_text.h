@@ -8,7 +8,7 @@ namespace candela::explain {
 
 /// Returns words, or numbers with six digits, separated by spaces.
 std::string valueText(const Value& value);
-/// Returns the relative difference of both sides: "3.1e-07", or "=" if they are equal to the bit.
+/// Returns the relative difference of both sides: "3.1e-07", or "=" if they are bit-identical.
 std::string apartText(const Quantity& quantity);
 
 }  // namespace candela::explain

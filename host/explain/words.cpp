@@ -50,7 +50,7 @@ std::string materialWords(std::uint32_t material, const scene::Scene& scene) {
 }
 
 std::string lightWords(std::uint32_t primitive, const scene::Scene& scene) {
-  return primitive == render::LightTrace::kPointLight ? "a light that is no primitive"
+  return primitive == render::LightTrace::kPointLight ? "a light that is not a primitive"
                                                       : "primitive " + primitiveWords(primitive, scene);
 }
 

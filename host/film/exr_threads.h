@@ -1,4 +1,4 @@
-// Threads that code blocks of film files, one block each.
+// Threads that encode and decode blocks of film files, one block each.
 #pragma once
 #include <cstdint>
 

@@ -55,7 +55,7 @@ std::vector<std::byte> FilmBytes::bytesAt(std::uint64_t offset, std::uint64_t co
   return bytes;
 }
 
-// The digits of the checksum itself count as zeros.
+// The digits of the checksum itself are taken as zeros.
 std::span<const std::byte> checkedTable(std::span<const std::byte> start, const FilmHead& head) {
   if (head.blockChecks.size() % kCheckDigits != 0) throw FileError("the checksums of the blocks are incomplete");
   const std::size_t tableBytes = head.blockChecks.size() / kCheckDigits * kTableEntryBytes;
@@ -80,13 +80,13 @@ void FilmBlocks::find(const FilmHead& head, const FilmHeader& header, std::span<
     const bool inPlace = littleEndian(table.subspan(i * kTableEntryBytes, kTableEntryBytes)) == offset &&
                          littleEndian(std::span(start).first(4)) == window.y + i * kBlockRows;
     if (!inPlace || size > rows * window.width * pixelBytes(channelsOf(header))) {
-      throw FileError(fmt::format("the file is damaged: block {} is not where it belongs", i));
+      throw FileError(fmt::format("the file is damaged: block {} is not at its offset", i));
     }
     if (bytes_.size() - offset - kBlockHeadBytes < size) throw FileError("the file is truncated");
     blocks_.push_back({offset, kBlockHeadBytes + size, head.blockChecks.substr(i * kCheckDigits, kCheckDigits)});
     offset += kBlockHeadBytes + size;
   }
-  if (offset != bytes_.size()) throw FileError("the file is damaged: there is something behind its last block");
+  if (offset != bytes_.size()) throw FileError("the file is damaged: data follows its last block");
 }
 
 void FilmBlocks::check(std::size_t index, const render::Window& window) const {

@@ -40,7 +40,7 @@ class FilmBlocks {
   const FilmBytes& bytes() const { return bytes_; }
   std::size_t count() const { return blocks_.size(); }
 
-  /// Finds the blocks of the film's window and requires that they stand one behind the other up to the end of the file,
+  /// Finds the blocks of the film's window and requires that they are adjacent up to the end of the file,
   /// as the table says.
   void find(const FilmHead& head, const FilmHeader& header, std::span<const std::byte> table);
   /// Requires that a block matches its checksum.

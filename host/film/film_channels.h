@@ -17,7 +17,7 @@ namespace candela::film {
 /// Rows of an OpenEXR block of the compression that film files have (ZIP). Each block has a checksum.
 inline constexpr std::uint32_t kBlockRows = 16;
 
-/// Before the content of a block stand its first row and its size in bytes.
+/// The first row of a block and its size in bytes precede its content.
 inline constexpr std::size_t kBlockHeadBytes = 8;
 
 inline constexpr const char* kFilmAttribute = "candela.film";      ///< string: FilmHeader as JSON

@@ -23,8 +23,8 @@ std::string writeFilm(const std::filesystem::path& file, const FilmHeader& heade
 struct FilmRows {
   std::uint32_t first;  ///< index of the first row within the window of the film
   std::span<const image::FilmPixel> pixels;
-  std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows() has them
-  /// As Film::ids() has them, by MatteKind.
+  std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows()
+  /// As Film::ids(), by MatteKind.
   std::array<std::span<const image::IdCounts>, image::kMatteKinds.size()> ids{};
 };
 
@@ -32,7 +32,7 @@ struct FilmRows {
 /// writeFilm() did not write: not a film, truncated, damaged, beyond the limits of image sizes, or of another version.
 class FilmReader {
  public:
-  /// Reads everything but the pixels. The file has a row of checks behind it before OpenEXR sees a byte.
+  /// Reads everything but the pixels. The file is checked before OpenEXR reads a byte of it.
   explicit FilmReader(const std::filesystem::path& file);
   ~FilmReader();
   FilmReader(FilmReader&&) noexcept;

@@ -27,7 +27,7 @@ struct FilmHead {
 /// Longest head that is read: enough for the description of a merge of thousands of parts.
 inline constexpr std::size_t kMaxHeadBytes = std::size_t{4} << 20;
 
-/// Reads the OpenEXR header at the start of `bytes`, which may end anywhere behind it. Throws FileError, without the
+/// Reads the OpenEXR header at the start of `bytes`, which may end anywhere after it. Throws FileError, without the
 /// name of the file, if it is not that of a film file.
 FilmHead parseHead(std::span<const std::byte> bytes);
 

@@ -20,7 +20,7 @@ std::vector<SampleBox> boxOf(const render::Window& window, std::uint32_t first, 
   return {{window, {first, end}}};
 }
 
-// Whether an adaptively sampled film is finished follows from its pixels alone.
+// Sets the coverage of an adaptively sampled film. Its pixels alone determine whether it is finished.
 void setAdaptiveCoverage(FilmHeader& header, const image::Film& film, const render::AdaptivePlan& plan) {
   const bool isFinished = !plan.next(film);
   const std::uint32_t end = isFinished ? header.samplesPerPixel : render::minSampleCount(film.pixels());
@@ -41,7 +41,8 @@ std::string settingOf(const FilmHeader& header, const std::string& name) {
 
 using Members = std::vector<std::pair<std::string, std::string>>;
 
-// Names and values of all members that two films of one estimate share, in the order in which they are compared.
+// Names and values of all members that must be equal in two films of one estimate, in the order in which they are
+// compared.
 Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
   Members members{{"the scene's hash", header.sceneHash},
                   {"--size", render::extentText(header.size)},

@@ -28,7 +28,7 @@ struct Tracer {
 struct FilmHeader {
   std::string sceneHash;              ///< 16 hexadecimal digits
   render::Extent size;                ///< of the full image
-  std::uint32_t samplesPerPixel = 1;  ///< of the whole render, of which the film may hold a part
+  std::uint32_t samplesPerPixel = 1;  ///< of the whole render; the film may contain only a part of them
   std::uint32_t seed = 0;
   std::map<std::string, std::string> settings;  ///< other options that decide the image, by name without dashes
   image::LayerSet layers;                       ///< those with sums, see image::withSums()
@@ -36,54 +36,55 @@ struct FilmHeader {
   /// By MatteKind: the largest number of ids of a pixel. writeFilm() sets it.
   std::array<std::uint32_t, image::kMatteKinds.size()> matteSlots{};
   render::Window window;           ///< pixels of the full image that the film has
-  std::vector<SampleBox> covered;  ///< samples that the film holds, as canonicalBoxes() lists them
-  /// Boxes that were interrupted: each of their pixels holds the first of these samples, some none, but no pixel all of
+  std::vector<SampleBox> covered;  ///< samples that the film contains, as canonicalBoxes() lists them
+  /// Boxes that were interrupted: each of their pixels has the first of these samples, possibly none, but not all of
   /// them. Disjoint from `covered`, in the same order.
   std::vector<SampleBox> begun;
   std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
   std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
 
-  /// Whether the film has hit counts, which the setting `background` says.
+  /// Returns whether the film has hit counts, as the setting `background` determines.
   bool hasAlpha() const;
-  /// Threshold of adaptive sampling, which the setting `noise-threshold` says. Throws FileError if that is no number.
+  /// Threshold of adaptive sampling, from the setting `noise-threshold`. Throws FileError if that is no number.
   std::optional<double> noiseThreshold() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
-  /// Whether every pixel of the image has all samples.
+  /// Returns whether every pixel of the image has all samples.
   bool isComplete() const;
   /// Version of the format of its file: 5 with mattes, 4 with a noise threshold, 3 with other layers, 2 with alpha
-  /// alone, else 1.
+  /// only, else 1.
   std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };
 
-/// The plan by which a film is sampled adaptively; nothing without a noise threshold. Throws as noiseThreshold() does.
+/// Returns the plan by which a film is sampled adaptively; nothing without a noise threshold. Throws as
+/// noiseThreshold() does.
 std::optional<render::AdaptivePlan> planOf(const FilmHeader& header);
 
 /// Sets `covered` and `begun` of a film whose pixels hold consecutive samples from `first` on. An adaptively sampled
 /// film that is finished covers all samples, although not every pixel has them.
 void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t first);
 
-/// The index of the first sample of each pixel of a film that a session can continue: all pixels of the window hold
-/// consecutive samples from that index on. Nothing for a film without samples and for one that was merged from parts
-/// which do not form such a film.
+/// Returns the index of the first sample of each pixel of a film that a session can continue: all pixels of the window
+/// hold consecutive samples from that index on. Nothing for a film without samples and for one that was merged from
+/// parts which do not form such a film.
 std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header);
 
 /// The differences of two films, or of a film and a render, in scene, image, settings and layers, each as a clause such
 /// as
-/// "--sampler is sobol in A and stratified in B". `a` and `b` are what the clauses call them.
+/// "--sampler is sobol in A and stratified in B". `a` and `b` are their names in the clauses.
 std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
                                              const std::string& b);
-/// The differences of two tracers.
+/// Returns the differences of two tracers.
 std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
                                            const std::string& b);
 
-/// `text` with every byte that is not UTF-8 replaced by U+FFFD, since names of devices may contain any bytes. All texts
-/// of a header are valid.
+/// Returns `text` with every byte that is not UTF-8 replaced by U+FFFD, since names of devices may contain any bytes.
+/// All texts of a header are valid.
 std::string validText(const std::string& text);
 
 /// Canonical JSON: equal headers have equal texts.
 std::string toJson(const FilmHeader& header);
-/// Throws FileError for any text that toJson() does not write for a header that is possible.
+/// Throws FileError for any text that is not the text of a valid header by toJson().
 FilmHeader headerFromJson(const std::string& text);
 /// Returns the member `tracers` of that text.
 nlohmann::ordered_json tracersJson(const std::vector<Tracer>& tracers);

@@ -10,7 +10,7 @@
 namespace candela::film {
 namespace {
 
-[[noreturn]] void refuse() { throw FileError("the mattes of a pixel are not those of its samples"); }
+[[noreturn]] void refuse() { throw FileError("the mattes of a pixel do not match its samples"); }
 
 // The ids that pixels may have.
 std::set<std::uint32_t> knownIds(const std::vector<std::string>& names) {

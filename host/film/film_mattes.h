@@ -16,7 +16,7 @@ std::vector<std::uint32_t> matteWords(const image::Film& film, std::size_t first
 /// The counts of some pixels, by MatteKind; none for kinds that the film lacks.
 using MatteRows = std::array<std::vector<image::IdCounts>, image::kMatteKinds.size()>;
 
-/// Reads what matteWords() returns. Throws FileError unless the counts of each pixel are by rising ids, have names and
+/// Reads the words of matteWords(). Throws FileError unless the counts of each pixel are by rising ids, have names and
 /// add up to its samples.
 MatteRows mattesOf(std::span<const std::uint32_t> words, std::span<const image::FilmPixel> pixels,
                    const FilmHeader& header);

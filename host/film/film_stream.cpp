@@ -1,4 +1,4 @@
-// Splits what OpenEXR writes into the head and the blocks, and computes the checksums.
+// Splits the output of OpenEXR into the head and the blocks, and computes the checksums.
 #include "host/film/film_stream.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ std::uint32_t littleEndianWord(const std::byte* bytes) {
   return word;
 }
 
-// The value of a string attribute that the head has: behind its name, its type and its size.
+// Returns the position of the value of a string attribute in the head: after its name, type and size.
 std::size_t valueOffset(std::span<const std::byte> head, std::string_view name) {
   const std::string before = std::string(name) + '\0' + "string" + '\0';
   const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());

@@ -1,4 +1,5 @@
-// Where OpenEXR writes a film file to: everything before the blocks stays in memory until the checksums are known.
+// The stream to which OpenEXR writes a film file. Everything before the blocks stays in memory until the checksums are
+// known.
 #pragma once
 #include <OpenEXR/ImfIO.h>
 

@@ -23,7 +23,7 @@ Imath::Box2i boxOf(const render::Window& window) {
   return {low, low + Imath::V2i(static_cast<int>(window.width) - 1, static_cast<int>(window.height) - 1)};
 }
 
-// The attributes beside kFilmAttribute repeat what programs that compare pictures look for.
+// The attributes beside kFilmAttribute are copies for programs that compare pictures.
 Imf::Header exrHeader(const FilmHeader& header) {
   const std::uint32_t blocks = (header.window.height + kBlockRows - 1) / kBlockRows;
   Imf::Header exr(boxOf(render::windowOf(header.size)), boxOf(header.window));

@@ -40,7 +40,7 @@ void requireSameTracers(const Part& a, const Part& b, const MergeOptions& option
   for (const Tracer& x : a.header.tracers) {
     for (const Tracer& y : b.header.tracers) {
       if (x == y || (options.mixedDevices && canMix(x, y))) continue;
-      const std::string remedy = canMix(x, y) ? "; --mixed-devices merges them all the same" : "";
+      const std::string remedy = canMix(x, y) ? "; --mixed-devices merges them nevertheless" : "";
       throw FileError(
           fmt::format("cannot merge: {}{}", tracerDifferences(x, y, a.file.string(), b.file.string()).front(), remedy));
     }
@@ -124,8 +124,8 @@ void requireWhole(const std::vector<Part>& parts, const std::vector<SampleBox>& 
   for (const Part& part : parts) {
     if (part.header.begun.empty()) continue;
     throw FileError(
-        fmt::format("{}: the render was interrupted within {}; go on with --resume first, or merge what there "
-                    "is with --partial",
+        fmt::format("{}: the render was interrupted within {}; continue it with --resume first, or merge what there is "
+                    "with --partial",
                     part.file.string(), listOf(part.header.begun)));
   }
   if (missing.empty()) return;

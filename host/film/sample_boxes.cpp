@@ -143,7 +143,7 @@ bool overlap(const SampleBox& a, const SampleBox& b) {
 std::vector<SampleBox> canonicalBoxes(std::span<const SampleBox> boxes) { return sweep(boxes, joined); }
 
 std::vector<SampleBox> missingBoxes(std::span<const SampleBox> boxes, const SampleBox& whole) {
-  // The whole takes part in the sweep for its edges; its range, which no box has, is taken out again.
+  // The whole is part of the sweep because of its edges; its range, which no box has, is then removed again.
   constexpr SampleRange kMark{0xffffffffu, 0xffffffffu};
   std::vector<SampleBox> all(boxes.begin(), boxes.end());
   all.push_back({whole.window, kMark});

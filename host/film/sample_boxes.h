@@ -17,12 +17,12 @@ struct SampleBox {
   bool operator==(const SampleBox&) const = default;
 };
 
-/// Whether two boxes have a sample in common.
+/// Returns whether two boxes have a sample in common.
 bool overlap(const SampleBox& a, const SampleBox& b);
 
-/// The one list of disjoint boxes that stands for the union: the bands of rows with equal samples, as tall as possible,
-/// from the top; in each the runs of columns with equal samples, as wide as possible, from the left; for each run its
-/// ranges in rising order. Sets that are equal have equal lists. Throws UsageError if two boxes overlap.
+/// Returns the canonical list of disjoint boxes of the union: the bands of rows with equal samples, as tall as
+/// possible, from the top; in each the runs of columns with equal samples, as wide as possible, from the left; for each
+/// run its ranges in rising order. Sets that are equal have equal lists. Throws UsageError if two boxes overlap.
 std::vector<SampleBox> canonicalBoxes(std::span<const SampleBox> boxes);
 
 /// The samples of `whole` that no box has, as canonicalBoxes() lists them. The boxes are disjoint and lie within it.

@@ -21,7 +21,7 @@ std::string hostName() {
   return name.data();
 }
 
-// Throws nlohmann's exceptions where the JSON is not what toJson() writes.
+// Throws nlohmann's exceptions if the JSON is not that of toJson().
 WorkReport fromJson(const ordered_json& json) {
   WorkReport work;
   work.runs = json.at("runs").get<std::uint64_t>();

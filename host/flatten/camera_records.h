@@ -5,7 +5,7 @@
 
 namespace candela::flatten {
 
-/// Consecutive records of the scene buffer, starting at record `first`. It is empty if none depends on the camera.
+/// Consecutive records of the scene buffer, starting at record `first`. It is empty if no record depends on the camera.
 struct RecordSpan {
   std::uint32_t first = 0;
   Rows rows;

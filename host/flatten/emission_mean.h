@@ -1,4 +1,4 @@
-// How bright the texture and the vertex colours of an emitter are.
+// Computes the mean factor that the texture and the vertex colours of an emitter apply to its emission.
 #pragma once
 #include "host/scene/scene.h"
 

@@ -27,7 +27,7 @@ struct SceneFeatures {
 /// Returns all features of a scene except the kinds of lights, which follow from the light table.
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator);
 
-/// Name of a BVH's nodes, as in --layout; empty for structures that are no BVH.
+/// Name of a BVH's nodes, as in --layout; empty for structures that are not BVHs.
 constexpr const char* layoutName(std::uint32_t structure) {
   if (structure == gpu::kStructureBvh) return "bvh2";
   return structure == gpu::kStructureWideBvh ? "cwbvh" : "";

@@ -169,7 +169,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
-  // Vectors that grow would copy the records of large meshes several times. Memory beyond what is used is never
+  // Vectors that grow would copy the records of large meshes several times. Memory beyond the part in use is never
   // touched.
   const std::size_t attributeRows = order.size() * attributeRowsOf(flat.features);
   Rows attributes;

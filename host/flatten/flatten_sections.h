@@ -1,4 +1,4 @@
-// Sections of the scene buffer that have a file of their own each. shaders/shared/scene_rows.h has their layouts.
+// Sections of the scene buffer, each of which has a separate file. shaders/shared/scene_rows.h has their layouts.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-// Looks for a line between two convex polygons along one of their edges (separating axis theorem).
+// Searches for a line between two convex polygons along one of their edges (separating axis theorem).
 #include "host/flatten/overlap.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ Interval along(const dvec2& axis, const std::vector<dvec2>& polygon) {
   return result;
 }
 
-// Returns whether a line along an edge of `a` separates the polygons. They may touch by what double precision rounds.
+// Returns whether a line along an edge of `a` separates the polygons. They may touch within the rounding of double
+// precision.
 bool separates(const std::vector<dvec2>& a, const std::vector<dvec2>& b) {
   constexpr double kRounding = 1e-12;
   for (std::size_t i = 0; i < a.size(); ++i) {

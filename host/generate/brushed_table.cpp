@@ -15,7 +15,7 @@ constexpr double kBrushedRadius = 0.45, kBrushedDistance = 14;
 constexpr std::uint32_t kTurnSide = 64;
 constexpr glm::dvec3 kSteel{0.77, 0.78, 0.78}, kCopper{0.95, 0.64, 0.54};
 
-// The parameters that the balls of a row share. In the last row, a texture turns the direction.
+// The parameters of the balls of a row. In the last row, a texture rotates the direction.
 const MaterialFactors kBrushedRows[] = {
     {.colour = kSteel, .metalness = 1, .anisotropy = 0.5},
     {.colour = kSteel, .metalness = 1, .anisotropy = 1},

@@ -16,7 +16,7 @@ constexpr double kRadius = 0.45;
 constexpr double kDistance = 14;  // of the camera
 constexpr double kMargin = 0.4;   // around all balls
 
-// The parameters that the balls of a row share, which are all but the roughness.
+// The parameters of the balls of a row, except for the roughness.
 const MaterialFactors kTable[] = {{.colour = {1, 0.77, 0.34}, .metalness = 1},
                                   {.colour = {0.9, 0.45, 0.3}, .metalness = 0.5},
                                   {.colour = {0.75, 0.1, 0.1}},

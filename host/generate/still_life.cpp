@@ -1,4 +1,4 @@
-// Objects that show what materials of glTF can do, on a floor of tiles.
+// Objects that show materials of glTF, on a floor of tiles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -20,11 +20,11 @@ class Accessors {
   /// Without reading elements.
   ElementType type(const Value& reference) const;
 
-  /// Elements with as many components as Vector has, or floats for SCALAR. Integers are converted to the values that
-  /// they stand for if they are normalised (-1 to 1 or 0 to 1), otherwise as they are. All results are finite.
+  /// Elements with as many components as Vector has, or floats for SCALAR. Normalised integers are converted to
+  /// their values (-1 to 1 or 0 to 1), other integers are not changed. All results are finite.
   template <class Vector>
   std::vector<Vector> read(const Value& reference);
-  /// SCALAR or vectors of unsigned integers that are not normalised, all components one after the other.
+  /// SCALAR or vectors of unsigned integers that are not normalised, all components in sequence.
   std::vector<std::uint32_t> readWhole(const Value& reference, std::size_t components);
 
  private:

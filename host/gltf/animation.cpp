@@ -30,7 +30,8 @@ Interpolation interpolationOf(const Value& sampler) {
   const std::string name = sampler.textOr("interpolation", "LINEAR");
   if (name == "LINEAR") return Interpolation::linear;
   if (name == "STEP") return Interpolation::step;
-  if (name != "CUBICSPLINE") sampler.require("interpolation").fail(scene::quote(name) + " is no interpolation");
+  if (name != "CUBICSPLINE")
+    sampler.require("interpolation").fail(scene::quote(name) + " is not an interpolation mode");
   return Interpolation::cubic;
 }
 
@@ -110,7 +111,8 @@ void setPath(const Value& path, const Value& sampler, double seconds, Accessors&
   const std::string& name = path.text();
   const bool isRotation = name == "rotation";
   const bool isVector = name == "translation" || name == "scale";
-  if (!isRotation && !isVector && name != "weights") path.fail(scene::quote(name) + " is no path of a node");
+  if (!isRotation && !isVector && name != "weights")
+    path.fail(scene::quote(name) + " is not a path of an animated node");
   const std::size_t components = isRotation ? 4 : isVector ? 3 : 1;
   const std::vector<double> value = evaluate(readSampler(sampler, components, accessors), seconds, isRotation);
   if (isRotation) {

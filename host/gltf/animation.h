@@ -21,8 +21,8 @@ struct NodePose {
 /// By node index.
 using Pose = std::map<std::size_t, NodePose>;
 
-/// Evaluates every channel of animation 0 at `seconds`; before the first and after the last key frame, that frame
-/// holds. Empty if there is no animation. Throws PlaceError.
+/// Evaluates every channel of animation 0 at `seconds`; before the first and after the last key frame, the values
+/// of that frame apply. Empty if there is no animation. Throws PlaceError.
 Pose poseAt(const Value& root, double seconds, Accessors& accessors);
 
 }  // namespace candela::gltf

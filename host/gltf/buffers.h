@@ -1,4 +1,4 @@
-// The buffers of a glTF file and the views into them, read when they are first asked for.
+// The buffers of a glTF file and the views into them, read when they are first requested.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ class Buffers {
   Buffers(const Value& root, std::optional<std::string_view> binaryChunk, const scene::SceneFile& file,
           const scene::LoadOptions& options);
 
-  /// The view that a property like `bufferView` refers to. Throws PlaceError, at the place of the mistake, if the view
+  /// The view that a property like `bufferView` refers to. Throws PlaceError, at the place of the error, if the view
   /// or its buffer does not fit or cannot be read.
   BufferView view(const Value& reference);
 

@@ -18,8 +18,8 @@ struct View {
   std::string description;  ///< for reports
 };
 
-/// The camera that `wish` names (LoadOptions::camera); without a wish the first camera that a visible node has. A view
-/// that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
+/// Returns the camera that `wish` names (LoadOptions::camera); without a wish, the first camera of a visible node. A
+/// view that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
 /// `bounds`. Throws PlaceError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
                 const std::optional<Box>& bounds);
@@ -27,7 +27,7 @@ View chooseView(const Value& root, const NodeTree& nodes, const std::optional<st
 /// The view of a perspective or an orthographic camera at a node, without the node's scale.
 scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
 
-/// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with 5 % to spare.
+/// A view from the front (+Z), raised by 15 degrees, of the sphere around the box, with a margin of 5 %.
 scene::Camera framingCamera(const std::optional<Box>& bounds);
 
 }  // namespace candela::gltf

@@ -56,8 +56,8 @@ std::optional<std::size_t> findTooDeep(std::string_view text) {
   return std::nullopt;
 }
 
-/// The part of nlohmann's message that says what is wrong, without "[...] parse error at line 1, column 2: ". It quotes
-/// the file, whose bytes need not be text.
+/// Returns the part of nlohmann's message that describes the error, without "[...] parse error at line 1, column 2: ".
+/// It quotes the file, whose bytes need not be text.
 std::string reasonOf(const std::string& what) {
   const std::size_t start = what.find(": ");
   const std::string reason = start == std::string::npos ? what : what.substr(start + 2);
@@ -89,7 +89,7 @@ nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
   }
 }
 
-/// The chunk at `offset`; `offset` moves behind it.
+/// Returns the chunk at `offset`, and moves `offset` past it.
 std::string_view takeChunk(std::string_view bytes, std::size_t& offset, std::uint32_t& type) {
   if (bytes.size() - offset < kChunkHeaderSize) {
     throw PlaceError("GLB", fmt::format("the file ends within a chunk header at byte {}", offset));
@@ -109,7 +109,7 @@ std::string_view takeChunk(std::string_view bytes, std::size_t& offset, std::uin
 Container readGlb(const scene::SceneFile& file) {
   if (file.bytes.size() < kHeaderSize) throw PlaceError("GLB", "the file ends within the header of 12 bytes");
   const std::uint32_t version = wordAt(file.bytes, 4);
-  if (version != 2) throw PlaceError("GLB", fmt::format("container version {}; only version 2 is known", version));
+  if (version != 2) throw PlaceError("GLB", fmt::format("container version {}; only version 2 is supported", version));
   const std::size_t length = wordAt(file.bytes, 8);
   if (length < kHeaderSize || length > file.bytes.size()) {
     throw PlaceError("GLB", fmt::format("the header states {} bytes, but the file has {}", length, file.bytes.size()));

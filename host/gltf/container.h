@@ -13,10 +13,10 @@ struct Container {
   std::optional<std::string_view> binary;  ///< the chunk BIN of a GLB file
 };
 
-/// Whether the bytes begin as a GLB file does, or as a JSON object.
+/// Returns whether the bytes begin like a GLB file or like a JSON object.
 bool looksLikeGltf(std::string_view bytes);
 
-/// Throws SceneError with line and column of a mistake in JSON (syntax, UTF-8, numbers beyond double precision, nesting
+/// Throws SceneError with line and column of an error in JSON (syntax, UTF-8, numbers beyond double precision, nesting
 /// of more than 256 levels), and PlaceError for a damaged GLB header or chunk.
 Container readContainer(const scene::SceneFile& file);
 

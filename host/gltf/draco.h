@@ -22,7 +22,7 @@ struct DracoMesh {
   std::map<std::string, Attribute> attributes;  ///< by glTF's names: "POSITION"
 };
 
-/// Whether this program was built with Draco.
+/// Returns whether this program was built with Draco.
 bool canDecodeDraco();
 
 /// `extension` is the extension's object, `source` the bytes of its buffer view. Throws PlaceError for damaged data and

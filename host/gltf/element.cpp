@@ -24,7 +24,7 @@ constexpr std::array kTypeNames{TypeName{"SCALAR", 1}, TypeName{"VEC2", 2}, Type
 
 TypeName typeNameOf(const Value& name) {
   const auto* const found = std::ranges::find(kTypeNames, name.text(), &TypeName::name);
-  if (found == kTypeNames.end()) name.fail(scene::quote(name.text()) + " is no type of elements");
+  if (found == kTypeNames.end()) name.fail(scene::quote(name.text()) + " is not a type of elements");
   return *found;
 }
 
@@ -41,7 +41,7 @@ Component componentOf(const Value& code) {
                                     Component::unsignedShort, Component::unsignedInt, Component::real}) {
     if (value == static_cast<std::uint64_t>(component)) return component;
   }
-  code.fail(fmt::format("{} is no component type (5120 to 5123, 5125 or 5126)", value));
+  code.fail(fmt::format("{} is not a component type (5120 to 5123, 5125 or 5126)", value));
 }
 
 ElementType elementTypeOf(const Value& accessor) {
@@ -56,7 +56,7 @@ ElementType elementTypeOf(const Value& accessor) {
                    accessor.booleanOr("normalized", false)};
   const bool isInteger = type.component != Component::real && type.component != Component::unsignedInt;
   if (type.normalised && !isInteger) accessor.require("normalized").fail("only bytes and shorts can be normalised");
-  // The columns of matrices of bytes and shorts are padded, and nothing in glTF uses them.
+  // The columns of matrices of bytes and shorts are padded. glTF does not use such matrices.
   if (name.name.starts_with("MAT") && type.component != Component::real) {
     accessor.require("componentType").fail("matrices of integers are not supported");
   }

@@ -35,14 +35,14 @@ struct ElementType {
 
 std::size_t sizeOf(Component component);
 
-/// The component type that a number such as 5126 stands for. Throws PlaceError.
+/// Returns the component type of a number such as 5126. Throws PlaceError.
 Component componentOf(const Value& code);
 
 /// The type of an accessor. Its count is 1 to 2^32 - 1, and at most 2^24 if no buffer view has its elements. Throws
 /// PlaceError.
 ElementType elementTypeOf(const Value& accessor);
 
-/// The value that a component stands for: section 3.6.2.2 of the specification.
+/// Returns the value of a component: section 3.6.2.2 of the specification.
 template <class Out, class Raw>
 Out convertComponent(Raw raw, bool normalised) {
   if constexpr (std::is_same_v<Out, Raw>) return raw;

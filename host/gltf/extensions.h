@@ -1,4 +1,4 @@
-// The extensions that are known, and how far.
+// The supported extensions, and the extent of their support.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,21 +9,21 @@
 
 namespace candela::gltf {
 
-/// Complete, or `partly`: files load, and what is not rendered yet is a warning.
+/// Complete, or `partly`: files load, and a warning names the parts that are not rendered yet.
 enum class Support : std::uint8_t { none, partly, complete };
 
 /// As docs/gltf.md lists them; decoders that this program was built without are `none`.
 Support supportOf(std::string_view extension);
 
-/// The extensions in `extensionsUsed`, with what is not supported also by itself.
+/// The extensions in `extensionsUsed`, and those of them that are supported partly or not at all.
 struct UsedExtensions {
   std::vector<std::string> all;
   std::vector<std::string> partly;
   std::vector<std::string> unsupported;
 };
 
-/// Throws PlaceError unless asset.version is 2.x and every required extension is known. Warns of optional ones that are
-/// not.
+/// Throws PlaceError unless asset.version is 2.x and every required extension is supported. Warns of optional ones that
+/// are not.
 UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log);
 
 }  // namespace candela::gltf

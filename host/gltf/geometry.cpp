@@ -67,7 +67,7 @@ void addTargets(const Value& primitive, std::span<const double> weights, Accesso
 
 Topology topologyOf(const Value& primitive) {
   const std::uint64_t mode = primitive.wholeOr("mode", 4);
-  if (mode > 6) primitive.require("mode").fail(fmt::format("{} is no mode (0 to 6)", mode));
+  if (mode > 6) primitive.require("mode").fail(fmt::format("{} is not a mode (0 to 6)", mode));
   if (mode < 4) return Topology::pointsOrLines;
   if (mode == 4) return Topology::triangles;
   return mode == 5 ? Topology::strip : Topology::fan;

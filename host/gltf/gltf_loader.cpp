@@ -30,8 +30,7 @@ void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
   for (scene::PunctualLight& light : scene.punctualLights) light.reach = reach;
 }
 
-/// Returns whether the file states light. Emission that a texture shapes, as of headlights and displays, does not
-/// count.
+/// Returns whether the file has lights. Emission with a texture, as of headlights and displays, does not count.
 bool statesLight(const scene::Scene& scene) {
   const auto shines = [&](const scene::Primitive& primitive) {
     const scene::Material& material = scene.materials[primitive.material];

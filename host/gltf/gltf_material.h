@@ -59,14 +59,14 @@ struct GltfMaterial {
   double anisotropyRotation = 0;         ///< KHR_materials_anisotropy; in radians
   /// CANDELA_materials_conductor, docs/gltf.md
   std::optional<scene::Conductor> conductor{};
-  /// Properties of the material that this structure lacks: "base colour texture", "KHR_materials_dispersion".
+  /// Properties of the material that are not in this structure: "base colour texture", "KHR_materials_dispersion".
   std::set<std::string> unread;
 };
 
 /// Reads a `textureInfo`, as Textures::read() does.
 using TextureReader = std::function<scene::TextureReference(const Value&)>;
 
-/// Throws PlaceError where a factor is missing or out of range, and what `readTexture` throws.
+/// Throws PlaceError where a factor is missing or out of range, and the exceptions of `readTexture`.
 GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);
 
 }  // namespace candela::gltf

@@ -8,8 +8,8 @@
 namespace candela::gltf {
 namespace {
 
-// The attenuation colour is what remains of white light at the attenuation distance. Nothing absorbs all light at once:
-// the smallest positive float stands for 0.
+// The attenuation colour is the colour of white light after the attenuation distance. No volume absorbs all light at
+// once: the smallest positive float replaces 0.
 glm::vec3 absorptionOf(const GltfMaterial& source) {
   if (source.attenuationDistance == 0) return glm::vec3(0);
   const glm::vec3 colour = glm::max(source.attenuationColour, std::numeric_limits<float>::min());

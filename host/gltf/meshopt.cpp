@@ -1,4 +1,4 @@
-// Decodes buffer views by meshoptimizer. Whatever its functions only assert is checked here first.
+// Decodes buffer views by meshoptimizer. Conditions that its functions only assert are checked here first.
 #include "host/gltf/meshopt.h"
 
 #include <fmt/format.h>

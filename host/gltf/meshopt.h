@@ -8,7 +8,7 @@
 
 namespace candela::gltf {
 
-/// Whether this program was built with meshoptimizer.
+/// Returns whether this program was built with meshoptimizer.
 bool canDecodeMeshopt();
 
 /// `extension` is the extension's object, `source` the bytes that it refers to. The result has byteStride times count

@@ -11,7 +11,7 @@ namespace candela::gltf {
 /// PlaceError.
 glm::dmat4 localTransform(const Value& node, const NodePose& pose);
 
-/// T R S with a quaternion of any length but 0, which stands for no rotation.
+/// Returns T R S for a quaternion of any length; length 0 means no rotation.
 glm::dmat4 compose(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale);
 
 class NodeTree {

@@ -1,4 +1,4 @@
-// Makes a scene of nodes.
+// Builds a scene from nodes.
 #include "host/gltf/scene_assembly.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@
 namespace candela::gltf {
 namespace {
 
-constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // what the acceleration structures can index
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) -
+                                      1;  // the number that the acceleration structures can index
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);
@@ -35,7 +36,7 @@ float leastAlphaOf(const scene::TextureImage& image) {
   return static_cast<float>(least) / 255;
 }
 
-// A name that is no text is none: other readers report it.
+// A name that is not a string is ignored: other readers report it.
 std::string nameOf(const Value& value, const std::string& absent) {
   const auto name = value.json().is_object() ? value.json().find("name") : value.json().end();
   if (name == value.json().end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return absent;
@@ -147,12 +148,12 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
 
 void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
   if (topologyOf(primitive) == Topology::pointsOrLines) {
-    log_.warn("points", {}, primitive.pointer() + ": points and lines are left out");
+    log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
     return;
   }
   std::optional<Geometry> geometry = readGeometry(primitive, morphWeights(node, index, mesh), accessors_, buffers_);
   if (!geometry) {
-    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is left out");
+    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
     return;
   }
   ++counts_["primitive"];
@@ -240,7 +241,8 @@ void SceneAssembly::addLight(const Value& node, std::size_t index) {
   if (!extension) root_.fail("nodes have lights of KHR_lights_punctual, but the file does not");
   const Value reference = node.extension("KHR_lights_punctual")->require("light");
   const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
-  if (light.find("range")) log_.warn("range", {}, light.pointer() + "/range is ignored: light has no end");
+  if (light.find("range"))
+    log_.warn("range", {}, light.pointer() + "/range is ignored: light is not cut off at a distance");
   scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index)));
   ++counts_["light"];
 }

@@ -1,4 +1,4 @@
-// Makes a scene of the nodes of a glTF file.
+// Builds a scene from the nodes of a glTF file.
 #pragma once
 #include <map>
 #include <set>
@@ -15,7 +15,7 @@
 
 namespace candela::gltf {
 
-/// Adds materials, meshes and lights to a scene. Mistakes are collected in the log, each with its place.
+/// Adds materials, meshes and lights to a scene. Errors are collected in the log, each with its place.
 class SceneAssembly {
  public:
   /// All must outlive this object.
@@ -27,7 +27,7 @@ class SceneAssembly {
   void addNodes();
   /// Removes the opacity of materials that every ray hits. Call addNodes() first.
   void dropUselessOpacity();
-  /// Warnings about everything that was left out.
+  /// Adds warnings about everything that was omitted.
   void reportOmissions();
 
   scene::Scene& scene() { return scene_; }
@@ -44,9 +44,9 @@ class SceneAssembly {
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
   void addLight(const Value& node, std::size_t index);
-  /// Counts copies of a mesh that are about to be made, and throws PlaceError or OutOfMemoryError if they are too many.
+  /// Counts copies of a mesh before they are made, and throws PlaceError or OutOfMemoryError if there are too many.
   void requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies);
-  /// One transform relative to the node for each instance; the identity alone without EXT_mesh_gpu_instancing.
+  /// One transform relative to the node for each instance; only the identity without EXT_mesh_gpu_instancing.
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
   std::uint32_t materialOf(const Value& primitive);
@@ -64,7 +64,7 @@ class SceneAssembly {
   Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
-  std::set<std::string> unread_{};               ///< names of what materials and meshes have that is not rendered
+  std::set<std::string> unread_{};               ///< names of features of materials and meshes that are not rendered
   std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
   std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
   std::size_t triangleCount_ = 0;

@@ -1,4 +1,4 @@
-// Tangents for meshes that lack those that their material needs.
+// Tangents for meshes whose material needs them and whose file lacks them.
 #pragma once
 #include "host/gltf/geometry.h"
 #include "host/scene/texture.h"

@@ -24,7 +24,7 @@ scene::TextureWrap wrapOf(const Value& sampler, const char* key) {
   const std::uint64_t mode = sampler.wholeOr(key, kRepeat);
   if (mode == kRepeat) return scene::TextureWrap::repeat;
   if (mode == kMirroredRepeat) return scene::TextureWrap::mirroredRepeat;
-  if (mode != kClampToEdge) sampler.require(key).fail(fmt::format("{} is no wrapping mode", mode));
+  if (mode != kClampToEdge) sampler.require(key).fail(fmt::format("{} is not a wrapping mode", mode));
   return scene::TextureWrap::clampToEdge;
 }
 
@@ -34,7 +34,7 @@ void readSampler(const Value& sampler, scene::TextureReference& reference) {
   reference.wrapT = wrapOf(sampler, "wrapT");
   const std::uint64_t filter = sampler.wholeOr("magFilter", kLinear);
   if (filter != kNearest && filter != kLinear)
-    sampler.require("magFilter").fail(fmt::format("{} is no filter", filter));
+    sampler.require("magFilter").fail(fmt::format("{} is not a filter", filter));
   reference.filter = filter == kNearest ? scene::TextureFilter::nearest : scene::TextureFilter::linear;
 }
 

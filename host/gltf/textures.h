@@ -14,8 +14,8 @@ class Textures {
   /// Both must outlive this object.
   Textures(const Value& root, Buffers& buffers) : root_(root), buffers_(buffers) {}
 
-  /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless that was
-  /// done before. Throws PlaceError, at the place of the mistake.
+  /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless it has
+  /// been read before. Throws PlaceError, at the place of the error.
   scene::TextureReference read(const Value& info);
 
   /// The images that were read, in the order of their first use, to which the references refer.

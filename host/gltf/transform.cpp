@@ -27,7 +27,7 @@ glm::vec3 unitOrZero(const glm::dvec3& v) {
 
 struct VertexTransform {
   glm::dmat4 position;
-  glm::dmat3 normal;  ///< the normals that it gives have any length
+  glm::dmat3 normal;  ///< the resulting normals have any length
   bool mirrors;
 
   explicit VertexTransform(const glm::dmat4& transform) : position(transform) {
@@ -71,7 +71,7 @@ glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<con
   return weightSum > 0 ? sum / weightSum : glm::dmat4(1);
 }
 
-/// Where a vertex normal has no length, that of the last triangle at the vertex serves.
+/// Replaces vertex normals of length 0 by the normal of the last triangle at the vertex.
 void replaceZeroNormals(scene::Mesh& mesh) {
   const std::size_t count = mesh.indices.size();
   for (std::size_t i = 0; i + 2 < count; i += 3) {
@@ -87,7 +87,7 @@ void replaceZeroNormals(scene::Mesh& mesh) {
     }
   }
   for (glm::vec3& normal : mesh.normals) {
-    if (normal == glm::vec3(0)) normal = glm::vec3(0, 0, 1);  // of a triangle without area, which nothing hits
+    if (normal == glm::vec3(0)) normal = glm::vec3(0, 0, 1);  // of a triangle without area, which is never hit
   }
 }
 

@@ -12,11 +12,11 @@ namespace candela::gltf {
 /// a position is then beyond the range of binary32.
 void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place);
 
-/// The same with a transform for each vertex: the mean of its joints' matrices by weight, as section 3.7.3 of the
-/// specification has it. Weights that do not sum to 1 are scaled.
+/// The same with a transform for each vertex: the mean of its joints' matrices by weight, as in section 3.7.3 of
+/// the specification. Weights that do not sum to 1 are scaled.
 void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& place);
 
-/// Removes the vertices that no triangle has, if there are more than twice as many vertices as corners. Primitives may
+/// Removes the vertices that no triangle uses, if there are more than twice as many vertices as corners. Primitives may
 /// share one large set of vertices.
 void dropUnusedVertices(Geometry& geometry);
 

@@ -25,7 +25,7 @@ std::optional<int> hexDigit(char c) {
   return std::nullopt;
 }
 
-/// Letters, digits, + - . up to a colon, as RFC 3986 has it. One letter is a drive of Windows, and refused too.
+/// Letters, digits, + - . up to a colon, as in RFC 3986. One letter is a drive of Windows, and refused too.
 bool hasScheme(std::string_view uri) {
   const std::size_t end = uri.find_first_of(":/?#");
   return end != std::string_view::npos && uri[end] == ':';

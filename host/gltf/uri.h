@@ -8,13 +8,13 @@
 
 namespace candela::gltf {
 
-/// Whether the URI contains its data: "data:...".
+/// Returns whether the URI contains its data: "data:...".
 bool isDataUri(std::string_view uri);
 
 /// The bytes of a data URI in base64 (RFC 2397, RFC 4648). Throws PlaceError at the place of `uri`.
 std::string decodeDataUri(const Value& uri);
 
-/// The relative path that a URI stands for, with %XX decoded. Throws PlaceError if it has a scheme ("http:"), an
+/// Returns the relative path of a URI, with %XX decoded. Throws PlaceError if it has a scheme ("http:"), an
 /// incomplete %XX or a zero byte.
 std::filesystem::path decodePath(const Value& uri);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxWhole = 9007199254740992.0;  // 2^53: up to here JSON's numbers are exact
 
-/// As RFC 6901 writes a key, without control characters, and not longer than a line.
+/// Writes a key as in RFC 6901, without control characters, and not longer than a line.
 std::string escaped(std::string_view key) {
   constexpr std::size_t kMaxLength = 60;
   std::string text;

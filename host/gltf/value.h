@@ -1,4 +1,4 @@
-// A JSON value together with its place in the file, and checked access to what it holds.
+// A JSON value together with its place in the file, and checked access to its content.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@ struct PlaceError : FileError {
       : FileError((pointer.empty() ? "the root" : pointer) + ": " + message) {}
 };
 
-/// Every function but the first three throws PlaceError where the value is not of the type that it asks for. Numbers
+/// Every function except the first three throws PlaceError if the value does not have the required type. Numbers
 /// are finite.
 class Value {
  public:
@@ -28,7 +28,7 @@ class Value {
   const nlohmann::json& json() const { return *json_; }
   [[noreturn]] void fail(const std::string& message) const { throw PlaceError(pointer_, message); }
 
-  /// A member of this object; find() gives nothing where there is none.
+  /// Returns a member of this object; find() returns nothing if there is none.
   std::optional<Value> find(std::string_view key) const;
   Value require(std::string_view key) const;
   /// The member `name` of the member `extensions`, if there is one.
@@ -45,7 +45,7 @@ class Value {
   std::size_t indexInto(std::string_view list, std::size_t limit) const;
   bool boolean() const;
   const std::string& text() const;
-  /// An array of so many numbers.
+  /// Returns an array of as many numbers as Vector has components.
   template <class Vector>
   Vector vector() const;
 

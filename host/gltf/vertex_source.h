@@ -1,4 +1,4 @@
-// Where the vertices of a primitive come from: accessors, or data compressed by Draco.
+// The source of the vertices of a primitive: accessors, or data compressed by Draco.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ class VertexSource {
 
   /// The reference to the accessor of an attribute, if the primitive has it.
   std::optional<Value> attribute(const std::string& name) const { return attributes_.find(name); }
-  /// The number of components of the attribute that `reference` stands for.
+  /// Returns the number of components of the attribute to which `reference` refers.
   std::size_t components(const Value& reference, const std::string& name) const;
 
   /// The values of an attribute that exists. There must be `count` of them, unless count is 0.

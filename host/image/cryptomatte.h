@@ -10,7 +10,7 @@
 
 namespace candela::image {
 
-/// The number of ids of a pixel that files have: those with the largest coverage.
+/// The number of ids of a pixel in files: those with the maximum coverage.
 inline constexpr std::size_t kMatteRanks = 6;
 
 /// Returns the names of the channels of a layer, such as `CryptoObject00.r`: id and coverage of each rank, two ranks
@@ -21,7 +21,8 @@ std::span<const std::string> cryptomatteChannelNames(MatteKind kind);
 using CryptomatteValues = std::array<float, 2 * kMatteRanks>;
 
 /// Returns, for each rank, the bits of an id as a number and the fraction of the samples with the id; 0 for ranks that
-/// the pixel lacks. Ranks are sorted by falling coverage, then by rising id. Samples that hit nothing have no rank.
+/// the pixel lacks. Ranks are sorted by descending coverage, then by ascending id. Samples that hit nothing have no
+/// rank.
 CryptomatteValues cryptomatteValues(const IdCounts& counts);
 
 /// Returns the metadata of a layer whose ids belong to these names.

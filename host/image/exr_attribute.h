@@ -7,8 +7,8 @@
 namespace candela::image {
 
 /// Throws FileError unless the value of an attribute of this type has the length that OpenEXR reads. For most types,
-/// OpenEXR does not look at the stated size: where both differ, it would take what follows for another attribute, and
-/// allocate whatever size that states.
+/// OpenEXR does not look at the stated size: if both differ, it would take the following bytes for another attribute,
+/// and allocate whatever size that states.
 void requireExrAttribute(std::string_view type, ByteView value);
 
 }  // namespace candela::image

@@ -63,7 +63,7 @@ void checkHeader(ByteView bytes) {
   }
 }
 
-/// Limits what OpenEXR allocates while it opens a file, before checkImageSize can see the size.
+/// Limits the memory that OpenEXR allocates while it opens a file, before checkImageSize can check the size.
 void limitSizes() {
   static const bool limited = [] {
     constexpr auto kSide = static_cast<int>(kMaximumImageSide);

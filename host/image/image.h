@@ -30,7 +30,7 @@ struct Image {
   std::vector<std::uint32_t> badSampleCounts;  ///< FilmPixel::badCount
   std::map<std::string, std::string> metadata;
   std::vector<float> alpha{};       ///< in [0, 1]; `rgb` is premultiplied, that is, over black
-  std::vector<Channel> channels{};  ///< of layers; EXR files alone have them
+  std::vector<Channel> channels{};  ///< of layers; only EXR files have them
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
@@ -48,10 +48,10 @@ std::uint64_t badSampleCount(const Image& image);
 
 enum class ToneMap { none, srgb, aces, acesHill, agx, neutral, depth, heat };
 
-/// How linear RGB becomes 8-bit pixels: radiance * 2^exposure, then the tone curve, then (except for `none`) the sRGB
-/// transfer function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and
-/// negative values become black. The curves: `aces` is Narkowicz' fit (2016), `acesHill` Hill's fit of ACES as three.js
-/// has it, `agx` Wrensch's polynomial (2023), `neutral` Khronos PBR Neutral (2024), and `srgb` has no curve. `depth`
+/// Conversion of linear RGB to 8-bit pixels: radiance * 2^exposure, then the tone curve, then (except for `none`) the
+/// sRGB transfer function, then round(255 x). `none` clips the linear value and applies no transfer function. NaN and
+/// negative values become black. The curves: `aces` is Narkowicz' fit (2016), `acesHill` Hill's fit of ACES as in
+/// three.js, `agx` Wrensch's polynomial (2023), `neutral` Khronos PBR Neutral (2024), and `srgb` has no curve. `depth`
 /// and `heat` are false colours, which are signals without a transfer function. With v = red channel * 2^exposure /
 /// scale, `depth` shows the grey 1 / (1 + v^2), or black where v is 0 because nothing was hit; `heat` shows magma(v)
 /// (host/image/colour_map.h).
@@ -73,7 +73,7 @@ struct Pixels8 {
   std::vector<std::uint8_t> rgb;
   std::vector<std::uint8_t> alpha{};  ///< straight, one byte per pixel; empty: opaque
 };
-/// Converts an image; one with alpha as it looks over black.
+/// Converts an image; an image with alpha is composited over black.
 Pixels8 toPixels8(const Image& image, const DisplayTransform& transform);
 /// Converts an image with its alpha: the transform applies to the colours divided by alpha, which are black where alpha
 /// is 0.
@@ -97,8 +97,8 @@ bool isExr(const std::filesystem::path& file);
 /// UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that EXR
 /// reserves, or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
-/// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. Of an EXR file,
-/// which must be of one flat part, it reads the data window: R, G and B, or Y alone as grey, A, `variance.Y`,
+/// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. From an EXR
+/// file, which must have a single flat part, it reads the data window: R, G and B, or Y alone as grey, A, `variance.Y`,
 /// `samples`, `badSamples` and the string attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of
 /// PFM's scale is ignored; only its sign is used. Invalid files give a FileError, never a crash.
 Image readImage(const std::filesystem::path& file);

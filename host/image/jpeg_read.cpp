@@ -96,7 +96,7 @@ class JpegReader {
 };
 
 /// Refuses files that claim more pixels than they can contain. Each block of 8x8 pixels takes at least one bit in the
-/// Huffman codes of its first coefficient; arithmetic codes get the benefit of a factor of eight.
+/// Huffman codes of its first coefficient; arithmetic codes are allowed a factor of eight.
 void requirePlausible(std::uint64_t pixelCount, std::size_t fileSize) {
   constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 8 * 64;
   if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid JPEG file: it is truncated");

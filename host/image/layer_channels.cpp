@@ -11,7 +11,7 @@
 namespace candela::image {
 namespace {
 
-constexpr double kDepthOfNothing = 1e10;  // where Blender has its far end
+constexpr double kDepthOfNothing = 1e10;  // the distance that Blender uses
 
 /// The sums of one pixel by their names.
 class PixelSums {
@@ -113,7 +113,7 @@ Channel channelOf(const Film& film, Layer layer, const std::string& name, std::s
   return channel;
 }
 
-// Adds all channels of a matte at once, since they share the ranks of each pixel.
+// Adds all channels of a matte at once, since they use the same ranks of each pixel.
 void addMatte(Image& image, const Film& film, MatteKind kind) {
   const std::size_t first = image.channels.size();
   for (const std::string& name : cryptomatteChannelNames(kind)) image.channels.push_back({name, {}});

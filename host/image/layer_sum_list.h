@@ -4,7 +4,7 @@
 #define CANDELA_IMAGE_LAYER_SUM_LIST_H
 
 // X(image::LayerSum, whether a kernel has it in GLSL, its first record of a pixel in GLSL, bit in the mask of sums,
-// number of channels). The channels of a pixel are stored in this order, behind one header. docs/layers.md.
+// number of channels). The channels of a pixel are stored in this order, after one header. docs/layers.md.
 #define CANDELA_LAYER_SUMS(X)                                        \
   X(normal, kSumsNormal, kNormalSumRow, 0u, 3u)                      \
   X(albedo, kSumsAlbedo, kAlbedoSumRow, 1u, 3u)                      \

@@ -84,10 +84,10 @@ FixedSum toSignedFixed(double value, bool& bad) {
   return value < 0 ? negated(magnitude) : magnitude;
 }
 
-// Returns what the film adds for a channel of a sample.
+// Returns the value that the film adds for a channel of a sample.
 double keptOf(double whole) { return std::isfinite(whole) && whole >= 0 ? std::min(whole, kFilmMaximum) : 0; }
 
-// Returns a part of the radiance, limited to what the film adds for the whole.
+// Returns a part of the radiance, limited to the value that the film adds for the whole.
 double partOf(double whole, double part) {
   const double kept = keptOf(whole);
   return part >= 0 ? std::min(part, kept) : 0;  // 0 also where it is not a number

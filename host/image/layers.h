@@ -1,5 +1,5 @@
-// Layers: quantities of what camera rays hit, and parts of the light, as exact sums beside the film. docs/layers.md
-// defines them.
+// Layers: quantities of the surfaces that camera rays hit, and parts of the light, as exact sums beside the film.
+// docs/layers.md defines them.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -28,7 +28,7 @@ enum class Layer : std::uint32_t {
   variance,
   samples,
   moments,       ///< what `candela denoise` needs; has the sums of normal and albedo, too
-  cryptoObject,  ///< counts of ids and no sums, as the next
+  cryptoObject,  ///< counts of ids and no sums, like the next
   cryptoMaterial
 };
 
@@ -91,7 +91,7 @@ static_assert(sizeof(LayerRow) == 16);
 /// Adds the records of other samples of the same pixel.
 void addLayerRows(std::span<LayerRow> sums, std::span<const LayerRow> terms);
 
-/// What one sample adds.
+/// The values that one sample adds.
 struct LayerSample {
   struct FirstHit {
     glm::dvec3 normal{0};

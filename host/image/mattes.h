@@ -8,7 +8,7 @@
 
 namespace candela::image {
 
-/// The things that ids stand for. Each kind is a layer of its own.
+/// The kinds of things that ids identify. Each kind is a separate layer.
 enum class MatteKind : std::uint8_t { object, material };
 inline constexpr std::array kMatteKinds{MatteKind::object, MatteKind::material};
 

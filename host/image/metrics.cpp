@@ -118,7 +118,7 @@ std::string toText(const ImageComparison& c) {
   text += fmt::format("MSE                   {:.6g}\n", c.meanSquaredError);
   text += fmt::format("relMSE                {:.6g}\n", c.relativeMeanSquaredError);
   text += fmt::format("PSNR                  {:.2f} dB\n", c.peakSignalToNoise);
-  text += fmt::format("largest difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
+  text += fmt::format("maximum difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
   text += fmt::format("pixels that differ    {} ({:.4g} %) by more than {:g} relative and {:g} absolute\n",
                       c.differingCount, 100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute);
   return text;

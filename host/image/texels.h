@@ -16,7 +16,7 @@ struct Texels {
 
 /// Decodes a PNG, JPEG or WebP file, distinguished by its first bytes. Grey becomes equal channels, palettes are
 /// resolved, 16 bits are rounded to 8, and alpha is 255 where the file has none. What the file states about its colour
-/// space is ignored, as glTF 2.0 asks for (section 3.8.3). Accepts any bytes; throws FileError if they are not such a
+/// space is ignored, as glTF 2.0 requires (section 3.8.3). Accepts any bytes; throws FileError if they are not such a
 /// file, or one beyond the limits of checkImageSize().
 Texels decodeTexels(std::span<const std::byte> file);
 

@@ -141,7 +141,7 @@ std::string tunedText(const Element& report) {
   return text;
 }
 
-// The reports of all steps name the device; the first that has a result is taken.
+// The reports of all steps name the device; the first one with a result is used.
 void readDevice(const Element& root, KitResults& results) {
   std::vector<Element> reports{root.member("conformance")};
   for (const char* const step : {"verify", "bench", "rays"})

@@ -1,4 +1,4 @@
-// The results of the kit: what its script `run.sh` measured on one device, as the file `results.json`.
+// The results of the kit: the measurements of its script `run.sh` on one device, from the file `results.json`.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -61,8 +61,8 @@ struct KitResults {
   std::string tuned;  ///< fastest settings, as text; empty if they were not measured
 };
 
-/// Reads a `results.json` with the schema "candela-kit/1". Steps that gave no result are null in it. Throws FileError,
-/// which names the file and the JSON pointer of what is wrong.
+/// Reads a `results.json` with the schema "candela-kit/1". Steps without a result are null in it. Throws FileError,
+/// which names the file and the JSON pointer of the error.
 KitResults readKitResults(const std::filesystem::path& file);
 
 /// Returns the rows with the maximum speed of each scene, in the order of the file.

@@ -1,4 +1,4 @@
-// Takes metavars apart.
+// Splits metavars into words.
 #include "host/manuals/completion_words.h"
 
 #include <fmt/ranges.h>

@@ -10,7 +10,7 @@ namespace candela::manuals {
 
 enum class ValueKind { none, words, file, folder, other };
 
-/// Returns what follows an option.
+/// Returns the kind of value that follows an option.
 ValueKind valueKind(const cli::Option& option);
 
 /// Returns the values of an option whose metavar lists them, such as "on|off"; else none.

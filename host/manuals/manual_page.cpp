@@ -12,7 +12,7 @@
 namespace candela::manuals {
 namespace {
 
-// Returns text in which roff sees no request, no escape and no hyphen in place of a minus sign.
+// Returns text that roff prints literally: without requests and escapes, and with minus signs instead of hyphens.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char character : text) {
@@ -27,7 +27,7 @@ std::string escaped(const std::string& text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-// Returns text in which what stands between backquotes is bold.
+// Returns text in which words between backquotes are bold.
 std::string withLiterals(const std::string& text) {
   std::string out;
   bool isLiteral = false;

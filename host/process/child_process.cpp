@@ -1,4 +1,4 @@
-// The child sends JSON values, one a line, through a pipe, and its messages go to a temporary file.
+// The child sends JSON values, one per line, through a pipe, and its messages go to a temporary file.
 #include "host/process/child_process.h"
 
 #include <fcntl.h>
@@ -105,7 +105,7 @@ ChildProcess::ChildProcess(std::chrono::milliseconds limit, const std::function<
   if (::pipe2(ends, O_CLOEXEC) != 0) throw InternalError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
   in_ = FileDescriptor(ends[0]);
   const FileDescriptor out(ends[1]);
-  std::fflush(nullptr);  // otherwise the child would print once more what this process has not printed yet
+  std::fflush(nullptr);  // otherwise the child would also print the pending output of this process
   child_ = ::fork();
   if (child_ < 0) throw InternalError(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (child_ == 0) beChild(out.get(), messages_.get(), limit, work);

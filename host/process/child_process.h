@@ -30,7 +30,7 @@ class ChildProcess {
 
   /// Returns the file descriptor that poll() reports as readable when receive() has something to read.
   int descriptor() const { return in_.get(); }
-  /// Reads what the child has sent so far. Blocks if there is nothing. Call it until hasEnded().
+  /// Reads the values that the child has sent so far. Blocks if there is nothing. Call it until hasEnded().
   std::vector<nlohmann::json> receive();
   /// Returns whether the child has closed its end, so that it sends nothing more.
   bool hasEnded() const { return ended_; }
@@ -54,7 +54,7 @@ class ChildProcess {
 };
 
 struct ChildResult {
-  nlohmann::json answer;    ///< what the work returned; null after a failure
+  nlohmann::json answer;    ///< the result of the work; null after a failure
   std::string failure;      ///< as ChildProcess::failure(), or "fails: " and the message of an exception; empty: none
   std::string lastMessage;  ///< as ChildProcess::lastMessage()
 };

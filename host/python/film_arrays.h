@@ -6,7 +6,7 @@
 
 namespace candela::python {
 
-/// Each returns an array that shares the memory of the film, a PythonFilm, keeps it alive, and cannot be written.
+/// Each returns an array that shares the memory of the film, a PythonFilm, keeps it alive, and is read-only.
 pybind11::array imageOf(const pybind11::object& film);     ///< float32, (height, width, 3), linear RGB
 pybind11::array varianceOf(const pybind11::object& film);  ///< float32, (height, width)
 pybind11::array samplesOf(const pybind11::object& film);   ///< uint32, (height, width)

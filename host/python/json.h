@@ -1,4 +1,4 @@
-// JSON as Python's objects.
+// Converts JSON to Python objects.
 #pragma once
 #include <pybind11/pybind11.h>
 
@@ -6,7 +6,7 @@
 
 namespace candela::python {
 
-/// Returns what Python's json.loads() makes of a text.
+/// Returns the object that Python's json.loads() returns for a text.
 inline pybind11::object fromJson(const std::string& text) {
   return pybind11::module_::import("json").attr("loads")(text);
 }

@@ -11,7 +11,7 @@
 PYBIND11_MODULE(_candela, module) {
   using namespace candela::python;
   pybind11::options options;
-  options.disable_function_signatures();  // the stubs have better ones
+  options.disable_function_signatures();  // the stubs have better signatures
   translateErrors();
   module.attr("__version__") = candela::versionText();
   defineScene(module);

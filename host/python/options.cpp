@@ -49,7 +49,7 @@ const FunctionOptions kMergeOptions{"merge", Command::merge, {}, {"--mixed-devic
 
 namespace {
 
-// Python's name of the option for layers says that it takes several.
+// Python's name of the option for layers is a plural, because it takes several.
 constexpr const char* kLayerOption = "--aov";
 constexpr const char* kLayerKeyword = "aovs";
 
@@ -62,7 +62,7 @@ bool isList(const py::handle& value) { return py::isinstance<py::tuple>(value) |
 
 bool isRange(const py::handle& value) { return PyObject_TypeCheck(value.ptr(), &PyRange_Type) != 0; }
 
-// A range without samples, or with gaps, has no notation: the parser says what it expects.
+// A range without samples, or with gaps, has no notation; the parser then reports the expected form.
 std::string rangeText(const py::handle& range) {
   const std::string text = fmt::format("{}:{}", wordOf(range.attr("start")), wordOf(range.attr("stop")));
   const auto step = range.attr("step").cast<long long>();

@@ -24,11 +24,11 @@ extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessi
     kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kSaveOptions, kDenoiseOptions, kMergeOptions;
 
 /// Returns the arguments of a command that has these options: max_depth=8 is --max-depth 8, and aovs is --aov. A pair
-/// or a range becomes "WxH", "X,Y" or "A:B", True and False "on" and "off" (or a flag), and None leaves an option out.
-/// Throws UsageError with the texts of the command line.
+/// or a range becomes "WxH", "X,Y" or "A:B", True and False become "on" and "off" (or a flag), and None omits an
+/// option. Throws UsageError with the messages of the command line.
 cli::Arguments argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
 
-/// One line for each option: name, values, help and default.
+/// Returns one line for each option: name, values, help and default.
 std::string helpOf(const FunctionOptions& function);
 
 }  // namespace candela::python

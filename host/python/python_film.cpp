@@ -168,9 +168,10 @@ void defineFilm(py::module_& module) {
       .def("_repr_png_", &png)
       .def("__repr__", &filmText);
   module.def("open_film", &open, py::arg("file"), py::pos_only(), "open_film(file, /) -> Film\n\nReads a film file.");
-  module.def("merge", &merge, py::arg("files"), py::pos_only(),
-             ("merge(files, /, **options) -> Film\n\nAdds film files of parts of a render.\n\n" + helpOf(kMergeOptions))
-                 .c_str());
+  module.def(
+      "merge", &merge, py::arg("files"), py::pos_only(),
+      ("merge(files, /, **options) -> Film\n\nMerges film files of parts of a render.\n\n" + helpOf(kMergeOptions))
+          .c_str());
 }
 
 }  // namespace candela::python

@@ -12,19 +12,19 @@
 
 namespace candela::python {
 
-/// The exact sums of a render with everything that its files state. It does not change.
+/// The exact sums of a render with all metadata of its files. It does not change.
 struct PythonFilm {
   image::Film film;
   film::FilmHeader header;
   cli::Metadata metadata;    ///< of image files
   film::WorkReport work;     ///< of the file beside a film file
-  cli::Arguments arguments;  ///< of the render; those of a film file have its integrator alone
+  cli::Arguments arguments;  ///< of the render; for a film file, only the integrator is set
   std::string report;        ///< JSON, as `candela render` writes it; empty for a film file
   bool isInterrupted = false;
 
-  /// Converts the sums once, also when several threads ask. Without the GIL.
+  /// Converts the sums once, even if several threads call it. Without the GIL.
   const image::Image& picture() const;
-  /// The layers of picture(), also made once.
+  /// Returns the layers of picture(), which are also computed once.
   const std::map<image::Layer, LayerValues>& layers() const;
 
  private:

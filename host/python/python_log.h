@@ -1,4 +1,4 @@
-// Messages of a call: warnings of Python, and records of its logging.
+// The messages of a call, as Python warnings and logging records.
 #pragma once
 #include <mutex>
 #include <string>
@@ -19,8 +19,8 @@ class PythonLog final : public Log {
   void note(const std::string& text) const override { add("note", text); }
   void detail(const std::string& text) const override { add("detail", text); }
 
-  /// Passes the messages so far to candela._messages. The caller holds the GIL. Throws what a filter of warnings
-  /// raises.
+  /// Passes the messages so far to candela._messages. The caller holds the GIL. Throws the exception that a filter of
+  /// warnings raises.
   void passOn();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace candela::python {
 
-/// A scene with the options by which it was read, which films state. Renders share it.
+/// A scene with the options with which it was read, which films record. Renders share it.
 struct PythonScene {
   std::shared_ptr<const scene::Scene> scene;
   cli::Arguments loading;  ///< files, loadOptions and the names of these options

@@ -1,4 +1,4 @@
-// render(): as the command does, except that the film stays in memory.
+// Implements render(), which works like the command, except that the film stays in memory.
 #include <nlohmann/json.hpp>
 
 #include "host/cli/denoise_film.h"

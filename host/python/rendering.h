@@ -9,11 +9,11 @@
 
 namespace candela::python {
 
-/// Returns the job of a render. With denoise=True, its film gets what the denoiser needs. Throws as
+/// Returns the job of a render. With denoise=True, its film gets the sums that the denoiser needs. Throws as
 /// PythonScene::jobOf() and cli::requireDenoisable() do.
 cli::RenderJob renderJobOf(const PythonScene& scene, const cli::Arguments& arguments, const Log& log);
 
-/// Returns the film of a render, with its report, and logs what is wrong with it.
+/// Returns the film of a render, with its report, and logs its warnings.
 std::shared_ptr<PythonFilm> filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,
                                    const film::WorkReport& work, double seconds, const Log& log);
 

@@ -26,7 +26,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   const double start = monotonicSeconds();
   const render::SampleRange wanted = range.value_or(render::SampleRange{done_, total()});
   if (wanted.end > total()) {
-    throw UsageError(fmt::format("samples {}:{} go beyond the {} samples per pixel; state the total with --spp",
+    throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with --spp",
                                  wanted.first, wanted.end, total()));
   }
   if (wanted.first == wanted.end) return true;
@@ -42,7 +42,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   return isComplete;
 }
 
-// The render as the command line would state it: with --samples, if it is a part.
+// Returns the render as on a command line: with --samples, if it is a part.
 cli::RenderJob PythonSession::jobSoFar() const {
   cli::RenderJob job = job_;
   const std::uint32_t first = first_.value_or(0);

@@ -19,7 +19,7 @@ class PythonSession {
   /// Adds the samples of `range` that are missing; by default all. Returns false if `watch` stopped it. Throws
   /// UsageError for a range that does not continue the film.
   bool advance(const std::optional<render::SampleRange>& range, const Watch& watch);
-  /// The next `count` samples, at most those that are left.
+  /// Returns the next `count` samples, at most the remaining ones.
   render::SampleRange next(std::uint32_t count) const;
   std::shared_ptr<PythonFilm> film();
   void reset(std::uint32_t seed);

@@ -85,7 +85,7 @@ void defineSession(py::module_& module) {
       .def("advance", &advance, py::arg("samples") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
            "Adds samples to every pixel: a number, a range of indices, or None for all that are left.")
       .def("reset", &reset, py::arg("seed"), "Empties the film and starts again with other random numbers.")
-      .def("close", &SharedSession::close, "Gives the device back. The films of the session stay.")
+      .def("close", &SharedSession::close, "Releases the device. Films of the session stay valid.")
       .def("__enter__", [](const Shared& shared) { return shared; })
       .def("__exit__", [](SharedSession& shared, const py::args&) { shared.close(); })
       .def_property_readonly("film", &film, "The film so far, which later samples do not change.")

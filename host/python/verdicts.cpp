@@ -1,4 +1,4 @@
-// Compares tracers and images, as the commands do.
+// Compares tracers and images, like the commands.
 #include "host/python/verdicts.h"
 
 #include <fmt/format.h>

@@ -7,8 +7,8 @@
 
 namespace candela::python {
 
-/// The result of a command that compares: what it prints, what it writes as JSON, and whether the sides agree, which
-/// nothing says of two images without a criterion.
+/// The result of a command that compares: its printed text, its JSON report, and whether the sides agree, which
+/// is empty for two images without a criterion.
 struct Outcome {
   std::optional<bool> agrees;
   std::string verdict;  ///< sentences

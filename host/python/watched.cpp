@@ -1,4 +1,4 @@
-// The calling thread waits, and wakes up to look after Python.
+// The calling thread waits, and wakes up to run Python's signal handlers and the progress callback.
 #include "host/python/watched.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What the two threads share.
+/// The state that the two threads share.
 class Meeting {
  public:
   std::atomic<bool> stop{false};
@@ -37,7 +37,8 @@ class Meeting {
     isDone_ = true;
     done_.notify_one();
   }
-  /// Waits without the GIL for the end or for the time to look after Python; returns whether the work has ended.
+  /// Waits without the GIL for the end of the work, at most until Python must be served again; returns whether the work
+  /// has ended.
   bool wait() {
     constexpr std::chrono::milliseconds kPeriod{50};
     const py::gil_scoped_release released;
@@ -66,13 +67,13 @@ class Meeting {
   bool isDone_ = false;
 };
 
-// Python runs handlers of signals only in its main thread, and only when asked to.
+// Python runs handlers of signals only in its main thread, and only on request.
 void lookAfterPython(Meeting& meeting, const py::object& progress) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   meeting.passOn(progress);
 }
 
-// Threads of a driver that are still at work must not see libraries being unloaded.
+// Libraries must not be unloaded while threads of a driver still work.
 void leaveQuickly() {
   static std::once_flag once;
   std::call_once(once, [] {

@@ -1,6 +1,6 @@
-// How surfaces scatter light: docs/light-transport.md section 5. Directions are unit vectors in the shading frame (z is
-// the shading normal, on the side of wo) and point away from the surface. wi may be any direction of the sphere; each
-// lobe determines the side of the surface to which it scatters.
+// Evaluates and samples the scattering of light at surfaces: docs/light-transport.md section 5. Directions are unit
+// vectors in the shading frame (z is the shading normal, on the side of wo) and point away from the surface. wi may be
+// any direction of the sphere; each lobe determines the side of the surface to which it scatters.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -28,7 +28,7 @@ class AliasTable {
 
 class EnvironmentMap {
  public:
-  /// A texel of the map that stands for the radiance in a direction.
+  /// A texel of the map that is used as the radiance in a direction.
   struct Tap {
     std::uint32_t texel;
     dvec3 radiance;

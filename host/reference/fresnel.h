@@ -10,7 +10,8 @@ struct Boundary {
   double cosTransmitted;  ///< 0 if the reflection is total
 };
 
-/// `cosIncident` in (0, 1]; `eta` > 0 is the index of refraction on the ray's side divided by that behind the boundary.
+/// `cosIncident` in (0, 1]; `eta` > 0 is the index of refraction on the ray's side divided by that on the far side of
+/// the boundary.
 Boundary fresnel(double cosIncident, double eta);
 
 /// Returns the reflectance of a conductor with the complex index `ior` + i `extinction`, for unpolarised light in air.

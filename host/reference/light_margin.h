@@ -22,7 +22,7 @@ struct RayEnd {
 class LightMargin {
  public:
   /// `ray` ends at `point`, the light, at `distance`; `eye` is the camera's position. `fraction` is kLightMargin, or
-  /// what rounding makes of it. `ray` must outlive the object.
+  /// the same perturbed by rounding. `ray` must outlive the object.
   LightMargin(const Ray& ray, double distance, const dvec3& point, const dvec3& eye, double fraction)
       : ray_(ray), distance_(distance), point_(point), eye_(eye), fraction_(fraction) {}
 

@@ -21,7 +21,7 @@ class PathTracer final : public PixelTracer {
   /// The scene, which has a camera, must outlive the object.
   PathTracer(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// Computes what sample() computes for the same sample and replica (0: exactly), and returns all intermediate
+  /// Computes the same as sample() for the same sample and replica (0: exactly), and returns all intermediate
   /// results.
   render::PathTrace trace(const render::PixelSample& place, std::uint32_t replica = 0) const;
 
@@ -43,7 +43,7 @@ class PathTracer final : public PixelTracer {
   dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
              Rounding& rounding) const;
   /// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer
-  /// is chosen, and `material` becomes that layer alone.
+  /// is chosen, and `material` becomes this layer.
   void mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,
                 Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction. Camera

@@ -19,7 +19,7 @@
 
 namespace candela::reference {
 
-/// What the tracer of a sample stores besides its value; null: it does not.
+/// Quantities that the tracer of a sample stores besides its value; null: they are not stored.
 struct SampleOutputs {
   render::PathRecord* record = nullptr;  ///< decisions of the path or tree
   image::LayerSample* layers = nullptr;  ///< path tracer only
@@ -55,7 +55,7 @@ class PixelTracer {
 
  protected:
   const scene::Scene& scene() const { return scene_; }
-  /// The only source of what integrators know about a material. It depends on nothing but the surface point.
+  /// Integrators obtain materials only from this function, which depends only on the surface point.
   SurfaceMaterial materialAt(const Surface& surface, Rounding& rounding) const {
     SurfaceMaterial material = materials_[surface.material];
     if (variesOverTriangles_) applyTextures(scene_, surface, material, rounding);

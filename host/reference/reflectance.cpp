@@ -1,4 +1,4 @@
-// Reflectances at normal incidence, and what a thin film makes of them.
+// Reflectances at normal incidence, and their change by a thin film.
 #include "host/reference/reflectance.h"
 
 #include "host/reference/fresnel.h"

@@ -1,4 +1,4 @@
-// Stochastic arithmetic: perturbs what the reference computes by what single precision may round off on a device.
+// Stochastic arithmetic: perturbs the values of the reference by the rounding errors of single precision on a device.
 //
 // A replica is a sample traced again with each quantity moved by its bound (RoundingBounds), up or down with equal
 // probability, independently of the others (CESTAC: Vignes, "A stochastic arithmetic for reliable scientific

@@ -78,7 +78,7 @@ std::uint32_t permuteRound(std::uint32_t i, std::uint32_t mask, std::uint32_t ke
   return i ^ (i >> 5);
 }
 
-// How a dimension is stratified: alone, or as one of a pair that shares a key and an n x n grid.
+// The stratification of a dimension: alone, or as one of a pair that has a common key and an n x n grid.
 struct Stratification {
   bool paired = false;
   bool second = false;    // of the pair

@@ -32,7 +32,7 @@ std::uint32_t jitterInStratum(std::uint32_t stratum, std::uint32_t count, std::u
 /// Returns the word as a real number in [0, 1): its upper 24 bits.
 inline double toUnit(std::uint32_t word) { return (word >> 8) * 0x1p-24; }
 
-/// The parameters that all samples of a render share.
+/// The parameters that are common to all samples of a render.
 class Sampler {
  public:
   Sampler(render::SamplerKind kind, std::uint32_t seed, std::uint32_t sampleCount);
@@ -70,7 +70,7 @@ class NumberCache {
 /// The numbers of one sample of one pixel. Caches the words of the last requested group.
 class SampleNumbers {
  public:
-  /// `cache`, unless null, serves this sample alone, and must outlive the object.
+  /// `cache`, unless null, is used only for this sample, and must outlive the object.
   SampleNumbers(const Sampler& sampler, std::uint32_t x, std::uint32_t y, std::uint32_t sample,
                 NumberCache* cache = nullptr)
       : sampler_(sampler), cache_(cache), pixel_(x + 65536u * y), sample_(sample) {}

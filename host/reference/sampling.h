@@ -33,7 +33,7 @@ struct Frame {
   dvec3 normal;
 
   explicit Frame(const dvec3& unitNormal);
-  /// The frame whose tangent is the projection of `along` on the plane of the normal; that of the normal alone if
+  /// The frame whose tangent is the projection of `along` on the plane of the normal; that of only the normal if
   /// `along` is 0 or has no projection.
   Frame(const dvec3& unitNormal, const dvec3& along);
   dvec3 toWorld(const dvec3& v) const { return v.x * tangent + v.y * bitangent + v.z * normal; }

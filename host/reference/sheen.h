@@ -18,7 +18,7 @@ class Sheen {
   dvec3 value(const dvec3& wo, const dvec3& wi) const;
   /// Returns the directional albedo.
   dvec3 albedo() const { return white_ * colour_; }
-  /// Returns the light that the sheen takes from what is below it.
+  /// Returns the fraction of the light that the sheen takes from the lobes below it.
   double share() const;
   /// Returns the power of the quotient from which value() follows; 0 without a sheen.
   double steepness() const { return exists() ? 0.5 / alpha_ : 0; }

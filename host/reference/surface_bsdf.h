@@ -41,7 +41,7 @@ class SurfaceBsdf {
   SurfaceSample sample(double choice, const dvec2& u) const;
 
  private:
-  /// The layer on top: white microfacets that take the fraction `share` of the light.
+  /// The layer on top: white microfacets that reflect the fraction `share` of the light.
   struct Coat {
     Microfacets microfacets;
     double share;

@@ -13,7 +13,7 @@ struct SurfaceMaterial {
   bool isCoatAlone = false;  ///< the layers below the coat do not count
   std::optional<scene::WhittedMaterial> whitted;
 
-  /// Multiplies what follows from the base colour.
+  /// Multiplies the parameters that the base colour scales.
   void scaleBaseColour(const dvec3& scale) {
     if (surface) surface->baseColour = glm::vec3(dvec3(surface->baseColour) * scale);
     bsdf.scaleBaseColour(scale);

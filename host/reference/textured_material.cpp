@@ -1,4 +1,4 @@
-// Applies what varies over a triangle to its material.
+// Applies the textures and vertex colours of a triangle to its material.
 #include "host/reference/textured_material.h"
 
 #include <cmath>

@@ -12,7 +12,7 @@ struct ThinFilm {
   double thickness;
 
   /// Returns the reflectance for light from outside, in [0, 1]. `cosine` in (0, 1]; `base` is the reflectance of the
-  /// base alone at normal incidence, per channel.
+  /// base at normal incidence without the film, per channel.
   dvec3 reflectance(double cosine, const dvec3& base) const;
 };
 

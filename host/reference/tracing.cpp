@@ -36,7 +36,7 @@ bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double 
   return entry <= exit * kSlack && entry <= limit * kSlack;
 }
 
-// Rays of replicas are displaced, by far less than this, and may hit what lies just outside of a primitive's box.
+// Rays of replicas are displaced, by far less than this, and may hit points just outside of a primitive's box.
 void padForReplicas(std::vector<Bounds>& boxes, const dvec3& eye) {
   constexpr double kPadding = 0x1p-16;
   dvec3 largest = glm::abs(eye);
@@ -50,7 +50,7 @@ bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
          TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
 }
 
-// The distance at which a ray hits a shape. A flat shape is not hit from behind if it has one side.
+// Returns the distance at which a ray hits a shape. A flat one-sided shape is not hit from its back.
 struct HitDistance {
   const Ray& ray;
   bool leaving;

@@ -68,9 +68,10 @@ class Tracing {
   void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
   /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
-  /// is kLightMargin, or what rounding makes of it.
+  /// is kLightMargin, perturbed by the rounding of a replica.
   bool containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const;
-  /// Whether a ray passes an item that it would hit. `word`: of the rounding of a replica; 0: exactly.
+  /// Returns whether a ray passes an item that it would otherwise hit. `word`: of the rounding of a replica; 0:
+  /// exactly.
   bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
   void findReaches(const dvec3& eye);
   /// The origin of the ray that the device's test of this item amounts to; `signs` of the errors.

@@ -1,4 +1,4 @@
-// Pictures of what camera rays hit: docs/light-transport.md section 10.
+// The views, pictures of properties of the surfaces that camera rays hit: docs/light-transport.md section 10.
 #pragma once
 #include <optional>
 

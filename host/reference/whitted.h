@@ -19,7 +19,7 @@ class WhittedTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  /// State that all rays of one sample share.
+  /// State that is common to all rays of one sample.
   struct SampleState;
   /// A ray and its position in the tree.
   struct Node;

@@ -1,4 +1,4 @@
-// Recognises where the blocks of a film stand by the numbers of samples of their pixels.
+// Determines the state of the blocks of a film from the numbers of samples of their pixels.
 #include "host/render/adaptive_plan.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ void requireAligned(const Window& window, const Extent& size) {
       windowText(window), kBlockSide));
 }
 
-// The number of samples at which the decision after that at `samples` is made.
+// Returns the number of samples at which the decision after the one at `samples` is made.
 std::uint32_t AdaptivePlan::levelAbove(std::uint32_t samples) const {
   std::uint32_t level = pilot_;
   while (level <= samples) level *= 2;
@@ -74,7 +74,7 @@ std::vector<AdaptivePlan::Block> AdaptivePlan::blocksOf(const image::Film& film)
   return blocks;
 }
 
-// Returns which half-regions of the blocks that are not pending go on.
+// Returns which half-regions of the blocks that are not pending continue.
 std::vector<bool> AdaptivePlan::decide(const image::Film& film, const std::vector<Block>& blocks) const {
   const std::vector<std::uint32_t> counts = regions_.countsOf(film);
   const std::vector<double> errors = regions_.errorsOf(film, counts);
@@ -98,7 +98,7 @@ void AdaptivePlan::applyDecisions(const std::vector<bool>& goesOn, std::vector<B
   }
 }
 
-// Blocks that merged parts of a film have at different levels are brought to the same one first.
+// In a merged film, blocks may be at different levels; they are brought to the same level first.
 std::optional<AdaptiveStep> AdaptivePlan::next(const image::Film& film) const {
   std::vector<Block> blocks = blocksOf(film);
   const std::vector<bool> goesOn = decide(film, blocks);

@@ -1,4 +1,4 @@
-// Adaptive sampling: which pixels of a film get more samples, decided from the film alone.
+// Adaptive sampling: which pixels of a film get more samples, decided only from the film.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace candela::render {
 
-/// Number of samples of every pixel before the first decision: the least power of two that is at least 16 and, for a
+/// Number of samples of every pixel before the first decision: the smallest power of two that is at least 16 and, for a
 /// threshold > 0, 0.64 / threshold^2; at most 2^20.
 std::uint32_t pilotSamples(double threshold);
 
 /// The next work on a film. No film may be stored, or continued by another session, before the pixels have their
-/// samples up to `indivisible`: only then can the decision that led to the step be told from the numbers of samples.
+/// samples up to `indivisible`: only then do the numbers of samples show the decision that led to the step.
 struct AdaptiveStep {
   PixelMask pixels;               ///< those that get samples
   std::uint32_t indivisible = 0;  ///< 0: the film shows the decision already
@@ -29,18 +29,18 @@ class AdaptivePlan {
       : regions_(window), threshold_(threshold), pilot_(pilotSamples(threshold)), maxSamples_(maxSamples) {}
 
   const AdaptiveRegions& regions() const { return regions_; }
-  /// Returns the next step of a film that has taken the steps so far, and the last of them as far as it may be
-  /// interrupted; nothing if the film is finished.
+  /// Returns the next step of a film after the previous steps, the last of which may have been interrupted;
+  /// nothing if the film is finished.
   std::optional<AdaptiveStep> next(const image::Film& film) const;
 
  private:
-  /// Where the pixels of a block stand.
+  /// The state of the pixels of a block.
   struct Block {
     std::uint32_t max = 0;     ///< maximum number of samples of a pixel
-    std::uint32_t active = 0;  ///< pixels with at least so many samples get more,
+    std::uint32_t active = 0;  ///< pixels with at least this number of samples get more,
     std::uint32_t end = 0;     ///< up to this number
     bool isPending = false;    ///< some of them lack samples
-    bool isDecided = false;    ///< none lacked any, and the next decision was that some get more
+    bool isDecided = false;    ///< no pixel lacked samples, and the next decision gave more to some
   };
 
   std::uint32_t levelAbove(std::uint32_t samples) const;

@@ -1,4 +1,4 @@
-// Counts the samples that films could not store, over one render or many, and the pixels in which they occurred.
+// Counts the bad samples of films, over one render or many, and the pixels in which they occurred.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -27,11 +27,11 @@ class BadSampleTally {
   /// Adds the bad samples of a film that was rendered with `image`.
   void add(const image::Film& film, const ImageSettings& image);
 
-  /// Adds what another tally counted in later renders.
+  /// Adds the counts of another tally, of later renders.
   void add(const BadSampleTally& later);
 
   std::uint64_t samples() const { return samples_; }
-  /// Number of pixels with bad samples. A pixel counts once, however many renders it was bad in.
+  /// Number of pixels with bad samples. A pixel counts once, even if it was bad in several renders.
   std::uint64_t pixels() const { return pixels_; }
   /// The first of these pixels, at most kPixelsKept: by render, then row by row from the top.
   const std::vector<BadPixel>& firstPixels() const { return firstPixels_; }

@@ -29,7 +29,7 @@ struct Window {
 /// All pixels of an image.
 constexpr Window windowOf(const Extent& size) { return {0, 0, size.width, size.height}; }
 
-/// Whether `inner` lies within an image of this size.
+/// Returns whether `inner` lies within an image of this size.
 constexpr bool isWithin(const Window& inner, const Extent& size) {
   return inner.x <= size.width && inner.width <= size.width - inner.x && inner.y <= size.height &&
          inner.height <= size.height - inner.y;

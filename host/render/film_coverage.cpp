@@ -1,4 +1,4 @@
-// Checks of ranges and films that a session continues.
+// Checks ranges, and films that a session continues.
 #include "host/render/film_coverage.h"
 
 #include <fmt/format.h>

@@ -17,7 +17,7 @@ struct RenderResult {
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  /// Prepares everything that is needed to render `scene`. The scene, which must have a camera, must outlive the
+  /// Prepares a session that renders `scene`. The scene, which must have a camera, must outlive the
   /// session; the renderer need not. Throws NoDeviceError, DeviceLostError, OutOfMemoryError, FileError (if the size
   /// exceeds the device's limits) and UsageError (if the device or the integrator does not support the workgroup or the
   /// kernel).

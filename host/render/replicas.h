@@ -1,5 +1,5 @@
-// Replicas of samples by stochastic arithmetic: what single precision can decide, and how far it may be off. Only the
-// reference traces them (ExecutionSettings::replicas).
+// Replicas of samples by stochastic arithmetic, which show what single precision can decide, and how large its errors
+// may be. Only the reference traces them (ExecutionSettings::replicas).
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -36,14 +36,15 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
 
 void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings) {
   if (settings.image.backdrop != Backdrop::environment && settings.image.integrator != Integrator::path) {
-    throw UsageError("--background colour and none: only the path tracer has them; use --integrator path");
+    throw UsageError("--background colour and none apply only to the path tracer; use --integrator path");
   }
   if (!settings.image.layers.isEmpty() && settings.image.integrator != Integrator::path) {
-    throw UsageError("--aov: only the path tracer has layers; use --integrator path");
+    throw UsageError("--aov applies only to the path tracer; use --integrator path");
   }
   if (settings.image.integrator != Integrator::whitted) return;
   if (scene.environment) {
-    throw UsageError("--integrator whitted: Whitted ray tracing has no environment (--env); use --integrator path");
+    throw UsageError(
+        "--integrator whitted: Whitted ray tracing does not support environments (--env); use --integrator path");
   }
   const auto lacksCoefficients = [](const scene::Material& material) { return !material.whitted; };
   if (std::ranges::any_of(scene.materials, lacksCoefficients)) {
@@ -54,7 +55,7 @@ void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings
   if (!scene.punctualLights.empty()) {
     throw UsageError("--integrator whitted: " + scene.name +
                      ": the scene has lights with fall-off, spot lights or directional lights, which Whitted ray "
-                     "tracing does not have; use --integrator path");
+                     "tracing does not support; use --integrator path");
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace candela::render {
 
-/// A request; what is absent is left to the scene, and then to the default.
+/// A request; absent members are taken from the scene, else from the defaults.
 struct RenderRequest {
   /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
   std::optional<std::uint32_t> sampleCount;
@@ -18,7 +18,7 @@ struct RenderRequest {
   RenderSettings settings;                ///< all other settings; those that the members above decide are not read
 };
 
-/// The number of samples per pixel that `request` and `scene` ask for; 0 as above.
+/// Returns the number of samples per pixel that `request` and `scene` request; 0 as above.
 std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene);
 
 /// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene

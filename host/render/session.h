@@ -39,7 +39,7 @@ struct Replay {
   RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
 };
 
-/// What is left of a session whose device failed.
+/// The rest of a session whose device failed.
 struct Salvage {
   image::Film film;             ///< as it was last on the host: whole samples only, as Session::load() takes them
   RenderStatistics statistics;  ///< without the counts that only the device had; `samples` are those of the film
@@ -88,10 +88,10 @@ class Session {
   virtual PathRecords paths() = 0;
   /// Empty unless the tracer is the reference and ExecutionSettings::replicas is above 0.
   virtual ReplicaRecords replicas() { return {}; }
-  /// Traces replica `index`, from 0, of one sample, where replicas are traced. Those of replicas() are the first ones.
+  /// Traces replica `index`, from 0, of one sample, if the tracer has replicas. Those of replicas() are the first ones.
   virtual Replica replica(const PixelSample& sample, std::uint32_t index);
-  /// The paths of the first `count` replicas of a sample, as replay() gives that of the exact one; empty where no
-  /// replicas are traced.
+  /// Returns the paths of the first `count` replicas of a sample, like replay() for the exact one; empty if the
+  /// tracer has no replicas.
   virtual std::vector<PathTrace> replayReplicas(const PixelSample&, std::uint32_t) { return {}; }
   /// Traces one sample again, without adding it to the film. It is the sample that advance() adds, bit for bit. The
   /// integrator must be Integrator::path, and the pixel must be within the image.

@@ -12,7 +12,8 @@
 namespace candela::render {
 
 enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
-/// Returns whether an integrator shows a property of what camera rays hit: docs/light-transport.md section 10.
+/// Returns whether an integrator shows a property of the surfaces that camera rays hit: docs/light-transport.md
+/// section 10.
 constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
 
 enum class SamplerKind { independent, stratified, sobol };
@@ -22,11 +23,11 @@ enum class LensKind { disc, square };
 /// x (height - 1) cells.
 enum class PixelOrigin { centre, corner };
 /// The light that camera rays see where they hit nothing: that of the scene (environment, sky or background
-/// colour), the background colour alone, or none, so that the image has alpha. It changes no other light: rays after
-/// the camera ray see what lights the scene.
+/// colour), only the background colour, or none, so that the image has alpha. It changes no other light: rays after
+/// the camera ray see the background that lights the scene.
 enum class Backdrop { environment, colour, none };
 enum class AccelKind { none, grid, bvh };
-/// How the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis.
+/// The rule that splits the nodes of a BVH: the surface area heuristic, or the midpoint of the longest axis.
 enum class BvhSplit { sah, midpoint };
 /// Effort of a build by the surface area heuristic: coarse; standard; or standard with a search for better positions of
 /// all nodes.
@@ -34,16 +35,16 @@ enum class BuildQuality { fast, standard, high };
 /// Nodes of a BVH on the device: binary with single-precision boxes, or 8-wide with quantised boxes. automatic: as
 /// layoutFor() chooses.
 enum class BvhLayout { automatic, bvh2, cwbvh };
-/// Buffer type through which the device reads the scene. automatic: as AutomaticChoices says, if the scene fits.
+/// Buffer type through which the device reads the scene. automatic: see AutomaticChoices, if the scene fits.
 enum class SceneLoads { automatic, texel, storage };
-/// How a device traces paths: one invocation traces a path to its end, or each stage of a segment is a kernel of its
-/// own. automatic: as AutomaticChoices says. Other integrators have one kernel each.
+/// The kernels with which a device traces paths: one invocation traces a path to its end, or each stage of a segment
+/// has a separate kernel. automatic: see AutomaticChoices. Other integrators have one kernel each.
 enum class KernelKind { automatic, megakernel, wavefront };
 
 /// The values of options that are left to Candela. The defaults are built in; docs/performance-journal.md, section
 /// "Experiments", has their measurements.
 struct AutomaticChoices {
-  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< not automatic; midpoint splits have a rule of their own
+  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< not automatic; midpoint splits have a separate rule
   SceneLoads sceneLoads = SceneLoads::texel;   ///< not automatic; if the scene does not fit, the other one
   Extent workgroup{8, 8};                      ///< supported by every device
   KernelKind kernel = KernelKind::megakernel;  ///< not automatic
@@ -80,8 +81,9 @@ struct ImageSettings {
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
   Backdrop backdrop = Backdrop::environment;  ///< path tracer only
   image::LayerSet layers;                     ///< beside the film; path tracer only
-  bool layersThroughSpecular = false;         ///< layers show what is seen in perfect mirrors and through smooth glass
-  bool oneSided = false;                      ///< hits on the back of triangles and planes with T = 0 are ignored
+  bool layersThroughSpecular = false;  ///< layers show the surfaces that are seen in perfect mirrors and through smooth
+                                       ///< glass
+  bool oneSided = false;               ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }
@@ -97,7 +99,7 @@ struct ImageSettings {
 /// The acceleration structure. It changes no bit of the image (except with Integrator::cost).
 struct StructureSettings {
   AccelKind accel = AccelKind::bvh;
-  /// Whether `accel` is a preference. If it is AccelKind::none and the device cannot test all primitives of the scene
+  /// True if `accel` is a preference. If it is AccelKind::none and the device cannot test all primitives of the scene
   /// sequentially, a preference is replaced by a BVH, with a sentence in RenderStatistics::warnings. Otherwise an
   /// exception is thrown.
   bool accelIsPreference = false;
@@ -109,7 +111,7 @@ struct StructureSettings {
   bool operator==(const StructureSettings&) const = default;
 };
 
-/// How the work is executed. It changes no bit of the image.
+/// Settings of how the work is executed. They change no bit of the image.
 struct ExecutionSettings {
   SceneLoads sceneLoads = SceneLoads::automatic;
   KernelKind kernel = KernelKind::automatic;
@@ -117,11 +119,11 @@ struct ExecutionSettings {
   AutomaticChoices automatic;
   std::optional<Extent> tile;                        ///< region of one dispatch; absent: the governor chooses
   std::optional<std::uint32_t> segmentsPerDispatch;  ///< absent: the governor chooses
-  /// Duration of a dispatch at which the governor aims, in seconds, > 0. Short ones make a session stop soon.
+  /// Target duration of a dispatch for the governor, in seconds, > 0. With short dispatches, a session stops sooner.
   double dispatchSeconds = 0.1;
   std::uint32_t threads = 0;   ///< of the reference; 0: one per core
-  std::uint32_t replicas = 0;  ///< of each sample, by the reference alone: see host/render/replicas.h
-  /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows anyhow.
+  std::uint32_t replicas = 0;  ///< of each sample, only by the reference: see host/render/replicas.h
+  /// Maximum size of a band's largest buffer. Devices that lack the memory get bands of fewer rows in any case.
   std::uint64_t maxBandBytes = std::numeric_limits<std::uint64_t>::max();
   bool recordPaths = false;  ///< records the decisions of each pixel's path (one sample per pixel only): see PathRecord
 

@@ -34,8 +34,8 @@ constexpr const char* structureName(AccelKind accel) {
 struct RenderStatistics {
   std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
   std::string driver;  ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
-  /// What the bytes of a film depend on besides device, driver and kernels: the UUIDs of the driver and of its pipeline
-  /// cache; for the reference: compiler, C library and instruction set.
+  /// The conditions on which the bytes of a film depend besides device, driver and kernels: the UUIDs of the driver and
+  /// of its pipeline cache; for the reference: compiler, C library and instruction set.
   std::string platform;
   std::string kernels;                    ///< hash of the code of all kernels, or "reference"
   AccelKind structure = AccelKind::none;  ///< in use; a BVH of one leaf is a BVH, too

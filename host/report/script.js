@@ -1,4 +1,5 @@
-// Makes the page live: the divider between A and B, and the values of a pixel. Without it the pictures stand side by side.
+// Makes the page interactive: the divider between A and B, and the values of a pixel. Without it, the pictures are shown
+// side by side.
 "use strict";
 {
   const byId = (id) => document.getElementById(id);
@@ -9,7 +10,7 @@
   const kLensPixels = 11;
   const cursor = { x: width >> 1, y: height >> 1 };
 
-  // Little-endian binary32, three a pixel.
+  // Little-endian binary32, three per pixel.
   const decode = (text) => {
     const bytes = atob(text.trim());
     const view = new DataView(new ArrayBuffer(bytes.length));

@@ -7,14 +7,14 @@
 
 namespace candela::scene {
 
-/// Where an environment comes from, and how it is placed.
+/// The source of an environment, and its placement.
 struct EnvironmentRequest {
   std::string source;   ///< image file, "white" or "sun:ELEVATION,AZIMUTH,TURBIDITY"; empty: no environment
   double rotation = 0;  ///< degrees about the axis that points up, counterclockwise seen from above
   double scale = 1;     ///< factor of all radiances, >= 0
 };
 
-/// Equirectangular map in a frame of its own, whose y axis points up.
+/// Equirectangular map in its own frame, whose y axis points up.
 struct Environment {
   /// C = 2^24: the weight of a texel that is chosen with the mean probability.
   static constexpr std::uint64_t kMeanWeight = std::uint64_t{1} << 24;

@@ -81,15 +81,15 @@ constexpr std::array kLongNames{
 constexpr std::array kForeign{
     Spelling{"fire", "the sky box of another dialect: write \"env\""},
     Spelling{"number", "a foreign keyword"},
-    Spelling{"g", "a foreign keyword (group)"},
+    Spelling{"g", "a keyword of another dialect (group)"},
     Spelling{"Q", "a foreign keyword"},
     Spelling{"Z", "a foreign keyword"},
     Spelling{"fp", "a foreign keyword"},
-    Spelling{"tess", "a foreign keyword (tessellation)"},
+    Spelling{"tess", "a keyword of another dialect (tessellation)"},
     Spelling{"shader", "a foreign keyword"},
-    Spelling{"t", "a foreign keyword (texture)"},
-    Spelling{"pt", "a foreign keyword (textured polygon)"},
-    Spelling{"st", "a foreign keyword (textured sphere)"},
+    Spelling{"t", "a keyword of another dialect (texture)"},
+    Spelling{"pt", "a keyword of another dialect (textured polygon)"},
+    Spelling{"st", "a keyword of another dialect (textured sphere)"},
 };
 
 using KeywordMap = std::unordered_map<std::string_view, const Keyword*>;

@@ -27,7 +27,8 @@ struct LoadOptions {
 /// Number of statements of each kind in the file: "sphere", "polygon", "patch", "material", ...
 using StatementCounts = std::map<std::string, std::uint64_t>;
 
-/// What a loader says about a file besides the counts, in the order of a report: {"extensions", "KHR_..."}.
+/// Properties of a file that a loader reports besides the counts, in their order in the report: {"extensions",
+/// "KHR_..."}.
 using FileFacts = std::vector<std::pair<std::string, std::string>>;
 
 struct LoadedScene {

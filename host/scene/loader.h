@@ -1,4 +1,4 @@
-// What a loader of a scene format is, and the choice among several. host/formats has the list of all.
+// The interface of the loaders of scene formats, and the choice among several. host/formats has the list of all.
 #pragma once
 #include <filesystem>
 #include <span>

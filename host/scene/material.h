@@ -1,6 +1,6 @@
-// How surfaces scatter and emit light, for the path tracer and for the Whitted tracer: docs/light-transport.md sections
-// 5 and 9. Every file format has one function that derives a material from its own statements (nff_material.h); tracers
-// use nothing else.
+// Materials, which determine how surfaces scatter and emit light, for the path tracer and for the Whitted tracer:
+// docs/light-transport.md sections 5 and 9. Every file format has one function that derives a material from its own
+// statements (nff_material.h); tracers use nothing else.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -62,8 +62,8 @@ struct WhittedMaterial {
   bool operator==(const WhittedMaterial&) const = default;
 };
 
-/// How much of the light a surface stops, by the alpha at a point: the product of `factor`, of the texture's alpha and
-/// of the vertex colours' alpha. Rays that do not hit pass the surface as if it were not there.
+/// The opacity of a surface, which is determined by the alpha at a point: the product of `factor`, of the texture's
+/// alpha and of the vertex colours' alpha. Rays that do not hit pass the surface as if it were not there.
 struct Opacity {
   float factor = 1;                           ///< 0 to 1
   std::optional<float> cutoff{};              ///< rays hit where alpha is at least this; empty: with probability alpha

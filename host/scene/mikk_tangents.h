@@ -1,5 +1,5 @@
 // Tangents of meshes that state none, as MikkTSpace computes them (Mikkelsen, "Simulation of Wrinkled Surfaces
-// Revisited", 2008, section 4), which is what tools that bake normal maps assume.
+// Revisited", 2008, section 4), which tools that bake normal maps assume.
 #pragma once
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace candela::scene {
 
 /// Returns the tangent of each corner of each triangle, three for each, as Mesh::tangents has them: unit vectors along
 /// which s of `reference` increases, perpendicular to the vertex normal. The bitangent points to the top of the image.
-/// Where a mesh has no normals, those of the triangles serve. Triangles without area, and those whose texture
+/// If a mesh has no normals, those of the triangles are used. Triangles without area, and those whose texture
 /// coordinates have none and that no other triangle continues, have tangents of length 0.
 std::vector<glm::vec4> mikkTangents(const Mesh& mesh, const TextureReference& reference);
 

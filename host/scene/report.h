@@ -35,7 +35,7 @@ struct SceneReport {
 
   std::string name;
   StatementCounts statements;  ///< numbers of statements in the file
-  FileFacts facts;             ///< what else the loader says about the file
+  FileFacts facts;             ///< further properties that the loader reports
   Primitives primitives;
   std::optional<Bounds> bounds;  ///< bounds of all primitives except infinite planes; empty if there are no others
   Lights lights;

@@ -9,7 +9,7 @@ namespace candela::scene {
 
 /// Each function appends one primitive with the given material (an index into Scene::materials).
 void addSphere(Scene& scene, const Sphere& sphere, std::uint32_t material);
-/// Appends its vertices to the scene's mesh without indices, which all such triangles share.
+/// Appends its vertices to the scene's mesh without indices, which contains all such triangles.
 void addTriangle(Scene& scene, const Triangle& triangle, std::uint32_t material);
 /// Appends a triangle with vertex normals, to another mesh.
 void addTriangle(Scene& scene, const Triangle& triangle, const VertexNormals& normals, std::uint32_t material);

@@ -1,4 +1,4 @@
-// `f`: materials. How many numbers the line has tells the dialect.
+// `f`: materials. The number of values on the line determines the dialect.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool isDialect(std::size_t count) { return count == 8 || count == 9 || (count >=
 void completeShort(Parser& parser, std::vector<float>& n) {
   if (n.size() >= kRequired) return;
   parser.log.warn("short material", parser.keyword,
-                  fmt::format("a material with {} numbers; what is missing has its default", n.size()));
+                  fmt::format("a material with {} numbers; missing numbers have their defaults", n.size()));
 }
 
 std::vector<float> readNumbers(Parser& parser) {

@@ -45,7 +45,7 @@ void readFocal(Parser& p, Camera& camera) {
 
 void readViewDistance(Parser& p, Camera&) {
   p.in.number("the view distance");
-  p.log.warn("view distance", p.in.lastNumber(), "\"view\" is not used: the view plane passes through \"at\"");
+  p.log.warn("view distance", p.in.lastNumber(), "\"view\" is ignored: the view plane passes through \"at\"");
 }
 
 constexpr std::array kEntries{

@@ -15,7 +15,7 @@ struct TextureImage {
   std::vector<std::uint32_t> texels;  ///< red | green << 8 | blue << 16 | alpha << 24
 };
 
-/// What texture coordinates outside of 0 to 1 stand for.
+/// The treatment of texture coordinates outside of 0 to 1.
 enum class TextureWrap : std::uint8_t { repeat, mirroredRepeat, clampToEdge };
 
 enum class TextureFilter : std::uint8_t { nearest, linear };

@@ -10,7 +10,7 @@ namespace candela::scene {
 
 struct Triangulation {
   /// Indices into the polygon. Each triangle has the winding of the polygon. Their areas, projected along the polygon's
-  /// normal, add up to the polygon's area. Vertices on a straight edge get no triangle of their own.
+  /// normal, add up to the polygon's area. A vertex on a straight edge does not get a separate triangle.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   bool simple = true;         ///< false: edges cross; the triangles cover the same points, perhaps more than once
   double planeDeviation = 0;  ///< maximum distance of a vertex from the polygon's plane, as a fraction of its extent

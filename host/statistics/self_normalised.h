@@ -5,7 +5,7 @@
 // 0: symmetric values are, and so are differences of a smaller and a larger magnitude. For such values and any rate >
 // 0, E exp(rate X - rate^2 X^2 / 2) <= 1 (their lemma 1). With the sum S of independent values and the sum Q of their
 // squares, a mixture of exp(rate S - rate^2 Q / 2) over fixed rates is therefore a supermartingale of mean at most 1,
-// and by Ville's inequality it ever reaches 1/p, at whatever number of values one looks, with probability at most p.
+// and by Ville's inequality the probability that it ever reaches 1/p, at any number of values, is at most p.
 #pragma once
 #include <cstdint>
 
@@ -32,7 +32,7 @@ double evidence(const SelfNormalisedSum& values, double scale);
 double pValueOf(const SelfNormalisedSum& values, double scale);
 
 /// Returns a sum at which the p-value is at most `level`, in (0, 1), for values with this sum of squares: the least at
-/// which the term of one rate alone suffices.
+/// which the term of a single rate suffices.
 double criticalSum(double squares, double scale, double level);
 
 }  // namespace candela::statistics

@@ -26,7 +26,7 @@ struct WorkSize {
 
 /// Chooses size and samples, if they are empty, such that a render with the built-in choices takes about kRunSeconds.
 /// The image is enlarged before the number of samples, since large devices need many pixels. Throws InterruptedError if
-/// `control` stops it, and what Renderer::render throws.
+/// `control` stops it, and the exceptions of Renderer::render.
 void fitToDevice(render::Renderer& renderer, const WorkSize& asked, const render::RenderControl& control, Work& work);
 
 inline constexpr double kRunSeconds = 0.2;

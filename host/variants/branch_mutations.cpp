@@ -48,7 +48,7 @@ void branchConditionally(Editor& editor, std::size_t index, const Computation& c
   editor.insert(index, code);
 }
 
-// Whether the x coordinate of the invocation is even.
+// Computes whether the x coordinate of the invocation is even.
 Computation isEven(Editor& editor) {
   Computation x = editor.invocationX();
   const std::uint32_t one = editor.uintConstant(1), zero = editor.uintConstant(0), uint = editor.uintType(),
@@ -113,7 +113,7 @@ void addDeadBranch(Editor& editor, const Anchor& anchor, std::mt19937& random) {
 void addBranchWithoutEffect(Editor& editor, const Anchor& anchor, std::mt19937&) {
   const Computation even = isEven(editor);
   const bool hasValue = editor.isScalarOrVector(anchor.type);
-  const std::size_t index = editor.indexOf(anchor.result) + 1;  // behind the anchor
+  const std::size_t index = editor.indexOf(anchor.result) + 1;  // after the anchor
   const std::vector<Instruction> repeated = repeatedCode(editor, index);
   const std::uint32_t merge = editor.splitBlock(index), first = editor.module().newId(),
                       second = editor.module().newId(), value = editor.module().newId();
@@ -136,7 +136,7 @@ void wrapInLoop(Editor& editor, const Anchor& anchor, std::mt19937& random) {
   const std::size_t count = wrappedCount(editor, index);
   const std::uint32_t merge = editor.splitBlock(index + count);
   const std::uint32_t body = editor.splitBlock(index), header = editor.module().newId(), end = editor.module().newId();
-  // Behind the body: its branch to `merge` becomes one to `end`.
+  // After the body: its branch to `merge` becomes one to `end`.
   const std::size_t bodyEnd = index + 2 + count;
   std::vector<Instruction> tail{branchTo(end), label(end)};
   append(tail, again.instructions);

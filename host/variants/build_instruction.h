@@ -7,7 +7,7 @@
 
 namespace candela::variants {
 
-/// An operand behind the type and the result.
+/// An operand after the type and the result.
 struct Operand {
   std::uint32_t word = 0;
   bool isId = true;

@@ -35,7 +35,7 @@ class Editor {
   std::uint32_t boolConstant(bool value);
   std::uint32_t uintConstant(std::uint32_t value);
   std::uint32_t nullOf(std::uint32_t type);
-  /// Returns the type of what a variable or a pointer refers to.
+  /// Returns the type to which a variable or a pointer refers.
   std::uint32_t pointee(std::uint32_t variable) const;
   /// Returns whether values of a type are scalars or vectors.
   bool isScalarOrVector(std::uint32_t type) const;
@@ -47,7 +47,7 @@ class Editor {
   /// other blocks through phi instructions come from the new block. Returns the id of the new block's label.
   std::uint32_t splitBlock(std::size_t index);
 
-  /// Lets all instructions behind `index` use `with` instead of `id`.
+  /// Replaces `id` by `with` in all instructions after `index`.
   void replaceUses(std::size_t index, std::uint32_t id, std::uint32_t with);
 
  private:

@@ -1,4 +1,4 @@
-// Has the parser of SPIRV-Tools divide a module.
+// Divides a module by the parser of SPIRV-Tools.
 #include "host/variants/module.h"
 
 #include <memory>
@@ -40,7 +40,7 @@ Module parseModule(std::span<const std::uint32_t> code) {
   Module module;
   if (spvBinaryParse(context.get(), &module, code.data(), code.size(), takeHeader, takeInstruction, nullptr) !=
       SPV_SUCCESS) {
-    throw InternalError("a shader is no SPIR-V for Vulkan 1.2");
+    throw InternalError("a shader is not valid SPIR-V for Vulkan 1.2");
   }
   return module;
 }

@@ -26,7 +26,7 @@ struct Module {
   std::uint32_t newId() { return header[3]++; }
 };
 
-/// Throws InternalError if `code` is no SPIR-V for Vulkan 1.2.
+/// Throws InternalError if `code` is not valid SPIR-V for Vulkan 1.2.
 Module parseModule(std::span<const std::uint32_t> code);
 
 Code codeOf(const Module& module);

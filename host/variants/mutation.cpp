@@ -13,7 +13,7 @@ namespace {
 
 using Ids = std::set<std::uint32_t>;
 
-// Labels of the blocks that a loop needs as they are.
+// Labels of the blocks that must not be changed, because a loop needs them.
 Ids continueTargets(const Module& module) {
   Ids targets;
   for (const Instruction& one : module.instructions) {
@@ -26,7 +26,7 @@ bool canBeAnchor(const Instruction& one) {
   return one.result != 0 && one.type != 0 && one.opcode != kOpPhi && one.opcode != kOpVariable;
 }
 
-// Takes the results of one block from `begin` on, and returns the index behind its end. A loop header is left out,
+// Takes the results of one block from `begin` on, and returns the index after its end. A loop header is omitted,
 // since the end of a loop branches to it.
 std::size_t takeBlock(const std::vector<Instruction>& code, std::size_t begin, const Ids& excluded,
                       std::vector<Anchor>& anchors) {

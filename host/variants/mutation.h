@@ -1,6 +1,6 @@
-// Changes of a module that keep what it computes, chosen by a seed: dead code, branches without effect, and others that
-// a compiler must see through. The idea is GraphicsFuzz's (Donaldson, Evrard, Lascu and Thomson, Automated Testing of
-// Graphics Shader Compilers, OOPSLA 2017).
+// Changes of a module that preserve its results, chosen by a seed: dead code, branches without effect, and others that
+// a compiler must see through. The idea is that of GraphicsFuzz (Donaldson, Evrard, Lascu and Thomson, Automated
+// Testing of Graphics Shader Compilers, OOPSLA 2017).
 #pragma once
 #include <array>
 #include <random>
@@ -18,7 +18,7 @@ struct Mutation {
   bool operator==(const Mutation&) const = default;
 };
 
-/// The instruction of the sound module next to which a mutation takes place.
+/// The instruction of the original module next to which a mutation takes place.
 struct Anchor {
   std::uint32_t result = 0;
   std::uint32_t opcode = 0;
@@ -35,12 +35,13 @@ struct MutationKind {
 /// Returns all kinds: branch_mutations.cpp and value_mutations.cpp.
 const std::array<MutationKind, 7>& mutationKinds();
 
-/// Applies mutations of one module. They keep their anchors if some of them are left out.
+/// Applies mutations of one module. Their anchors do not change if some of them are omitted.
 class Mutator {
  public:
-  /// `module` is the sound one.
+  /// `module` is the original one.
   explicit Mutator(Module& module);
-  /// Returns what was done, e.g. "dead branch before %123"; empty if the module has no place for the mutation.
+  /// Returns a description of the change, e.g. "dead branch before %123"; empty if the module has no place for the
+  /// mutation.
   std::string apply(const Mutation& mutation);
 
  private:

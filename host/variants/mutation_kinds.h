@@ -12,7 +12,7 @@ void splitAtAnchor(Editor& editor, const Anchor& anchor, std::mt19937& random);
 void addDeadBranch(Editor& editor, const Anchor& anchor, std::mt19937& random);
 /// Inserts a branch that depends on the invocation, to two blocks without effects. A value goes through both.
 void addBranchWithoutEffect(Editor& editor, const Anchor& anchor, std::mt19937& random);
-/// Puts the anchor and up to seven instructions behind it into a loop of one iteration.
+/// Moves the anchor and up to seven instructions after it into a loop of one iteration.
 void wrapInLoop(Editor& editor, const Anchor& anchor, std::mt19937& random);
 
 bool isScalarOrVector(const Editor& editor, const Anchor& anchor);

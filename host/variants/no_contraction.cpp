@@ -37,7 +37,7 @@ bool isArithmetic(std::uint32_t opcode) {
   }
 }
 
-// Functions of GLSL.std.450 with results of floats count, too: some of them are several operations.
+// Functions of GLSL.std.450 that return floats count, too: some of them consist of several operations.
 Ids operations(const Module& module) {
   const Ids types = floatTypes(module);
   Ids found;

@@ -1,4 +1,4 @@
-// Passes of the optimiser of SPIRV-Tools, by the names that spirv-opt gives them.
+// Passes of the optimiser of SPIRV-Tools, with their names in spirv-opt.
 #pragma once
 #include <span>
 #include <string>

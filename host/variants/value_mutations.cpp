@@ -33,7 +33,8 @@ bool isComparison(std::uint32_t opcode) {
   return isIn(opcode, kOpFOrdEqual, kOpFUnordNotEqual) || mirrored(opcode) != opcode;
 }
 
-// Lets everything behind the anchor use `replacement`, which the last of these instructions computes.
+// Replaces the anchor's result by `replacement` in all instructions after it; the last of these instructions computes
+// it.
 void replaceResult(Editor& editor, const Anchor& anchor, const std::vector<Instruction>& instructions) {
   const std::size_t index = editor.indexOf(anchor.result) + 1;
   editor.insert(index, instructions);

@@ -1,4 +1,4 @@
-// Forms of a shader that must compute the same.
+// Variants of a shader, which must compute the same.
 #pragma once
 #include <functional>
 #include <memory>
@@ -13,7 +13,7 @@ namespace candela::variants {
 
 enum class StepKind { pass, requestUnrolling, mutation };
 
-/// A transformation of a module that keeps what it computes.
+/// A transformation of a module that preserves its results.
 struct Step {
   StepKind kind = StepKind::pass;
   std::string pass{};   ///< of spirv-opt
@@ -24,9 +24,9 @@ struct Step {
   std::string text() const;
 };
 
-/// How specialisation constants get their values.
+/// The way in which specialisation constants get their values.
 enum class Constants {
-  reduced,  ///< they are frozen, and what is never reached is removed, as in kernels in use:
+  reduced,  ///< they are frozen, and unreachable code is removed, as in kernels in use:
             ///< host/vulkan/reduced_spirv.h
   frozen,   ///< they are frozen
   open      ///< the driver sets them
@@ -39,22 +39,22 @@ struct Variant {
   bool forbidsContraction = true;  ///< every floating-point operation is NoContraction
 };
 
-/// The form that the others are compared with: without steps.
+/// The form with which the others are compared: it has no steps.
 Variant plainVariant();
 /// Returns all others.
 const std::vector<Variant>& allVariants();
 /// Returns the variant without NoContraction, which a compiler may round in another way.
 Variant withContraction(Variant variant);
 
-/// Limits and observes what preparation() does.
+/// Limits and observes preparation().
 struct PreparationScope {
   /// Returns whether a module is to be transformed; empty: all are. The others get the plain form.
   std::function<bool(std::span<const std::uint32_t> spirv)> isMeant{};
-  /// Receives what each step but a pass did to each module, if it did anything; may be empty.
+  /// Is called with a description of each change that a step other than a pass made to a module; may be empty.
   std::function<void(std::span<const std::uint32_t> spirv, const std::string& text)> note{};
 };
 
-/// Returns a function that makes this form of a module. It throws InternalError if the optimiser refuses a module.
+/// Returns a function that makes this variant of a module. It throws InternalError if the optimiser refuses a module.
 vulkan::PrepareShader preparation(const Variant& variant, const PreparationScope& scope = {});
 
 }  // namespace candela::variants

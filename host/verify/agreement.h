@@ -36,7 +36,7 @@ struct PixelAgreement {
 
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
-  /// Whether all differences are what rounding explains.
+  /// Returns whether rounding explains all differences.
   bool agree() const { return decisions.agrees(); }
   /// Returns the causes with their counts, and the position of the maximum difference.
   std::string causesText() const;

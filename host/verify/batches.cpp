@@ -45,7 +45,7 @@ bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::Re
     if (!session->advance({0, samples}, control)) return false;
     statistics_ = session->statistics();
     if (statistics_.truncated > 0) {
-      throw InternalError(fmt::format("{} loops ended before their work was done", statistics_.truncated));
+      throw InternalError(fmt::format("the device stopped {} loops early", statistics_.truncated));
     }
     addFilm(session->film(), batch);
   }

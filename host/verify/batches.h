@@ -26,7 +26,7 @@ class Batches {
           std::span<const Region> regions);
 
   /// Adds `samples` samples per pixel to every batch. Returns false if `control` stopped it; the batches are then
-  /// unequal and useless. Throws what Renderer::render throws, and InternalError if work was truncated.
+  /// unequal and useless. Throws the exceptions of Renderer::render, and InternalError if work was truncated.
   bool render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control);
 
   /// Returns the number of samples per pixel of each batch so far.

@@ -167,12 +167,13 @@ DecisionTest testDecisions(const image::Film& device, render::Session& reference
 }
 
 std::string DecisionTest::text() const {
-  if (!isPossible) return "the reference traced no replicas, so that the light alone decides";
+  if (!isPossible) return "the reference traced no replicas, so only the test for equal light decides";
   std::string text = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",
                                  100 * undecidableShare(), pixels);
   if (undecidable > 0) text += fmt::format(" (amplification up to {:.1e} at vertex {})", amplification, vertex);
-  return text + fmt::format("; of the others the device's is the odd value in {}, a replica's in {} (p = {:.1e})",
-                            oddDevice, odd - oddDevice, pValue);
+  return text +
+         fmt::format("; among the others, the device's value is the outlier in {}, a replica's in {} (p = {:.1e})",
+                     oddDevice, odd - oddDevice, pValue);
 }
 
 nlohmann::ordered_json DecisionTest::json() const {

@@ -31,7 +31,7 @@ class DeviceMean {
       : region_{Region{0, 0, region.width, region.height}},
         batches_(Side::device, device, scene, cropped(settings, region), region_) {}
 
-  // Returns false if `control` stopped it. The plan depends on the standard error alone, never on the difference.
+  // Returns false if `control` stopped it. The plan depends only on the standard error, never on the difference.
   bool render(double bias, double level, const std::optional<double>& timeLimit, const render::RenderControl& control) {
     Stopwatch watch;
     double elapsed = 0;

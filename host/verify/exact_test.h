@@ -1,6 +1,6 @@
 // The test "Right light?": both tracers against the exact mean that a scene states.
 //
-// The device renders batches with seeds of their own, until the standard error of the region's mean suffices to detect
+// The device renders batches with different seeds, until the standard error of the region's mean suffices to detect
 // a bias of kExactBias with probability kPower. The reference is some twenty times slower, and would need as many
 // samples. Its mean is therefore estimated as the device's, minus the mean of the paired differences of the test "Same
 // light?" (a control variate; Glasserman, Monte Carlo Methods in Financial Engineering, section 4.1). These differences

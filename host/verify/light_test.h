@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kMaxLooks = 8;
 
 /// paired: equal random numbers on both sides, docs/testing.md; independent: as described above.
 enum class LightTestMethod { paired, independent };
-/// Relative bias that the independent test must detect if none is asked for.
+/// Relative bias that the independent test must detect unless another is requested.
 inline constexpr double kIndependentBias = 0.005;
 
 struct LightTestOptions {

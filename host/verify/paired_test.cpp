@@ -14,13 +14,13 @@
 namespace candela::verify {
 namespace {
 
-// Few values cannot convince, however equal they are: small images are rendered in more batches.
+// A test of few values has no power, even if they are equal: small images are rendered in more batches.
 constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 
 void requireComplete(const render::RenderStatistics& statistics) {
   if (statistics.truncated == 0) return;
-  throw InternalError(fmt::format("{} loops ended before their work was done", statistics.truncated));
+  throw InternalError(fmt::format("the device stopped {} loops early", statistics.truncated));
 }
 
 class PairedTest {
@@ -77,7 +77,7 @@ class PairedTest {
     return options_.timeLimit && elapsed_ >= *options_.timeLimit;
   }
 
-  // Every look has samples of its own: how many a pixel gets is part of what some samplers depend on.
+  // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
     const std::uint64_t each = (samples - samples_ + batches_ - 1) / batches_;
     render::RenderSettings settings = settings_;
@@ -145,10 +145,10 @@ class PairedTest {
 
   void requireAboveMargin(double bias) const {
     if (bias > relativeMargin() || result_.differs()) return;
-    throw UsageError(fmt::format(
-        "--bias {:g}: rounding in single precision may change the mean of this image by {:.2g} of itself, so "
-        "that a smaller difference says nothing about a device; choose a larger --bias",
-        bias, relativeMargin()));
+    throw UsageError(
+        fmt::format("--bias {:g}: rounding in single precision may change the mean of this image by a fraction of "
+                    "{:.2g}, so that a smaller difference is no evidence against a device; choose a larger --bias",
+                    bias, relativeMargin()));
   }
 
   const scene::Scene& scene_;

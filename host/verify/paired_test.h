@@ -5,8 +5,8 @@
 
 namespace candela::verify {
 
-/// Relative bias that must be detected if none is asked for; or kMarginFactor times the margin, or what can be detected
-/// with kDefaultSamples samples per pixel or kDefaultPaths samples of the whole image, whichever is largest.
+/// Relative bias that must be detected unless another is requested; or kMarginFactor times the margin, or what can be
+/// detected with kDefaultSamples samples per pixel or kDefaultPaths samples of the whole image, whichever is largest.
 inline constexpr double kPairedBias = 5e-4;
 inline constexpr double kMarginFactor = 3;
 inline constexpr std::uint64_t kDefaultSamples = 32;
@@ -14,7 +14,7 @@ inline constexpr std::uint64_t kDefaultPaths = std::uint64_t{1} << 22;
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
 /// `scale`: roughly the mean luminance of the image, from other samples. Throws UsageError if `options.bias` is below
-/// the margin of the image, and what Renderer::render throws.
+/// the margin of the image, and the exceptions of Renderer::render.
 LightTestResult testLightPaired(const scene::Scene& scene, const render::RenderSettings& settings,
                                 render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
                                 double scale, const render::RenderControl& control);

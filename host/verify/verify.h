@@ -27,8 +27,8 @@ struct VerifyReport {
   std::string verdict() const;
 };
 
-/// Asks the three questions in their order; all are asked, whatever the first ones give. `settings.image.sampleCount`
-/// is not used. Throws as testLight does.
+/// Answers the three questions in their order; all are answered, whatever the first results are.
+/// `settings.image.sampleCount` is not used. Throws as testLight does.
 VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
                          render::Renderer& reference, const LightTestOptions& options,
                          const render::RenderControl& control);

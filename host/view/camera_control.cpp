@@ -1,4 +1,4 @@
-// Orbits, pans and flights, computed in double precision.
+// Computes orbits, pans and flights in double precision.
 #include "host/view/camera_control.h"
 
 #include <algorithm>

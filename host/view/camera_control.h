@@ -23,9 +23,9 @@ class CameraControl {
   void orbit(const glm::dvec2& turn);
   /// Turns the view about the camera, in radians: `turn.x` > 0 to the right, `turn.y` > 0 upward.
   void look(const glm::dvec2& turn);
-  /// Moves camera and target to the right and upward, in heights of the view plane through the target.
+  /// Moves camera and target to the right and upward; the unit is the height of the view plane through the target.
   void pan(const glm::dvec2& heights);
-  /// Moves camera and target to the right, upward and forward, in distances of the two.
+  /// Moves camera and target to the right, upward and forward; the unit is the distance between the two.
   void fly(const glm::dvec3& distances);
   /// Multiplies the distance from the target, or the height of an orthographic view, by `factor` > 0.
   void dolly(double factor);

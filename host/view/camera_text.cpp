@@ -15,7 +15,7 @@ std::string vectorText(const char* name, const glm::vec3& v) {
 std::string cameraText(const scene::Camera& camera) {
   std::string text;
   if (camera.orthographicHeight) {
-    text += fmt::format("# orthographic, height {}: NFF has perspective cameras alone\n", *camera.orthographicHeight);
+    text += fmt::format("# orthographic, height {}: NFF has only perspective cameras\n", *camera.orthographicHeight);
   }
   text += "v\n" + vectorText("from", camera.from) + vectorText("at", camera.at) + vectorText("up", camera.up);
   text += fmt::format("angle {}\nhither {}\nresolution {} {}\n", camera.angle, camera.hither, camera.width,

@@ -1,4 +1,4 @@
-// Sessions of the device, which are prepared on threads of their own.
+// Sessions of the device, which are prepared on separate threads.
 #pragma once
 #include <functional>
 #include <future>
@@ -8,16 +8,16 @@
 
 namespace candela::view {
 
-/// One preparation that is wanted, and those that are not wanted any more but must end.
+/// The current preparation, and abandoned ones that must still end.
 class DevicePreparation {
  public:
-  /// Starts a preparation in place of the one that is under way.
+  /// Starts a preparation, and abandons the current one.
   void start(const std::function<Sessions()>& prepare);
-  /// Nothing is wanted any more.
+  /// Abandons the current preparation.
   void abandon();
   bool isUnderWay() const { return wanted_.valid(); }
   bool isReady() const;
-  /// Returns what is ready, or throws what the preparation threw.
+  /// Returns the session that is ready, or throws the exception of the preparation.
   Sessions take() { return wanted_.get(); }
 
  private:

@@ -15,7 +15,7 @@
 namespace candela::view {
 namespace {
 
-constexpr double kFirstSeconds = 0.05;   // for which requests leave the first picture of a view in peace
+constexpr double kFirstSeconds = 0.05;   // for which requests do not interrupt the first picture of a view
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
 
 }  // namespace
@@ -35,7 +35,7 @@ Engine::~Engine() {
 
 void Engine::loop() {
   while (!inbox_.isEnded()) {
-    if (!guarded([this] { iterate(); })) hasFailed_ = true;  // or it would fail over and over
+    if (!guarded([this] { iterate(); })) hasFailed_ = true;  // otherwise it would fail repeatedly
   }
 }
 
@@ -231,7 +231,7 @@ void Engine::saveNow(const SaveRequest& request) {
 
 void Engine::explainNow(render::PixelSample sample, bool searches) {
   explain::requirePaths(sessions_.settings.image.integrator);
-  if (!sessions_.device) throw UsageError("a path is explained by a device and the reference; there is no device yet");
+  if (!sessions_.device) throw UsageError("explaining a path needs a device, and none is ready yet");
   for (const Side side : {Side::device, Side::reference}) {
     if (preparedScale_[indexOf(side)] == 1) continue;
     sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
@@ -286,7 +286,7 @@ void Engine::dropDevice(const std::string& reason) {
   sessions_.deviceRenderer.reset();
   want();
   next_.isPreparing = coming_.isUnderWay();
-  say(reason + "; the reference goes on", true);
+  say(reason + "; the reference continues", true);
 }
 
 }  // namespace candela::view

@@ -1,4 +1,4 @@
-// The worker of a viewer: renders with one tracer or both, on a thread of its own, so that input never waits.
+// The worker of a viewer: renders with one tracer or both, on a separate thread, so that input never waits.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -18,7 +18,7 @@ namespace candela::view {
 /// All public members but the constructor belong to the window's thread, and return at once.
 class Engine {
  public:
-  /// Loads the scene; throws what EngineHooks::load throws.
+  /// Loads the scene; throws the exceptions of EngineHooks::load.
   Engine(EngineHooks hooks, Choice choice, Mode mode);
   ~Engine();
   Engine(const Engine&) = delete;
@@ -29,7 +29,7 @@ class Engine {
   std::uint64_t setCamera(const scene::Camera& camera);
   void setMode(Mode mode, bool isPaused);
   void setChoice(const Choice& choice);
-  /// Reads the scene again. An error leaves what is shown.
+  /// Reads the scene again. After an error, the picture stays.
   void reload();
   void save(const std::filesystem::path& file, const image::DisplayTransform& display);
   /// Explains a sample of a pixel; the text appears in EngineView::explanation. With `searches`, it is the one of the
@@ -63,7 +63,7 @@ class Engine {
 
   EngineHooks hooks_;
 
-  // Of the engine's thread.
+  // Used only by the engine's thread.
   Choice choice_;
   Mode mode_;
   bool isPaused_ = false;

@@ -1,4 +1,4 @@
-// The functions that the engine asks of the program.
+// The functions that the program provides to the engine.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace candela::view {
 
-/// A scene and the sessions that render it. The order of the members is that in which they depend on each other.
+/// A scene and the sessions that render it. Members depend on the members before them.
 struct Sessions {
   std::shared_ptr<const scene::Scene> scene;
   render::RenderSettings settings;  ///< `image.size` is the full resolution
   std::unique_ptr<render::Renderer> deviceRenderer, referenceRenderer;
-  std::unique_ptr<render::Session> device, reference;  ///< the device's is null if the reference is alone
+  std::unique_ptr<render::Session> device, reference;  ///< the device's is null if only the reference renders
   std::string deviceName;
 
   render::Session* session(Side side) const { return side == Side::device ? device.get() : reference.get(); }
@@ -24,7 +24,8 @@ struct Sessions {
 struct EngineHooks {
   /// Prepares the reference, which takes little time, with the scene as it is, or as it is in its file now.
   std::function<Sessions(const Choice&, bool reads)> load;
-  /// Adds the device's session to a copy of `sessions` without any, and has its driver compile. On another thread.
+  /// Adds the device's session to a copy of `sessions` without any, and lets its driver compile. Called on another
+  /// thread.
   std::function<void(const Choice&, Sessions&)> addDevice;
   /// Copies the film of the device to the picture that the window shows, on the device. Returns false if the window
   /// cannot show it from there, so that the engine reads the film.

@@ -1,4 +1,4 @@
-// Says in words what the engine shows.
+// Describes the state of the engine in words.
 #include "host/view/engine_view.h"
 
 #include <fmt/format.h>

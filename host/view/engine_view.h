@@ -14,7 +14,7 @@ namespace candela::view {
 
 /// The choices of a user for a render, besides the camera.
 struct Choice {
-  std::string device;  ///< as --device; "cpu": the reference alone
+  std::string device;  ///< as --device; "cpu": only the reference
   render::Integrator integrator = render::Integrator::path;
 
   bool operator==(const Choice&) const = default;
@@ -26,7 +26,7 @@ struct SideView {
   std::uint32_t scale = 0;                 ///< of the picture; 0: none yet
   std::uint32_t samples = 0;               ///< of each pixel
   double seconds = 0;                      ///< of rendering since the last change of the view
-  bool isOnDevice = false;                 ///< the picture is what EngineHooks::showOnDevice last showed
+  bool isOnDevice = false;                 ///< the picture is the one that EngineHooks::showOnDevice last showed
   std::shared_ptr<const Picture> picture;  ///< null if it is on the device, or there is none
 };
 

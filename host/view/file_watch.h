@@ -1,12 +1,12 @@
-// Notices that a file was written.
+// Detects that a file was written.
 #pragma once
 #include <filesystem>
 #include <optional>
 
 namespace candela::view {
 
-/// Compares the time and the size of a file with those of the last look. A file that is being written, or is missing
-/// for a moment, counts as changed once it has stayed the same from one look to the next.
+/// Compares the time and the size of a file with those of the last call. A file that is being written, or is missing
+/// temporarily, counts as changed once it is the same in two successive calls.
 class FileWatch {
  public:
   explicit FileWatch(std::filesystem::path file);

@@ -1,4 +1,5 @@
-// Translates mouse and keyboard into a view: cameras, modes, the divider. It knows no window system.
+// Translates mouse and keyboard input into changes of the view: camera, mode, divider. It is independent of the window
+// system.
 #pragma once
 #include <cstdint>
 #include <set>
@@ -40,7 +41,7 @@ struct Modifiers {
   bool control = false;
 };
 
-/// The reaction that an event asks of the caller; all else is in the state.
+/// The action that an event requires of the caller; everything else is in the state.
 enum class Action {
   none,
   cameraMoved,
@@ -76,7 +77,7 @@ class Navigation {
   /// Flies for a time; returns cameraMoved if a key for this is pressed.
   Action pass(double seconds);
   bool isFlying() const;
-  /// Forgets what is pressed, when the window loses the focus.
+  /// Forgets which keys and buttons are pressed, when the window loses the focus.
   void letGo();
 
  private:

@@ -23,7 +23,7 @@ struct NewMode {
   bool isPaused;
 };
 
-/// Of several requests of one kind, the last counts.
+/// Among several requests of one kind, only the last one counts.
 struct Requests {
   std::optional<scene::Camera> camera;
   std::uint64_t viewSerial = 0;  ///< number of requests for a camera so far
@@ -37,17 +37,17 @@ struct Requests {
   bool hasAny() const { return camera || load || save || sample || mode; }
 };
 
-/// Holds requests until the engine takes them.
+/// Stores requests until the engine takes them.
 class Inbox {
  public:
   /// Changes the requests, and wakes the engine.
   void post(const std::function<void(Requests&)>& change);
-  /// Asks the engine to end.
+  /// Requests that the engine end.
   void end();
 
-  /// Takes all requests, if there are any. With `mayWait`, waits for a moment if there are none.
+  /// Takes all requests, if there are any. With `mayWait`, waits briefly if there are none.
   std::optional<Requests> take(bool mayWait);
-  /// Something was posted since the last take().
+  /// True if a request was posted since the last take().
   bool isFull() const { return isFull_; }
   bool isEnded() const { return isEnded_; }
 

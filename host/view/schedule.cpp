@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kUnknownScale = 8;  // of the first picture, before a speed is known
 
-// Ranks what a side has: nothing, then pictures from coarse to fine, then samples.
+// Ranks the progress of a side: nothing, then pictures from coarse to fine, then samples.
 std::uint64_t rankOf(std::uint32_t scale, std::uint32_t samples) {
   if (scale == 0) return 0;
   return scale > 1 ? kMaxScale / scale : std::uint64_t{kMaxScale} + samples;

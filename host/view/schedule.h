@@ -29,10 +29,10 @@ inline constexpr std::uint32_t kMaxScale = 16;
 render::Extent scaled(const render::Extent& size, std::uint32_t scale);
 
 /// After every change of the view, each wanted side starts with a picture so coarse that it takes at most
-/// kPreviewSeconds, and goes on with twice the resolution, until all pixels have one sample. Then the number of samples
-/// grows, in steps of about kStepSeconds that at most double it. If both sides are wanted, the one that is behind goes
-/// on, and both stop at the same numbers of samples; the sides take turns where none is behind. It has no clock:
-/// durations are passed to it.
+/// kPreviewSeconds, and continues with twice the resolution, until all pixels have one sample. Then the number of
+/// samples grows, in steps of about kStepSeconds that at most double it. If both sides are requested, the one with less
+/// progress continues, and both stop at the same numbers of samples; sides of equal progress alternate. It has no
+/// clock: durations are passed to it.
 class Schedule {
  public:
   static constexpr double kPreviewSeconds = 0.015;
@@ -46,7 +46,7 @@ class Schedule {
   void setWanted(Side side, bool isWanted) { stateOf(side).isWanted = isWanted; }
   bool isWanted(Side side) const { return stateOf(side).isWanted; }
 
-  /// Returns what to do next; nothing if all wanted sides have all samples.
+  /// Returns the next step; nothing if all requested sides have all samples.
   std::optional<Step> next() const;
   /// Records that a step is finished, and the seconds that it took.
   void finish(const Step& step, double seconds);

@@ -1,4 +1,4 @@
-// The state of a viewer that input changes: what is shown, and how.
+// The state of a viewer that input changes: the choice of the picture and its display.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// The Vulkan handles behind a BindingSet.
+// The Vulkan handles of a BindingSet.
 #pragma once
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer_impl.h"

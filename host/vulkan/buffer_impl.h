@@ -1,4 +1,4 @@
-// The Vulkan handles behind a Buffer.
+// The Vulkan handles of a Buffer.
 #pragma once
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/device_impl.h"

@@ -1,4 +1,4 @@
-// The Vulkan commands behind a CommandRecorder.
+// The Vulkan command buffer of a CommandRecorder.
 #pragma once
 #include "host/vulkan/command_recorder.h"
 #include "host/vulkan/device_impl.h"

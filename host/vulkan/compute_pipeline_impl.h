@@ -1,4 +1,4 @@
-// The Vulkan handles behind a ComputePipeline.
+// The Vulkan handles of a ComputePipeline.
 #pragma once
 #include "host/vulkan/compute_pipeline.h"
 #include "host/vulkan/device_impl.h"

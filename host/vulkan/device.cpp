@@ -21,7 +21,7 @@ namespace {
 // beta header.
 constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
 
-// Whether the queue draws, too, and the device has swapchains.
+// Returns whether the queue supports graphics, too, and the device has swapchains.
 bool presents(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily, const DeviceOptions& options) {
   if (options.windowExtensions.empty()) return false;
   const vk::QueueFlags flags = physicalDevice.getQueueFamilyProperties()[queueFamily].queueFlags;
@@ -86,14 +86,14 @@ double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>
   });
 }
 
-// Everything that the device may be using is kept: this object and those that refer to it.
+// Objects that the device may be using are never destroyed: this object and those that refer to it.
 void Device::Impl::keepEverything() {
   residents.add(shared_from_this());
   residents.keepAll();
 }
 
-// After a failed submission or wait, the commands may be running. VK_ERROR_DEVICE_LOST is then as good as success: the
-// specification has a lost device use no resources.
+// After a failed submission or wait, the commands may be running. VK_ERROR_DEVICE_LOST is then equivalent to success:
+// according to the specification, a lost device uses no resources.
 void Device::Impl::settle() {
   hasFailed = true;
   const std::scoped_lock lock(queueMutex);

@@ -28,24 +28,24 @@ struct DeviceOptions {
   std::size_t stagingBytes = std::size_t{8} << 20;
   /// False: use the staging buffer even if device memory can be mapped, as on a discrete GPU.
   bool mapDeviceMemory = true;
-  /// Maximum duration of a run in seconds; 0: unlimited. Absent: as Patience says on hardware, and unlimited on
-  /// devices in software, which are slow on a loaded machine.
+  /// Maximum duration of a run in seconds; 0: unlimited. Absent: see Patience for hardware; unlimited for
+  /// software devices, which are slow on a loaded machine.
   std::optional<double> hangTimeout{};
   /// True: enables robustBufferAccess, with which shaders cannot access memory beyond their buffers.
   bool robustBufferAccess = false;
   /// Number of invocations in a subgroup of every pipeline, from DeviceInfo::minSubgroupSize to maxSubgroupSize and a
   /// power of two; 0: as the driver chooses.
   std::uint32_t subgroupSize = 0;
-  /// Receives everything that the device is given from its opening on; null: nothing is recorded.
+  /// Receives all work that the device is given after it was opened; null: nothing is recorded.
   std::shared_ptr<Recording> recording{};
-  /// Makes the code of every pipeline, unless PipelineOptions::isFinal; empty: reducedSpirv() does.
+  /// Converts the code of every pipeline, unless PipelineOptions::isFinal; empty: reducedSpirv() converts it.
   PrepareShader prepareShader{};
   /// Instance extensions of a window system. If there are any, the device can present to its windows, provided that it
   /// has VK_KHR_swapchain: see Device::canPresent().
   std::vector<std::string> windowExtensions{};
 };
 
-/// How long a run may take before the device counts as hung, unless DeviceOptions::hangTimeout states it.
+/// The maximum duration of a run, after which the device counts as hung, unless DeviceOptions::hangTimeout states it.
 enum class Patience {
   normal,   ///< 50 times the longest run so far, and at least 10 s
   compiles  ///< at least two minutes, since some drivers compile a kernel when it is first dispatched
@@ -79,14 +79,15 @@ class Device {
   /// Returns whether DeviceOptions::windowExtensions were given, and the device and its queue can draw and present.
   bool canPresent() const;
 
-  /// Whether a run failed, so that the device cannot be used any more.
+  /// Returns whether a run failed, so that the device cannot be used any more.
   bool hasFailed() const;
 
   /// Adds the pipelines in `data`, which pipelineData() returned for the same device and driver, to the pipeline cache
   /// of this device. Drivers trust such data, so it must not come from an unchecked file. Data of another device is
   /// ignored.
   void loadPipelines(std::span<const std::byte> data);
-  /// Returns the content of the pipeline cache: all pipelines loaded or made so far, as far as the driver keeps them.
+  /// Returns the content of the pipeline cache: all pipelines that were loaded or created so far, if the driver returns
+  /// them.
   std::vector<std::byte> pipelineData() const;
 
   struct Impl;

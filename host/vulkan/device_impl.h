@@ -1,4 +1,4 @@
-// The Vulkan handles behind a Device, and raw buffers, which Buffer and staging share.
+// The Vulkan handles of a Device, and raw buffers, which Buffer and staging use.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -48,7 +48,7 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   std::mutex memoryMutex;  ///< held whenever memoryUse is used
   Residents residents;     ///< buffers, pipelines and bindings of this device
   HangLimit hangLimit;
-  std::atomic<bool> hasFailed = false;  ///< work was submitted whose end is not known to have been regular
+  std::atomic<bool> hasFailed = false;  ///< submitted work has not been confirmed to have ended normally
 
   Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
        const DeviceOptions& deviceOptions);

@@ -12,7 +12,7 @@ struct DeviceInfo {
   std::string type;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
   std::string driver;               ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   std::uint32_t driverVersion = 0;  ///< in the driver's own encoding
-  std::string driverUuid;           ///< 32 hexadecimal digits; of Vulkan 1.2 alone
+  std::string driverUuid;           ///< 32 hexadecimal digits; only for Vulkan 1.2
   std::string pipelineCacheUuid;    ///< 32 hexadecimal digits; they change with the driver and the device
   std::string apiVersion;           ///< "1.3.230"
   bool usable = false;
@@ -31,7 +31,7 @@ struct DeviceInfo {
 std::vector<DeviceInfo> listDevices();
 /// Returns the device for a `selector`: an index, or a part of a device's name in any case. Empty: the first discrete
 /// GPU, else integrated, else virtual, else CPU. Throws NoDeviceError, which lists the devices or, if there are none,
-/// says what to install.
+/// names the package to install.
 DeviceInfo selectDevice(const std::string& selector);
 
 }  // namespace candela::vulkan

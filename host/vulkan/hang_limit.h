@@ -15,7 +15,7 @@ class HangLimit {
 
   /// The limit of the next run in seconds; infinite if there is none.
   double seconds(Patience patience) const;
-  /// The same as vkWaitForFences takes it.
+  /// The same for vkWaitForFences.
   std::uint64_t nanoseconds(Patience patience) const;
   /// Records the duration of a run that ended.
   void record(double seconds) { longest_ = std::max(longest_, seconds); }

@@ -13,7 +13,7 @@
 namespace candela::vulkan {
 
 struct RecordedShader {
-  std::vector<std::uint32_t> spirv;  ///< as the driver got it, with the specialisation constants at their values
+  std::vector<std::uint32_t> spirv;  ///< as passed to the driver, with the specialisation constants set to their values
   PipelineOptions options;
 };
 
@@ -62,7 +62,7 @@ struct RecordedDispatch {
 
 using RecordedCommand = std::variant<RecordedWrite, RecordedFill, RecordedCopy, RecordedDispatch>;
 
-/// Everything that one device was given, in the order of the calls, except what is written to Buffer::mapped().
+/// All work that one device was given, in the order of the calls, except what is written to Buffer::mapped().
 struct Recording {
   std::vector<RecordedShader> shaders;
   std::vector<RecordedBuffer> buffers;

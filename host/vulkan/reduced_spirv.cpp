@@ -1,4 +1,4 @@
-// Has the optimiser of SPIRV-Tools remove what is never reached.
+// Removes unreachable code with the optimiser of SPIRV-Tools.
 #include "host/vulkan/reduced_spirv.h"
 
 #include <spirv-tools/optimizer.hpp>
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,
                                         std::span<const Specialisation> specialisations) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   registerFreezing(optimizer, specialisations);
-  // Branches on constants alone are removed first, so that constants are propagated through the functions that remain.
+  // Branches on constants are removed first, so that constants are propagated through the functions that remain.
   registerRemoval(optimizer);
   optimizer.RegisterPass(spvtools::CreateCCPPass());
   registerRemoval(optimizer);

@@ -1,4 +1,4 @@
-// SPIR-V whose specialisation constants have their values.
+// SPIR-V whose specialisation constants are set to their values.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace candela::vulkan {
 
-/// Returns the module with the constants at their values, and without branches and functions that are never reached.
-/// No driver then compiles what a scene does not use, which takes some of them seconds, minutes or gigabytes:
+/// Returns the module with the constants at their values, and without unreachable branches and functions.
+/// Drivers then do not compile code that a scene does not use, which takes some of them seconds, minutes or gigabytes:
 /// docs/driver-workarounds.md section 10. Arithmetic on the values of a scene is untouched. Throws InternalError if the
 /// optimiser refuses the module.
 std::vector<std::uint32_t> reducedSpirv(std::span<const std::uint32_t> spirv,

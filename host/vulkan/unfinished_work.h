@@ -1,4 +1,4 @@
-// Whether work that was submitted to a device may still be running; this header uses no Vulkan type.
+// Reports whether work that was submitted to a device may still be running. This header uses no Vulkan type.
 #pragma once
 
 namespace candela::vulkan {

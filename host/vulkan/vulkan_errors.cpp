@@ -9,7 +9,7 @@ namespace candela::vulkan {
 
 void throwTranslated(const vk::SystemError& error, const std::string& doing) {
   const auto result = static_cast<vk::Result>(error.code().value());
-  const std::string message = fmt::format("cannot {}: Vulkan says {}", doing, vk::to_string(result));
+  const std::string message = fmt::format("cannot {}: Vulkan returned {}", doing, vk::to_string(result));
   switch (result) {
     case vk::Result::eErrorDeviceLost:
     case vk::Result::eErrorUnknown:

@@ -16,7 +16,7 @@ class DevicePicture {
  public:
   explicit DevicePicture(vulkan::Device device) : device_(std::move(device)) {}
 
-  /// Takes the film of a session; returns what device::FilmMeans::update() returns.
+  /// Converts the film of a session; returns the result of device::FilmMeans::update().
   bool update(render::Session& session, const render::Extent& size) {
     const std::scoped_lock lock(mutex_);
     if (!means_ || means_->size() != size) means_ = std::make_unique<device::FilmMeans>(device_, size);

@@ -15,7 +15,8 @@ constexpr const char* kLibrary = "libglfw.so.3";
 
 void* symbolOf(void* library, const char* name) {
   void* const symbol = dlsym(library, name);
-  if (symbol == nullptr) throw NoDeviceError(fmt::format("{} has no function {}: it is too old", kLibrary, name));
+  if (symbol == nullptr)
+    throw NoDeviceError(fmt::format("{} has no function {}; install a newer version", kLibrary, name));
   return symbol;
 }
 

@@ -1,7 +1,7 @@
 // GLFW, opened at run time.
 #pragma once
 #include <vulkan/vulkan.h>
-// GLFW declares its functions for surfaces behind Vulkan's header.
+// GLFW declares its functions for surfaces only after Vulkan's header.
 #include <GLFW/glfw3.h>
 
 namespace candela::window {
@@ -23,8 +23,8 @@ struct Glfw {
 #undef CANDELA_DECLARE
 };
 
-/// Opens the library once and connects to the display. Throws NoDeviceError with the package to install, or with what
-/// to do where there is no display.
+/// Opens the library once and connects to the display. Throws NoDeviceError with the package to install, or with the
+/// remedy if there is no display.
 const Glfw& openGlfw();
 
 }  // namespace candela::window

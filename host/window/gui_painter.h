@@ -15,7 +15,7 @@ class GuiPainter {
  public:
   GuiPainter(vulkan::Device device, vk::RenderPass renderPass);
 
-  /// Records the render pass of a frame. No earlier frame may be under way.
+  /// Records the render pass of a frame. No earlier frame may be in flight.
   void record(const Presenter::Frame& frame, vk::RenderPass renderPass, const ImDrawData& data);
 
  private:

@@ -11,7 +11,7 @@ view::Button buttonOf(int glfwButton);
 /// Returns nothing for a key without a meaning.
 std::optional<view::Key> keyOf(int glfwKey);
 
-/// Tells Dear ImGui, whose context exists, which keys edit text.
+/// Registers the keys that edit text with Dear ImGui, whose context must exist.
 void prepareKeys();
 /// Passes an event to Dear ImGui.
 void passToGui(const Event& event);

@@ -1,4 +1,4 @@
-// Stands for the window where the libraries for it were not found.
+// Replaces the window if its libraries were not found at build time.
 #include "host/core/errors.h"
 #include "host/window/viewer.h"
 

@@ -46,7 +46,7 @@ std::string valueText(const char* name, const glm::vec4& value) {
   return fmt::format("{}: {:.4g} {:.4g} {:.4g} ({})", name, value.x, value.y, value.z, known);
 }
 
-// Whether the device's name in the list is the one in use.
+// Returns the name of the device in use, or that it is being prepared.
 std::string deviceLabel(const view::EngineView& engine) {
   if (engine.choice.device == "cpu") return "cpu: the reference alone";
   return engine.deviceName.empty() ? "preparing ..." : engine.deviceName;
@@ -76,9 +76,8 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
   }
   text(sideText("device", engine.sides[0], engine));
   text(sideText("reference", engine.sides[1], engine));
-  if (engine.isPreparing) text("the driver compiles; preview by the reference");
-  text(fmt::format("{} pixels{}", extentText(engine.size),
-                   input.presentsFromDevice ? ", shown without a read back" : ""));
+  if (engine.isPreparing) text("the driver is compiling; preview by the reference");
+  text(fmt::format("{} pixels{}", extentText(engine.size), input.presentsFromDevice ? ", shown without readback" : ""));
   text(fmt::format("input answered in {:.0f} ms", 1e3 * input.response));
 }
 

@@ -1,4 +1,4 @@
-// The panels of the viewer: what they show, and what a user chose in them.
+// The panels of the viewer: the values that they show, and the user's choices.
 #pragma once
 #include <array>
 #include <optional>
@@ -17,11 +17,11 @@ struct PanelInput {
   const std::vector<std::string>& devices;
   gpu::PointedValues pointed;
   view::Mode shownMode;  ///< that of the picture, which is the reference while the device is prepared
-  double response = 0;   ///< seconds of the last answer to input
+  double response = 0;   ///< seconds of the last response to input
   bool presentsFromDevice = false;
 };
 
-/// What the user did in the panels in one frame.
+/// The user's actions in the panels in one frame.
 struct PanelChoice {
   std::optional<view::Choice> choice;
   std::optional<view::Mode> mode;

@@ -16,7 +16,7 @@
 
 namespace candela::window {
 
-/// Everything that a frame shows of the pictures.
+/// The pictures of a frame and their display settings.
 struct PaintedView {
   render::Extent picture;
   std::array<std::shared_ptr<const view::Picture>, view::kSideCount> pictures;  ///< null: see `onDevice`
@@ -30,17 +30,17 @@ class PicturePainter {
  public:
   explicit PicturePainter(vulkan::Device device);
 
-  /// Makes room for a window, and takes the pictures. No submission that uses the painter may be under way.
+  /// Allocates buffers for a window, and takes the pictures. No submission that uses the painter may be in flight.
   void prepare(const render::Extent& window, const PaintedView& view);
   /// Records the commands that fill pixels().
   void record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst);
   /// The pixels of the window, 4 bytes each, row by row from the top.
   const vulkan::Buffer& pixels() const { return *pixels_; }
-  /// The values below the pointer, as the last finished submission found them.
+  /// Returns the values below the pointer in the last finished submission.
   gpu::PointedValues pointed() const;
 
  private:
-  /// What a pipeline is compiled for.
+  /// The options for which a pipeline is compiled.
   using Variant = std::pair<view::Mode, image::ToneMap>;
 
   void upload(std::size_t side, const PaintedView& view);

@@ -10,8 +10,8 @@
 
 namespace candela::window {
 
-/// Presents frames on the queue that the device renders with, from the thread of the window. One frame is under way at
-/// a time. Vulkan's errors are thrown as host/vulkan throws them.
+/// Presents frames on the queue that the device renders with, from the thread of the window. One frame is in flight at
+/// a time. Errors of Vulkan are thrown as in host/vulkan.
 class Presenter {
  public:
   /// The commands of a frame: `recorder` records compute commands and copies, `commands` all others.
@@ -30,7 +30,7 @@ class Presenter {
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  /// Makes the following frames have this size, if the surface leaves the choice.
+  /// Sets the size of the following frames, if the surface permits it.
   void resize(const render::Extent& size);
   /// Size of the frames; 0 x 0 while the window is minimised.
   render::Extent size() const { return {extent_.width, extent_.height}; }
@@ -40,7 +40,7 @@ class Presenter {
   vk::RenderPass renderPass() const { return *renderPass_; }
   vulkan::Device& device() { return device_; }
 
-  /// Waits until the last frame is finished: what it read may then be written.
+  /// Waits until the last frame is finished: its inputs may then be overwritten.
   void waitForLastFrame();
   /// Records and presents a frame. Returns false if the window has no room for one, or has changed its size.
   bool draw(const std::function<void(const Frame&)>& record);

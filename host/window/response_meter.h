@@ -1,4 +1,4 @@
-// How fast the window answers.
+// Measures how fast the window responds to input.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@ class ResponseMeter {
   }
   bool hasMoved() const { return movedAt_.has_value(); }
 
-  /// The engine knows the new camera, and gave its view this serial number.
+  /// The engine has the new camera, and gave its view this serial number.
   void sent(std::uint64_t viewSerial) {
     waiting_.push_back({viewSerial, *movedAt_});
     movedAt_.reset();
@@ -42,7 +42,7 @@ class ResponseMeter {
     double since;
   };
   std::vector<Waiting> waiting_;   ///< oldest first
-  std::optional<double> movedAt_;  ///< time of the event that the engine does not know yet
+  std::optional<double> movedAt_;  ///< time of the event that the engine has not received yet
   std::vector<double> seconds_;
 };
 

@@ -26,7 +26,7 @@ class Screen {
  public:
   /// Opens the device and the window. Throws NoDeviceError where the device or the display cannot present.
   Screen(const ViewerOptions& options, const render::Extent& size);
-  /// Waits for the last frame, since the device may still read what it uses.
+  /// Waits for the last frame, since the device may still read its inputs.
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
@@ -40,8 +40,8 @@ class Screen {
   bool resize();
   /// Sets the title of the window, if it is another one.
   void setTitle(const std::string& title);
-  /// Draws a frame: the picture, and over it what `panels` draws with Dear ImGui; its argument is the values below the
-  /// pointer. Returns whether the frame is shown: a window that is minimised shows none.
+  /// Draws a frame: the picture, and over it the panels that `panels` draws with Dear ImGui; its argument is the values
+  /// below the pointer. Returns whether the frame is shown: a window that is minimised shows none.
   bool draw(const PaintedView& view, const std::function<void(const gpu::PointedValues&)>& panels);
 
  private:

@@ -23,7 +23,7 @@ namespace {
 constexpr double kIdleSeconds = 0.1;
 constexpr double kFlyingSeconds = 0.008;
 constexpr double kMaxFlightSeconds = 0.05;  // of one step
-constexpr double kWatchSeconds = 0.25;      // between two looks at the scene's file
+constexpr double kWatchSeconds = 0.25;      // between two checks of the scene's file
 constexpr std::uint32_t kPanelWidth = 352;  // of the panels, beside which the picture is placed
 constexpr render::Extent kMinWindow{640, 460};
 
@@ -267,7 +267,8 @@ void Viewer::measure() {
   responses_.shown(shown_.viewSerial);
 }
 
-// A frame is drawn whenever something may have changed, and once more for what Dear ImGui does a frame late.
+// A frame is drawn whenever something may have changed, and once more for changes that Dear ImGui draws one frame
+// later.
 ViewerReport Viewer::run() {
   const std::atomic<bool>& interrupted = watchInterrupts();
   while (!isClosed_ && !screen_.window().mustClose() && !interrupted) {

@@ -24,7 +24,7 @@ struct ViewerOptions {
   double start = 0;  ///< time of monotonicSeconds() at which the program started
 };
 
-/// What a viewer measured, in seconds.
+/// The measurements of a viewer, in seconds.
 struct ViewerReport {
   double firstPicture = 0;        ///< from the start to the first frame with a picture; 0: there was none
   std::vector<double> responses;  ///< from each event that moved the camera to the frame that shows the new view

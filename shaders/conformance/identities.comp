@@ -1,4 +1,4 @@
-// Which invocation is which: one record of the built-in variables for each, at the position that they imply.
+// Stores the built-in variables of each invocation as a record, at the index that they imply.
 #version 460
 #extension GL_KHR_shader_subgroup_basic : require
 

@@ -5,7 +5,7 @@
 
 const uint kNone = 0xffffffffu;
 
-// Counts iterations against limits: in one loop, in loops one after the other, and in nested loops.
+// Counts iterations: in one loop, in two consecutive loops, and in nested loops.
 uvec4 countIterations(uint state, uint first, uint second, uint inner) {
   uint counts[3] = uint[](0u, 0u, 0u);
   while (counts[0] < first) {

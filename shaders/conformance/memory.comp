@@ -14,7 +14,7 @@ const uint kMaxTries = 20000u;
 shared uint sharedWords[kGroupSize];
 shared uint sharedCount;
 
-// Every position is given once.
+// Each position is taken by one invocation.
 void takePositions(uint i) { outputs[i] = atomicAdd(data[i % parameter], 1u); }
 
 void combineBits(uint i) {
@@ -57,7 +57,7 @@ void scan(uint i, uint local) {
   outputs[i] = sum;
 }
 
-// A list in shared memory of the invocations whose word is odd, which the first invocation adds up.
+// The invocations whose word is odd form a list in shared memory, which the first invocation adds up.
 void listInShared(uint i, uint local) {
   if (local == 0u) sharedCount = 0u;
   barrier();
@@ -95,7 +95,7 @@ void aliased(uint i) {
   outputs[i] = data[second] + 5u * seen;
 }
 
-// One step of a chain of dispatches, each of which reads what others wrote in the step before.
+// One step of a chain of dispatches, each of which reads results of other invocations of the previous step.
 void readNeighbour(uint i) { outputs[i] = next(data[(i + 37u) % count]); }
 
 void main() {

@@ -1,5 +1,5 @@
-// Queues of work between dispatches, as the wavefront kernel has them: entries in one queue are read, and enqueued for
-// the next round or finished. The header has the workgroup counts of an indirect dispatch.
+// Queues of work between dispatches, as in the wavefront kernel: the entries of one queue are read, and either
+// enqueued for the next round or finished. The header has the workgroup counts of an indirect dispatch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "conformance/chain.glsl"

@@ -1,4 +1,4 @@
-// What the denoiser reads: statistics of the pixels of a film, and the constants of its method. docs/denoising.md.
+// Input of the denoiser: statistics of the pixels of a film, and the constants of its method. docs/denoising.md.
 #ifndef CANDELA_SHARED_DENOISE_DATA_H
 #define CANDELA_SHARED_DENOISE_DATA_H
 #include "language.h"

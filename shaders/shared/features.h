@@ -1,4 +1,4 @@
-// Lists of what GLSL and C++ both name: the feature flags of a scene, and in the included files the kinds of primitives
+// Lists of names that GLSL and C++ share: the feature flags of a scene, and in the included files the kinds of primitives
 // and the lobes of materials. Each list is a macro that applies its argument to every entry; both languages generate
 // their declarations from it. A macro needs no generator in the build or in an installed header, and messages of both
 // compilers point to these files.

@@ -101,7 +101,7 @@ struct PathState {
   PathCounts counts;
 };
 
-// Length of a pixel's list of hits, which is read by the host after every as many samples.
+// Length of a pixel's list of hits. The host reads the lists after this number of samples.
 CANDELA_CONST uint kListedHits = 32u;
 // Entry of a sample whose path has only hit perfect mirrors and glass so far.
 CANDELA_CONST uint kSeenThrough = 0xfffffffeu;
@@ -180,7 +180,7 @@ struct FilmRows {
 
 CANDELA_CONST uint kFilmRows = 4u;  // 16-byte records of a pixel
 
-// Behind the film of all pixels of the band, the film buffer has kLayerRows records of layers per pixel, if it has any:
+// After the film of all pixels of the band, the film buffer has kLayerRows records of layers per pixel, if it has any:
 // image::LayerRow, shaders/layers.glsl. An invocation adds the layers of at most this number of samples.
 CANDELA_CONST uint kMaxGatheredSamples = 1024u;
 

@@ -18,7 +18,7 @@ CANDELA_CONST uint kNodeRows = 4u;
 CANDELA_CONST uint kWideNodeRows = 5u;
 
 // Cells of a grid, three per record: the starts of their items, and the end of the last cell's items. The items, which
-// are slots of primitives, are in a section of their own, four per record. Both are counted from 0.
+// are slots of primitives, are in a separate section, four per record. Both are counted from 0.
 CANDELA_CONST uint kCellsPerRow = 3u;
 CANDELA_CONST uint kItemsPerRow = 4u;
 

@@ -1,5 +1,4 @@
-// Ids of the specialisation constants, except for those of the feature flags, which are in features.h (2 to 16, 25 and
-// 26).
+// Ids of the specialisation constants, except for those of the feature flags, which are in features.h.
 #ifndef CANDELA_SHARED_SPECIALIZATION_H
 #define CANDELA_SHARED_SPECIALIZATION_H
 #include "language.h"
@@ -46,7 +45,7 @@ CANDELA_CONST uint kFilterNone = 2u;  // rays pass through the pixels' origins
 CANDELA_CONST uint kSamplerIndependent = 0u;
 CANDELA_CONST uint kSamplerStratified = 1u;
 CANDELA_CONST uint kSamplerSobol = 2u;
-CANDELA_CONST uint kBackdropEnvironment = 0u;  // camera rays see what lights the scene
+CANDELA_CONST uint kBackdropEnvironment = 0u;  // camera rays see the background that lights the scene
 CANDELA_CONST uint kBackdropColour = 1u;
 CANDELA_CONST uint kBackdropNone = 2u;  // the film counts the samples that hit something
 CANDELA_CONST uint kViewNone = 0u;      // an image of light

@@ -1,4 +1,4 @@
-// Levels of trees that are easy to see through, and of all inputs that builders are tested with.
+// Levels of simple BVHs, and of all inputs with which builders are tested.
 #include "host/accel/bvh_levels.h"
 
 #include <algorithm>

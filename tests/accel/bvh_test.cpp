@@ -1,4 +1,4 @@
-// Invariants, quality and repeatability of built trees.
+// Invariants, quality and repeatability of BVHs.
 #include "host/accel/bvh.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ using namespace candela::test;
 
 namespace {
 
-// The tree that halves at the median centre along the widest axis down to `leafSize`: its cost by the same formula.
+// Returns the cost, by the same formula, of a BVH that is split at the median centre along the widest axis down to
+// `leafSize`.
 double medianCost(std::vector<Aabb> boxes, std::size_t leafSize, double rootArea) {
   Aabb bounds;
   for (const Aabb& b : boxes) bounds.extend(b);
@@ -63,7 +64,7 @@ TEST_CASE("a BVH without primitives has no nodes") {
 }
 
 TEST_CASE("a BVH that only just fits stays within the depth limit") {
-  // Each box is as far away as large: binning peels the largest few off, again and again.
+  // Each box is as far away as large: binning repeatedly splits off the largest few.
   std::vector<Aabb> boxes;
   for (int i = 0; i < 128; ++i)
     boxes.push_back(boxAround({std::exp2(i / 2.0), 0, 0}, glm::dvec3(std::exp2(i / 2.0) / 8)));
@@ -71,7 +72,7 @@ TEST_CASE("a BVH that only just fits stays within the depth limit") {
   const Bvh bvh = buildBvh(boxes, tight);
   CHECK(validate(bvh, boxes, tight).value_or("") == "");
   CHECK(quality(bvh).depth == 7);
-  // Left alone, the same boxes go deeper: the limit was at work.
+  // Without the limit, the same boxes make a deeper BVH: the limit had an effect.
   CHECK(quality(buildBvh(boxes, {.maxLeafSize = 1})).depth > 7);
   CHECK_THROWS_AS(buildBvh(boxes, {.maxLeafSize = 1, .maxDepth = 6}), InternalError);
 }
@@ -108,7 +109,8 @@ TEST_CASE("SAH has a lower cost than the median split, especially if sizes and d
     const double rootArea = unionOf(boxes).surfaceArea();
     if (rootArea == 0) continue;
     INFO(name);
-    // Coincident boxes leave no choice but the order; anything else must not lose by more than binning's coarseness.
+    // Coincident boxes can only be split by their order; for other boxes, the loss must not exceed that of coarse
+    // binning.
     CHECK(quality(buildBvh(boxes)).sahCost <= 1.01 * medianCost(boxes, 4, rootArea));
     if (name == "huge and tiny") CHECK(quality(buildBvh(boxes)).sahCost < 0.7 * medianCost(boxes, 4, rootArea));
   }

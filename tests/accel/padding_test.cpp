@@ -1,4 +1,4 @@
-// The promise of primitive_bounds.h: no ray that a primitive test accepts, in either precision, is lost at its box.
+// The guarantee of primitive_bounds.h: no ray that a primitive test accepts, in either precision, misses its box.
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -28,7 +28,7 @@ const Setting kSettings[] = {
 
 glm::dvec3 across(const glm::dvec3& v, Random& random) { return glm::normalize(glm::cross(v, random.direction())); }
 
-// Fills `scene` with one random primitive of `kind` and returns a point of it that rays only just hit or miss: on an
+// Fills `scene` with one random primitive of `kind` and returns a point of it that rays barely hit or miss: on an
 // edge, on a rim or, for a sphere, on the silhouette as seen from `eye`.
 glm::dvec3 makePrimitive(scene::PrimitiveKind kind, const Setting& setting, const glm::dvec3& eye, Random& random,
                          scene::Scene& scene) {

@@ -1,4 +1,4 @@
-// Boxes of primitives: where they lie, that they hold the surface, and that they are tight.
+// Boxes of primitives: their positions, that they contain the surface, and that they are tight.
 #include "host/accel/primitive_bounds.h"
 
 #include <catch2/catch.hpp>

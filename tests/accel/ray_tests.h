@@ -148,7 +148,7 @@ struct SlabRay {
     }
   }
 
-  /// Where the ray enters the box (0 if it starts inside), if it does so no later than at `farthest`.
+  /// Returns the distance at which the ray enters the box (0 if it starts inside), if it is at most `farthest`.
   std::optional<T> enter(const Aabb& box, T farthest) const {
     const Vec<T> t0 = (Vec<T>(box.min) - originForMin) * inverse, t1 = (Vec<T>(box.max) - originForMax) * inverse;
     const Vec<T> first = glm::min(t0, t1), last = glm::max(t0, t1);

@@ -21,7 +21,7 @@ BvhOptions reinserting(Reinsertion reinsertion, std::uint32_t maxDepth = 60) {
 
 double costOf(const Bvh& bvh) { return quality(bvh).sahCost; }
 
-// Small boxes all over a room, whose walls are two large flat boxes each, as those of triangles are.
+// Small boxes all over a room, whose walls are two large flat boxes each, like those of triangles.
 std::vector<Aabb> furnishedRoom(std::size_t count) {
   std::vector<Aabb> boxes = randomBoxes(count);
   for (int axis = 0; axis < 3; ++axis) {
@@ -89,7 +89,7 @@ TEST_CASE("reinsertion never exceeds a depth limit that the BVH has reached") {
   const std::vector<Aabb> boxes = randomBoxes(128);
   const BvhOptions tight{.reinsertion = Reinsertion::all, .maxLeafSize = 1, .maxDepth = 7};
   CHECK(validate(buildBvh(boxes, tight), boxes, tight).value_or("") == "");
-  // Left alone the same boxes go deeper: the limit was at work.
+  // Without the limit, the same boxes make a deeper BVH: the limit had an effect.
   CHECK(quality(buildBvh(boxes, {.reinsertion = Reinsertion::all, .maxLeafSize = 1})).depth > 7);
 }
 

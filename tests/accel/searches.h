@@ -1,5 +1,5 @@
-// The nearest hit by brute force, through a tree, and through a grid, in single or double precision: what the device
-// does, on the host. The walk through the grid is that of host/accel/grid.h.
+// The closest hit by brute force, through a BVH, and through a grid, in single or double precision: the searches of
+// the device, on the host. The traversal of the grid is that of host/accel/grid.h.
 #pragma once
 #include <array>
 #include <bit>
@@ -155,7 +155,8 @@ class Searcher {
     }
   }
 
-  // In the walk's own precision: in double this is not quite the builder's arithmetic, which the argument allows for.
+  // In the traversal's own precision: in double this is not quite the builder's arithmetic, which the argument allows
+  // for.
   static int cellAt(const GridShape& shape, int axis, T x) {
     const T place = (x - T{shape.bounds.min[axis]}) * T{shape.scale[axis]};
     return static_cast<int>(std::clamp(place, T{0}, static_cast<T>(shape.sides[axis] - 1)));

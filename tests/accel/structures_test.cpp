@@ -1,4 +1,5 @@
-// Every structure finds exactly the hit that brute force finds: its distance, bit for bit, and of ties the lower index.
+// Every structure finds exactly the hit that brute force finds: its distance, bit for bit, and the lower index for
+// equal distances.
 #include <catch2/catch.hpp>
 
 #include "tests/accel/searches.h"

@@ -1,4 +1,4 @@
-// Scenes for searches: every scene file there is, and the edges of what scenes can be.
+// Scenes for searches: every scene file, and extreme scenes.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// Invariants of collapsed trees and of their quantised boxes.
+// Invariants of 8-wide BVHs and of their quantised boxes.
 #include "host/accel/wide_bvh.h"
 
 #include <algorithm>
@@ -143,7 +143,7 @@ TEST_CASE("validate reports the errors of an 8-wide BVH") {
   CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 0; }), Contains("is named twice"));
   CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].block = 1u << 20; }), Contains("names node 10485"));
   CHECK_THAT(complaint([](WideBvh& w) { w.nodes[0].leafMask = 0xffffff; }), Contains("both node and leaf"));
-  CHECK_THAT(complaint([](WideBvh& w) { w.nodeCount += 1; }), Contains("said to be"));
+  CHECK_THAT(complaint([](WideBvh& w) { w.nodeCount += 1; }), Contains("but nodeCount is"));
   CHECK_THAT(complaint([&](WideBvh& w) { w.nodes[leafy].leafMask ^= 1; }), Contains("has gaps"));
   CHECK_THAT(complaint([&](WideBvh& w) { w.nodes[leafy].leafMask |= 1u << 24; }), Contains("beyond its children"));
   CHECK_THAT(complaint([&](WideBvh& w) { w.nodes[leafy].firstPrimitive = 400; }), Contains("of 400"));

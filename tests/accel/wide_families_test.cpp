@@ -17,7 +17,7 @@ double chanceOf(const Bvh& bvh, std::uint32_t node) {
   return bvh.nodes[node].bounds.surfaceArea() / bvh.nodes[0].bounds.surfaceArea();
 }
 
-// Wide nodes below and at `node`, each weighted by its chance, as chosen.
+// Returns the chosen 8-wide nodes at and below `node`, each weighted by its hit probability.
 double chosenCost(const Bvh& bvh, const WideFamilies& families, std::uint32_t node) {
   if (bvh.nodes[node].isLeaf()) return 0;
   const Family family = families.of(node);

@@ -39,7 +39,7 @@ class Measurement:
         return load(self.picture)
 
     def errors(self, options):
-        """Mean number of samples, relMSE, and the relMSE of the region that has most."""
+        """Mean number of samples, relMSE, and the relMSE of the region with the largest error."""
         samples, regions = 0, 0
         count = self.arguments.side // REGION
         for seed in range(self.arguments.seeds):
@@ -51,7 +51,7 @@ class Measurement:
 
 
 def equal_samples(table, error):
-    """The number of samples everywhere that has this error, between those of the table."""
+    """The uniform number of samples with this error, interpolated between those of the table."""
     for (n0, e0), (n1, e1) in zip(table, table[1:]):
         if error >= e1 or n1 == table[-1][0]:
             return math.exp(math.log(n0) + (math.log(error) - math.log(e0)) * math.log(n1 / n0) / math.log(e1 / e0))

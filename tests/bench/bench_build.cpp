@@ -1,5 +1,5 @@
-// How fast structures are built over a million primitives, by the clock and by the processor time of the busiest
-// thread: on a machine that others use too, only the latter says what free cores would give. Medians of several builds.
+// Measures how fast structures are built over a million primitives, in wall-clock time and in processor time of the
+// busiest thread: on a machine that others use too, only the latter is that of idle cores. Medians of several builds.
 // Not a test: machines differ. Each structure is validated before its time counts.
 //   ninja bench_build && tests/bench/bench_build [threads]
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ std::vector<accel::Aabb> triangleSoup() {
   return boxes;
 }
 
-// A rough height field, row by row: a mesh as files have them.
+// A rough height field, row by row: a mesh as in files.
 std::vector<accel::Aabb> triangleMesh() {
   Random random(6);
   constexpr std::size_t kSide = 707;

@@ -1,4 +1,5 @@
-// How long Session::setCamera takes on a device: the host's time and that of the upload, without any tracing. Medians.
+// Measures how long Session::setCamera takes on a device: the host's time and that of the upload, without any tracing.
+// Medians.
 //   ninja bench_camera && tests/bench/bench_camera SCENE... (CANDELA_TEST_DEVICE chooses the device)
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// A device's traversal beside Embree's, in turn on the same primitives and rays: rays alone, by kind.
+// Compares a device's traversal with Embree's, alternately on the same primitives and rays, by kind of rays.
 // Not a test: machines differ. Built where Embree 3 is found (libembree-dev), on request:
 //   ninja bench_embree && tests/bench/bench_embree SCENE [pixels a side] [runs] [device]
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ RayReport measure(const scene::Scene& scene, const render::RenderSettings& setti
   return report;
 }
 
-// Each layout's rate over that of Embree in the same kind of rays.
+// Returns each layout's rate relative to that of Embree for the same kind of rays.
 void printRatios(const RayReport& report) {
   for (const RayRow& row : report.rows) {
     for (const RayRow& peer : report.rows) {

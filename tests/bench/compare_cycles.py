@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Times Candela on lavapipe against Blender's Cycles on the same scenes, in turn, and prints a table.
+"""Compares the speed of Candela on lavapipe with that of Blender's Cycles on the same scenes, alternately, and prints a table.
 
     python3 tests/bench/compare_cycles.py CANDELA SCENE... [--spp N] [--size N] [--max-depth N] [--rounds N]
 
@@ -103,7 +103,7 @@ def relative_errors(options, scene, folder):
         errors = []
         for seed in range(NOISE_SEEDS):
             run[tracer](options, scene, folder / "short.exr", NOISE_SIZE, options.spp, seed, extra)
-            # Its exit code would say whether the light differs, which is not asked here.
+            # Its exit code would state whether the light differs, which does not matter here.
             done = subprocess.run([options.candela, "compare", folder / "short.exr", folder / f"{tracer}.exr", "-q",
                                    "--json", "-"], capture_output=True, text=True)
             errors.append(json.loads(done.stdout)["relativeMeanSquaredError"])

@@ -1,4 +1,4 @@
-"""Renders a scene with Blender's Cycles on the CPU by Candela's rules, and times it.
+"""Renders a scene with Blender's Cycles on the CPU, with Candela's rules, and times it.
 
     blender -b -P tests/bench/cycles.py -- SCENE OUT.exr [--spp N] [--size N] [--max-depth N] [--threads N] [--seed N]
                                                          [--roulette-start N]
@@ -131,7 +131,7 @@ def surface_node(nodes, material):
 
 
 def shine_for_camera(nodes, links, radiance):
-    """What the camera sees of a lamp: area lights are invisible to it alone."""
+    """The visible surface of a light: area lights are invisible only to the camera."""
     node = nodes.new("ShaderNodeEmission")
     strength = max(radiance)
     set_colour(node, [channel / strength for channel in radiance])
@@ -160,7 +160,7 @@ def build_material(material):
 
 
 def build_mesh(scene):
-    """All triangles as one object, so that Cycles traces one tree over all of them."""
+    """All triangles as one object, so that Cycles traces one BVH over all of them."""
     mesh = bpy.data.meshes.new("scene")
     mesh.from_pydata(scene.vertices, [], scene.triangles)
     for material in scene.materials:
@@ -171,7 +171,7 @@ def build_mesh(scene):
 
 
 def build_lamp(corner, u, v, radiance):
-    """A rectangle that shines along u x v: area lights are sampled more exactly than triangles that emit."""
+    """A rectangle that emits along u x v: area lights are sampled more exactly than triangles that emit."""
     if abs(u.dot(v)) > 1e-6 * u.length * v.length:
         sys.exit("a lamp that is no rectangle is not read here")
     normal = u.cross(v).normalized()
@@ -184,7 +184,7 @@ def build_lamp(corner, u, v, radiance):
     light.cycles.use_multiple_importance_sampling = True
     placed = bpy.data.objects.new("lamp", light)
     placed.matrix_world = Matrix((u.normalized(), -v.normalized(), -normal)).transposed().to_4x4()
-    # Just before what it lies on, which rays find behind it: lamps let them pass.
+    # Just in front of its surface, which rays hit behind it, because area lights let them pass.
     placed.matrix_world.translation = corner + (u + v) / 2 + 1e-5 * math.sqrt(u.length * v.length) * normal
     bpy.context.collection.objects.link(placed)
 
@@ -228,7 +228,7 @@ def choose_estimator(options):
     cycles.pixel_filter_type = "BOX"  # one pixel wide
     cycles.film_exposure = 1
     cycles.use_auto_tile = False
-    # Vertices before this one never face Russian roulette.
+    # Russian roulette is not played at vertices before this one.
     cycles.min_light_bounces = options.roulette_start
     # N bounces of Cycles still sample the lights at the last one: N + 2 rays, the camera's included.
     bounces = options.max_depth - 2
@@ -246,7 +246,7 @@ def choose_picture(options):
 
 
 def render_and_time(options):
-    """Times a second render, for which Cycles keeps the scene and its tree from a first one of one sample."""
+    """Times a second render, for which Cycles keeps the scene and its BVH from a first one of one sample."""
     scene = bpy.context.scene
     scene.render.use_persistent_data = True
     scene.cycles.samples = 1

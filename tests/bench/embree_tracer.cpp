@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned kTriangles = 0;
 constexpr unsigned kSpheres = 1;
 constexpr std::size_t kRaysAtATime = 1024;
-constexpr float kDeviceNoHit = 3.402823e38f;  // as kernels say it
+constexpr float kDeviceNoHit = 3.402823e38f;  // as in kernels
 
 RTCRay rayOf(const gpu::CastRay& given) {
   RTCRay ray{};

@@ -14,7 +14,7 @@ namespace candela::bench {
 /// and the primitive's index in the scene.
 class EmbreeTracer : public RayTracer {
  public:
-  /// Throws FileError if the scene has other primitives, or no Embree device can be had.
+  /// Throws FileError if the scene has other primitives, or no Embree device can be created.
   explicit EmbreeTracer(const scene::Scene& scene);
   ~EmbreeTracer() override;
   EmbreeTracer(const EmbreeTracer&) = delete;

@@ -7,7 +7,7 @@
 
 namespace candela::bench {
 
-/// One run: what the film's only pixel gets, and what the statistics say.
+/// One run: the value of the film's only pixel, and the statistics.
 struct ScriptedRun {
   float value = 1;
   double traceSeconds = 1;

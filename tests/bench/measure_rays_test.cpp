@@ -15,7 +15,7 @@ using Catch::Contains;
 
 constexpr std::uint32_t kDistanceBits = 0x40000000;
 
-// Says where each ray hits by its number, but for one that it gets wrong.
+// Derives the hit of each ray from its index, except for one that is wrong.
 class FakeTracer : public RayTracer {
  public:
   FakeTracer(std::string name, std::vector<std::string>& log, std::optional<std::size_t> wrong = {}, bool exact = true)
@@ -87,7 +87,7 @@ TEST_CASE("a tracer with other hits has no figures, unless the difference is wit
   REQUIRE(measurements.size() == 3);
   CHECK(measurements[0].share == 1);
   CHECK(measurements[1].share == Approx(0.9));
-  CHECK(measurements[2].share == Approx(0.9));  // its distances are others, which a peer's may be
+  CHECK(measurements[2].share == Approx(0.9));  // its distances differ, which is permitted for a peer
   RayReport report{"device", "driver", {8, 8}, {64, 64}, 1, {}};
   report.rows.push_back({"room", 1, "bvh2", "texel", 1024, measurements[0]});
   CHECK(report.agree());

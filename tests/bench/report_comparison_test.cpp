@@ -1,4 +1,4 @@
-// Two reports of a benchmark: what counts as slower.
+// Compares two reports of a benchmark: the criterion for a slowdown.
 #include "host/bench/report_comparison.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Reports of whole renders: rows, what differs, the line to paste, the drawing.
+// Reports of whole renders: rows, differing films, the line for publication, the chart.
 #include "host/bench/sweep_report.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Files of compiled pipelines: what is written is read, and whatever is not exactly that is refused.
+// Files of compiled pipelines: a written file is read again, and any other content is refused.
 #include "host/cache/pipeline_file.h"
 
 #include <sys/stat.h>

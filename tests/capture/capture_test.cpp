@@ -1,4 +1,4 @@
-// Recordings that are cut down to their last dispatch.
+// Recordings that are reduced to their last dispatch.
 #include "host/capture/capture.h"
 
 #include <catch2/catch.hpp>
@@ -39,7 +39,7 @@ vulkan::Recording recordingWith(std::vector<vulkan::RecordedCommand> commands) {
 
 }  // namespace
 
-TEST_CASE("What is done before the first dispatch becomes content of the buffers") {
+TEST_CASE("Commands before the first dispatch become initial contents of the buffers") {
   const Capture capture = cutDown(
       recordingWith({RecordedFill{4, 0, 16, 7}, RecordedWrite{4, 4, bytesOf({8, 9})}, RecordedCopy{4, 0, 2, 8, 8},
                      dispatchOn(1, {2, 4}), RecordedWrite{2, 0, bytesOf({5})}}));
@@ -52,7 +52,7 @@ TEST_CASE("What is done before the first dispatch becomes content of the buffers
   CHECK(lastDispatch(capture.work).shader == 0);
 }
 
-TEST_CASE("Of what is done on other buffers nothing remains") {
+TEST_CASE("Commands on other buffers are removed") {
   const Capture capture = cutDown(
       recordingWith({RecordedWrite{0, 0, bytesOf({1})}, dispatchOn(0, {0, 1}), RecordedFill{2, 0, 16, 3},
                      RecordedWrite{0, 0, bytesOf({2})}, dispatchOn(2, {2, 3})}));
@@ -61,7 +61,7 @@ TEST_CASE("Of what is done on other buffers nothing remains") {
   CHECK(capture.contents[bufferOf(capture, {0, 0})] == bytesOf({3, 3, 3, 3}));
 }
 
-TEST_CASE("Dispatches on whose results the last one depends remain, with what is done between them") {
+TEST_CASE("Dispatches on whose results the last one depends remain, with the commands between them") {
   RecordedDispatch indirect = dispatchOn(2, {2, 3});
   indirect.indirect = {1, 4};
   const Capture capture = cutDown(recordingWith({RecordedFill{0, 0, 16, 3}, dispatchOn(0, {0, 1}),

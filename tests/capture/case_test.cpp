@@ -24,7 +24,7 @@ TEST_CASE("capture: a program gives the results of each kind of case") {
     CAPTURE(name);
     const std::string output = folder.path(name);
     const ProgramResult result = captureTo(output, {name});
-    CHECK_THAT(result.out, Contains("gives the expected values"));
+    CHECK_THAT(result.out, Contains("computes the expected values"));
     compileReproducer(output);
     const ProgramResult run = runIn(output, {"VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation"});
     INFO(run.out << run.err);
@@ -35,7 +35,7 @@ TEST_CASE("capture: a program gives the results of each kind of case") {
   }
 }
 
-TEST_CASE("capture: the known faults of lavapipe 22.3.6 come down to one or two invocations") {
+TEST_CASE("capture: the known faults of lavapipe 22.3.6 are reduced to one or two invocations") {
   const TemporaryFolder folder;
   const bool isWrong = isLavapipe22();
   struct Known {
@@ -64,14 +64,14 @@ TEST_CASE("capture: a planted fault of a compiler shows in the program where the
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
   const std::vector<std::string> faulty = miscompiled(kBorrowsInsteadOfCarrying);
-  CHECK_THAT(captureTo(output, {"leaf.integer.add_carry"}, faulty).out, Contains("gives other values"));
+  CHECK_THAT(captureTo(output, {"leaf.integer.add_carry"}, faulty).out, Contains("computes other values"));
   compileReproducer(output);
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output).exitCode == 0);
   CHECK_THAT(readText(output + "/capture.h"), Contains(".push = {0x1u"));
 }
 
-TEST_CASE("capture: what a program cannot run is no mismatch") {
+TEST_CASE("capture: work that the program cannot run is not a mismatch") {
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
   captureTo(output, {"leaf.integer.shift"});
@@ -83,7 +83,7 @@ TEST_CASE("capture: what a program cannot run is no mismatch") {
   CHECK(runIn(folder.path(""), {}, "new/reproduce").exitCode == 2);
 }
 
-TEST_CASE("capture: values that one run writes are those that another one expects") {
+TEST_CASE("capture: the values that one run dumps are the expected values of another") {
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
   captureTo(output, {"leaf.float.add"});

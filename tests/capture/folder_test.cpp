@@ -1,4 +1,4 @@
-// Where captures may be written, and that they appear completely or not at all.
+// The folders to which captures may be written; captures appear completely or not at all.
 #include "host/capture/folder.h"
 
 #include <catch2/catch.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("A folder with files, a file and a folder in no folder are refused") {
   CHECK(readText(folder.path("full/a")) == "a");
 }
 
-TEST_CASE("A capture that cannot be written leaves nothing") {
+TEST_CASE("A capture that cannot be written leaves no files") {
   const TemporaryFolder folder;
   Capture capture = smallCapture();
   capture.files.push_back({"no/such/folder", "text"});

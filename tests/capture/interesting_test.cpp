@@ -1,4 +1,4 @@
-// interesting.sh, and what spirv-reduce makes of a planted fault with it.
+// interesting.sh, and reductions of a planted fault by spirv-reduce with it.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -51,7 +51,7 @@ TEST_CASE("interesting.sh accepts a module that a command makes different") {
   CHECK(runIn(output, {"MUTATE=cp"}, "./interesting.sh module_0.spv").exitCode == 1);
 }
 
-TEST_CASE("spirv-reduce takes a leaf case with a planted fault to less than 100 instructions", "[slow]") {
+TEST_CASE("spirv-reduce reduces a leaf case with a planted fault to less than 100 instructions", "[slow]") {
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
   captureTo(output, {"leaf.integer.add_carry"}, miscompiled(kBorrowsInsteadOfCarrying));

@@ -4,10 +4,10 @@
 // this result) with this opcode changes:
 //   CHANGE a number  the opcode becomes this one
 //   swap             its last two operands are exchanged
-//   drop             it is left out
+//   drop             it is removed
 //   plus             its last operand, a literal, is one larger
 // Opcodes are numbers of the SPIR-V specification; 12/K is instruction K of the extended set (GLSL.std.450), of which
-// CHANGE is the new number. Modules without instruction N stay as they are.
+// CHANGE is the new number. Modules without instruction N do not change.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

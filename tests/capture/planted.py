@@ -1,4 +1,4 @@
-"""Plants faults in a compiler, one at a time, and requires that `candela conformance` finds each in a case that it concerns.
+"""Plants faults in a compiler, one at a time, and requires that `candela conformance` finds each in a related case.
 
 The layer of miscompiler.cpp changes modules on their way to the driver. A mutant is a name, the change, the cases that run,
 and a pattern: at least one case that fails must match it. With --table, the result is printed as a Markdown table.

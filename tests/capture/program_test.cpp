@@ -29,7 +29,7 @@ TEST_CASE("capture refuses what it cannot capture, and says what to do instead")
            {{scene, "-o", output, "--pixel", "1,1", "--device", "cpu"}, 1, "choose a Vulkan device"},
            {{scene, "-o", output, "--pixel", "1,1", "--shrink-time", "soon"}, 1, "--shrink-time"},
            {{"control.loop.iteration", "-o", output}, 1, "did you mean control.loop.iterations?"},
-           {{"control.loop.iterations", "-o", output, "--spp", "4"}, 1, "--spp has no meaning for the case"},
+           {{"control.loop.iterations", "-o", output, "--spp", "4"}, 1, "--spp does not apply to the case"},
            {{"nothing.p3f", "-o", output}, 1, "there is no such scene file"},
            {{folder.path("nothing.p3f"), "-o", output, "--pixel", "1,1"}, 2, "nothing.p3f"},
            {{scene, "-o", scene, "--pixel", "1,1"}, 2, "is a file"},

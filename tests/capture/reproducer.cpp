@@ -1,4 +1,4 @@
-// Calls compilers as README.md of a capture says.
+// Calls compilers as README.md of a capture describes.
 #include "tests/capture/reproducer.h"
 
 #include <algorithm>

@@ -24,7 +24,7 @@ std::vector<std::string> cornell(std::vector<std::string> more) {
 
 TEST_CASE("capture: one dispatch of a path kernel gives the reference's values, and those of the device's own") {
   const TemporaryFolder folder;
-  CHECK_THAT(captureTo(folder.path("mega"), cornell({})).out, Contains("gives the expected values"));
+  CHECK_THAT(captureTo(folder.path("mega"), cornell({})).out, Contains("computes the expected values"));
   compileReproducer(folder.path("mega"));
   const ProgramResult run = runIn(folder.path("mega"));
   INFO(run.out);
@@ -48,7 +48,7 @@ TEST_CASE("capture: a planted fault shrinks to few statements and short paths", 
   const std::vector<std::string> faulty = miscompiled(kFaultyTriangles);
   const ProgramResult result = captureTo(folder.path("new"), cornell({"--shrink-time", "60s"}), faulty);
   CHECK_THAT(result.out, Contains("1 x 1 pixels from 20,40 in workgroups of 1 x 1"));
-  CHECK_THAT(result.out, Contains("gives other values: "));
+  CHECK_THAT(result.out, Contains("computes other values: "));
   CHECK_THAT(result.out, !Contains("with 19 of 19 statements"));
   const std::string scene = readText(folder.path("new/scene.p3f"));
   CHECK(scene.size() < readText(kCornell).size());
@@ -62,7 +62,7 @@ TEST_CASE("capture: with --shrink-time 0s the scene stays as it is", "[swiftshad
   const TemporaryFolder folder;
   const ProgramResult result = captureTo(folder.path("new"), cornell({"--shrink-time", "0s"}),
                                          miscompiled(kFaultyTriangles));
-  CHECK_THAT(result.out, Contains("gives other values: "));
+  CHECK_THAT(result.out, Contains("computes other values: "));
   CHECK_THAT(result.out, Contains("with 19 of 19 statements"));
 }
 

@@ -1,4 +1,4 @@
-// Scenes of which statements or primitives are left out.
+// Scenes whose statements or primitives are removed.
 #include "host/capture/scene_parts.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ constexpr const char* kScene =
 
 }  // namespace
 
-TEST_CASE("Statements of primitives and lights can be left out, each with its numbers") {
+TEST_CASE("Statements of primitives and lights can be removed, each with its numbers") {
   const auto parts = statementsOf(kScene, "a.p3f", ".", {});
   REQUIRE(parts->count() == 4);
   CHECK(parts->textWith({0, 1, 2, 3}).size() >= std::string(kScene).size());
@@ -39,7 +39,7 @@ TEST_CASE("Statements of primitives and lights can be left out, each with its nu
   CHECK_FALSE(contains(text, "0 1 0\n1 0 0"));
 }
 
-TEST_CASE("Primitives of a scene of any format can be left out") {
+TEST_CASE("Primitives of a scene of any format can be removed") {
   const auto statements = statementsOf(kScene, "a.p3f", ".", {});
   const scene::Scene scene = statements->with({0, 1, 2, 3});
   const auto parts = primitivesOf(scene);

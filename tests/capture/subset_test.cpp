@@ -28,7 +28,7 @@ TEST_CASE("The smallest subset of one and of no index") {
   CHECK(smallestSubset(1, ifWhole, neverStop) == Subset{0});
 }
 
-TEST_CASE("A search needs few tests where little remains, and any of two suffices") {
+TEST_CASE("A search needs few tests if little remains, and either of two indices suffices") {
   std::size_t tests = 0;
   const auto hasOneOfTwo = [&](const Subset& subset) {
     ++tests;

@@ -1,4 +1,4 @@
-// Captures of variants, whose plain form gives the expected values.
+// Captures of variants, whose plain form computes the expected values.
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -9,7 +9,8 @@ namespace {
 
 using Catch::Contains;
 
-// Faults that hit variants alone: OpCopyObject becomes OpSNegate, or the last index of OpCompositeInsert is off by one.
+// Faults that affect only variants: OpCopyObject becomes OpSNegate, or the last index of OpCompositeInsert is off by
+// one.
 constexpr const char* kFaultyCopies = "83:all:126";
 constexpr const char* kFaultyInserts = "82:all:plus";
 
@@ -27,7 +28,7 @@ TEST_CASE("capture: a variant differs in the program, and the plain form beside 
   const std::string output = folder.path("new");
   const std::vector<std::string> faulty = faultyEnvironment(kFaultyCopies);
   CHECK_THAT(captureTo(output, {"variants.module.mutated_4.control.loop.return"}, faulty).out,
-             Contains("gives other values") && Contains("plain_0.spv"));
+             Contains("computes other values") && Contains("plain_0.spv"));
   compileReproducer(output);
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output, faulty, "./reproduce --module 0 plain_0.spv").exitCode == 0);
@@ -41,7 +42,7 @@ TEST_CASE("capture: a variant of a kernel expects the bits of the plain form, an
   const std::string output = folder.path("new");
   const std::vector<std::string> faulty = faultyEnvironment(kFaultyInserts);
   const ProgramResult result = captureTo(output, {"variants.path.Os.cornell"}, faulty);
-  CHECK_THAT(result.out, Contains("It renders 1 x 1 pixels") && Contains("gives other values"));
+  CHECK_THAT(result.out, Contains("It renders 1 x 1 pixels") && Contains("computes other values"));
   compileReproducer(output);
   CHECK(runIn(output, faulty).exitCode == 1);
   CHECK(runIn(output, faulty, "./reproduce --module 0 plain_0.spv").exitCode == 0);
@@ -51,7 +52,7 @@ TEST_CASE("capture: a variant of a kernel expects the bits of the plain form, an
 TEST_CASE("capture: a form whose constants the driver sets is captured with its constants set") {
   const TemporaryFolder folder;
   const std::string output = folder.path("new");
-  CHECK_THAT(captureTo(output, {"variants.module.open.leaf.float.sqrt"}).out, Contains("gives the expected values"));
+  CHECK_THAT(captureTo(output, {"variants.module.open.leaf.float.sqrt"}).out, Contains("computes the expected values"));
   compileReproducer(output);
   CHECK(runIn(output).exitCode == 0);
   CHECK(std::filesystem::file_size(output + "/plain_0.spv") > 0);

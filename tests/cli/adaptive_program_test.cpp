@@ -1,4 +1,4 @@
-// Adaptive sampling as a person uses it, on the reference tracer.
+// Adaptive sampling as a user runs it, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ TEST_CASE("adaptive: a film has the same bytes however it was interrupted, divid
   requireEqualAdaptiveFilms(kAdaptive, folder, 6);
 }
 
-TEST_CASE("adaptive: renders that are killed at any moment go on to the bytes of one run") {
+TEST_CASE("adaptive: renders that are killed at any moment resume to the bytes of one run") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", causticScene());
   const std::string whole = kAdaptive.film(scene, folder.path("whole.exr"));
@@ -41,7 +41,7 @@ TEST_CASE("adaptive: renders that are killed at any moment go on to the bytes of
   }
 }
 
-TEST_CASE("adaptive: a film goes on to more samples per pixel as if they had been asked for at once") {
+TEST_CASE("adaptive: a film that is resumed with more samples per pixel equals one with them from the start") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", causticScene());
   const std::string film = folder.path("a.exr");
@@ -61,7 +61,7 @@ TEST_CASE("adaptive: options that exclude it are refused, and the message says w
   const std::string film = folder.path("a.exr");
   CHECK_THAT(message({"--checkpoint", film, "--samples", "0:32"}), Contains("--samples") && Contains("--crop"));
   CHECK_THAT(message({"--checkpoint", film, "--crop", "0,0,40,68"}), Contains("multiple of 64 pixels"));
-  CHECK_THAT(message({"--checkpoint", film, "--spp", "16"}), Contains("above 16, with --spp"));
+  CHECK_THAT(message({"--checkpoint", film, "--spp", "16"}), Contains("set --spp, the maximum, above 16"));
   CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0.01", "--spp", "4096"}), Contains("8192"));
   CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0"}), Contains("--noise-threshold"));
   for (const char* command : {"compare", "verify", "bench"}) {
@@ -71,7 +71,7 @@ TEST_CASE("adaptive: options that exclude it are refused, and the message says w
   }
 }
 
-TEST_CASE("adaptive: a film goes on with its threshold only") {
+TEST_CASE("adaptive: a film is resumed only with its threshold") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", causticScene());
   const std::string film = folder.path("a.exr");
@@ -89,7 +89,7 @@ TEST_CASE("adaptive: a film goes on with its threshold only") {
   CHECK_THAT(merged.err, Contains("--noise-threshold is 0.2 in") && Contains("0.3 in"));
 }
 
-TEST_CASE("adaptive: reports, films and images say how many samples there are") {
+TEST_CASE("adaptive: reports, films and images state the numbers of samples") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", causticScene());
   const std::string film = folder.path("a.exr");
@@ -113,7 +113,7 @@ TEST_CASE("adaptive: reports, films and images say how many samples there are") 
   CHECK_THAT(runCandela({"compare", picture, picture, "--alpha", "0.01"}).err, Contains("biased on purpose"));
 }
 
-TEST_CASE("adaptive: with off, films are those that they always were") {
+TEST_CASE("adaptive: with off, films do not change") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", causticScene());
   CHECK(kReference.film(scene, folder.path("a.exr"), {"--noise-threshold", "off"}) ==

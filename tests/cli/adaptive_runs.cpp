@@ -1,4 +1,4 @@
-// Stops renders after more and more time.
+// Stops renders after increasing times.
 #include "tests/cli/adaptive_runs.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// `candela boxes` as a person runs it: what is drawn, where, and mistakes.
+// `candela boxes` as a user runs it: the boxes, their positions, and errors.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

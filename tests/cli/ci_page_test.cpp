@@ -1,4 +1,4 @@
-// docs/ci.md does what it says: all of its commands are run, in its order, in a repository as it describes it.
+// Runs all commands of docs/ci.md, in their order, in a repository as the page describes it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -60,7 +60,7 @@ std::vector<std::string> captured(const std::string& text, const std::string& pa
   return found;
 }
 
-// How a block is to end: `run`, or `exit N says "..."`.
+// The expected end of a block: `run`, or `exit N says "..."`.
 struct Expectation {
   int exitCode = 0;
   std::string message;

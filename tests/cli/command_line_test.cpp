@@ -1,4 +1,4 @@
-// Words in, Arguments or a helpful UsageError out.
+// Words of a command line become Arguments or a helpful UsageError.
 #include "host/cli/command_line.h"
 
 #include <catch2/catch.hpp>

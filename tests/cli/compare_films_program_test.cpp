@@ -1,4 +1,4 @@
-// `candela compare A B` of films that carry variance: verdicts, refusals, and how --tolerance and --alpha go together.
+// `candela compare A B` of films with variance: verdicts, refusals, and the combination of --tolerance and --alpha.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

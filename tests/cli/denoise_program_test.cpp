@@ -1,4 +1,4 @@
-// Denoising as a user requests it, and what is refused.
+// Denoising as a user requests it, and refused requests.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -60,7 +60,7 @@ TEST_CASE("films that cannot be denoised are refused with the remedy") {
   const ProgramResult plain = runCandela({"denoise", film, "-o", image});
   CHECK(plain.exitCode == 2);
   CHECK_THAT(plain.err, Contains(film + ": the film lacks the sums that denoising needs; render it again with --aov"));
-  CHECK_THAT(runCandela({"denoise", film}).err, Contains("state the image to write with -o FILE"));
+  CHECK_THAT(runCandela({"denoise", film}).err, Contains("no output given: name an image file with -o FILE"));
   CHECK(runCandela({"denoise", folder.path("none.exr"), "-o", image}).exitCode == 2);
   CHECK(runCandela({"denoise", "-o", image}).exitCode == 1);
 }

@@ -1,4 +1,5 @@
-// The program on a Vulkan device. The validation layer is on in it too: a message of its ends it with exit code 70.
+// The program on a Vulkan device. The validation layer is enabled in it, too: a message of the layer ends it with exit
+// code 70.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>

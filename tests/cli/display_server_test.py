@@ -35,7 +35,7 @@ class Packet:
 
 
 class Stub(threading.Thread):
-    """A server that keeps the images it is sent. `limit`: closes the connection after as many packets."""
+    """A server that stores the images that it receives. `limit`: closes the connection after this number of packets."""
 
     def __init__(self, limit=None, reads=True):
         super().__init__(daemon=True)
@@ -142,20 +142,20 @@ class DisplayServer(unittest.TestCase):
         file = self.folder / "a.png"
         words = ("--size", "8x8", "--spp", "1", "--device", "cpu", "-o", file)
         errors = self.render(f"127.0.0.1:{port}", *words)
-        self.assertIn(f"warning: --display-server 127.0.0.1:{port}: Connection refused; the render goes on without it", errors)
+        self.assertIn(f"warning: --display-server 127.0.0.1:{port}: Connection refused; the render continues without it", errors)
         self.assertTrue(file.exists())
         errors = self.render("no-such-host.invalid:14158", *words)
         self.assertIn("--display-server no-such-host.invalid:14158: ", errors)
         stub = Stub(limit=1)
         errors = self.render(f"127.0.0.1:{stub.port}", "--size", "200x150", "--spp", "30", "--device", "cpu", "-o", file)
-        self.assertRegex(errors, "(Connection reset by peer|Broken pipe); the render goes on without it")
+        self.assertRegex(errors, "(Connection reset by peer|Broken pipe); the render continues without it")
         self.assertEqual(errors.count("--display-server"), 1)
 
     def test_a_server_that_takes_nothing_does_not_hold_the_render(self):
         stub = Stub(reads=False)
         errors = self.render(f"127.0.0.1:{stub.port}", "--size", "1200x900", "--spp", "1", "--max-depth", "1", "--device", "cpu", "-o", self.folder / "a.pfm")
         stub.ended.set()
-        self.assertIn("Connection timed out; the render goes on without it", errors)
+        self.assertIn("Connection timed out; the render continues without it", errors)
 
     def test_wrong_addresses(self):
         for address in ("", "host", "host:", ":14158", "host:0", "host:65536", "host:12x", "[::1]", "::1:14158"):

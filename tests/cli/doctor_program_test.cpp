@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-// The report where `manifest` is the only driver; it must find that no render works.
+// Returns the report with `manifest` as the only driver; it must state that no render works.
 json reportWith(const std::string& manifest, const std::vector<std::string>& words = {}) {
   std::vector<std::string> all{"doctor", "--json", "-"};
   all.insert(all.end(), words.begin(), words.end());

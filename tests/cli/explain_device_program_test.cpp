@@ -1,4 +1,4 @@
-// `candela explain` and `verify --explain` as a person runs them, on a Vulkan device.
+// `candela explain` and `verify --explain` as a user runs them, on a Vulkan device.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>

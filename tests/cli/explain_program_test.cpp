@@ -8,7 +8,7 @@ namespace {
 
 using Catch::Contains;
 
-// On a device that does not exist: what is refused is refused before that is noticed, with exit code 4.
+// Runs on a device that does not exist: options are refused before this is detected, which would exit with 4.
 ProgramResult refuse(const std::vector<std::string>& options) {
   const TemporaryFolder folder;
   std::vector<std::string> words{"explain", folder.write("a.p3f", smallScene()), "--device", "nosuch"};

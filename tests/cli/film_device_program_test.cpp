@@ -42,7 +42,7 @@ TEST_CASE("a device's film with layers has the same bytes however it was divided
         readText(folder.path("whole.exr")));
 }
 
-TEST_CASE("the wavefront goes on from the megakernel's film, and gives its bytes") {
+TEST_CASE("the wavefront resumes the megakernel's film, with the same bytes") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const FilmRuns runs = onDevice(kSmall);
@@ -52,8 +52,7 @@ TEST_CASE("the wavefront goes on from the megakernel's film, and gives its bytes
   CHECK(runs.film(scene, film, {"--resume", film, "--kernel", "wavefront"}) == whole);
 }
 
-TEST_CASE("a film of a device is not resumed or merged with the reference, unless that is wanted",
-          "[swiftshader-slow]") {
+TEST_CASE("a film of a device is not resumed or merged with the reference, unless requested", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const FilmRuns runs = onDevice(kSmall);
@@ -72,7 +71,7 @@ TEST_CASE("a film of a device is not resumed or merged with the reference, unles
   CHECK(description["complete"] == true);
 }
 
-TEST_CASE("a render on a device that is killed goes on from its checkpoint", "[swiftshader-slow]") {
+TEST_CASE("a render on a device that is killed resumes from its checkpoint", "[swiftshader-slow]") {
   requireSurvivesKills(onDevice({"--size", "128x96", "--spp", "400", "--max-depth", "6"}), 4, 0);
 }
 

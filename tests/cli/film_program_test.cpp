@@ -1,4 +1,4 @@
-// Films that are divided, resumed and merged as a person does it, on the reference tracer.
+// Films that are divided, resumed and merged as by a user, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ TEST_CASE("a film of every integrator and sampler can be divided") {
   }
 }
 
-TEST_CASE("a film goes on to more samples per pixel as if they had been asked for at once") {
+TEST_CASE("a film that is resumed with more samples per pixel equals one with them from the start") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string whole = kReference.film(scene, folder.path("whole.exr"), {"--spp", "20"});
@@ -47,7 +47,7 @@ TEST_CASE("a film goes on to more samples per pixel as if they had been asked fo
   CHECK(jsonOf(part + ".json")["counts"] == jsonOf(folder.path("whole.exr") + ".json")["counts"]);
 }
 
-TEST_CASE("films whose samples depend on their number do not go on to another") {
+TEST_CASE("films whose samples depend on --spp are not resumed with another") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string strata = folder.path("strata.exr");
@@ -79,9 +79,9 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
   CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36"));
   CHECK_THAT(refusal(scene, {"--spp", "0"}), Contains("--antialiasing is absent in the film and off"));
-  CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("state --crop 0,0,48,36"));
-  CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and goes to 4"));
-  CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("goes to 4"));
+  CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("use --crop 0,0,48,36"));
+  CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and ends before sample 4"));
+  CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("ends before sample 4"));
   CHECK_THAT(refusal(folder.path("none.p3f"), {}), Contains("none.p3f"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", folder.path("none.exr")}), Contains("none.exr: No such file"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
@@ -102,7 +102,7 @@ TEST_CASE("a film is not resumed nor merged with other layers") {
     std::vector<std::string> options{"--resume", with};
     options.insert(options.end(), anyway.begin(), anyway.end());
     CHECK_THAT(kReference.refusal(scene, options),
-               Contains("the film has the layers normal, and the render none; state --aov normal"));
+               Contains("the film has the layers normal, and the render none; use --aov normal"));
   }
   const ProgramResult merged = runCandela({"merge", with, without, "-o", folder.path("merged.exr")});
   CHECK(merged.exitCode == 2);
@@ -111,7 +111,7 @@ TEST_CASE("a film is not resumed nor merged with other layers") {
   kReference.film(scene, folder.path("rest.exr"), {"--resume", with, "--aov", "normal,samples"});
 }
 
-TEST_CASE("a film goes on under the same environment only, whatever the name of its file") {
+TEST_CASE("a film is resumed only under the same environment, whatever the name of its file") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   image::Image map{4, 2, std::vector<glm::vec3>(8, glm::vec3(0.5f)), {}, {}, {}, {}};
@@ -135,7 +135,7 @@ TEST_CASE("a film goes on under the same environment only, whatever the name of 
   CHECK(result.exitCode == 0);
 }
 
-TEST_CASE("with --resume-anyway a film goes on, and is marked as mixed for good") {
+TEST_CASE("with --resume-anyway a film is resumed, and stays marked as mixed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string film = folder.path("film.exr");
@@ -151,7 +151,7 @@ TEST_CASE("with --resume-anyway a film goes on, and is marked as mixed for good"
   CHECK(description["samples"] == 48 * 36 * 12);
 }
 
-TEST_CASE("a film file is not overwritten by a render that does not go on from it") {
+TEST_CASE("a film file is not overwritten by a render that does not resume it") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string film = folder.path("film.exr");

@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Of words "--name value", the last of each name counts in the program, but outputs add up.
+// For words "--name value", the program uses the last one of each name, but all outputs.
 std::vector<std::string> joined(const std::string& scene, std::vector<std::string> words,
                                 const std::vector<std::string>& more) {
   words.insert(words.begin(), scene);
@@ -54,7 +54,7 @@ milliseconds durationOf(const FilmRuns& runs, const std::string& scene, const st
   return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - start);
 }
 
-// One run, killed after `time`, and the run that goes on.
+// One run, killed after `time`, and the run that resumes it.
 void requireSurvivesKill(const FilmRuns& runs, const TemporaryFolder& folder, const std::string& scene,
                          milliseconds time, const std::string& whole) {
   const std::string film = folder.path("killed.exr");
@@ -64,11 +64,11 @@ void requireSurvivesKill(const FilmRuns& runs, const TemporaryFolder& folder, co
   Surroundings surroundings;
   surroundings.interruptAfter = time;
   surroundings.signal = SIGKILL;
-  surroundings.writeRequestsFrom = milliseconds(60);  // the program watches for them by then
+  surroundings.writeRequestsFrom = milliseconds(60);  // the program handles them by then
   surroundings.writeRequestsEvery = milliseconds(15);
   runs.run(scene, {"--checkpoint", film}, surroundings);
   INFO("killed after " << time.count() << " ms");
-  CHECK(folder.fileCount() <= filesBefore + 3);  // film, report, and what a write left
+  CHECK(folder.fileCount() <= filesBefore + 3);  // film, report, and the temporary file of a write
   const bool exists = std::filesystem::exists(film);
   if (exists) {
     const ProgramResult description = runCandela({"film", film});

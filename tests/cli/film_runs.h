@@ -18,7 +18,7 @@ struct FilmRuns {
   /// Renders with --checkpoint FILE and returns the bytes of the file; requires success.
   std::string film(const std::string& scene, const std::string& file,
                    const std::vector<std::string>& options = {}) const;
-  /// What a run that must end with exit code 2 says on stderr.
+  /// Returns the stderr of a run that must end with exit code 2.
   std::string refusal(const std::string& scene, const std::vector<std::string>& options) const;
 };
 
@@ -31,9 +31,9 @@ inline nlohmann::json jsonOf(const std::string& file) { return nlohmann::json::p
 void requireEqualDivisions(const FilmRuns& runs, const TemporaryFolder& folder,
                            const std::vector<std::string>& options);
 
-/// Kills renders, which SIGUSR1 has write their films all the time, at `even` evenly spaced and at `random` random
-/// moments of their duration. Requires that each leaves no film or a good one, no other file, and that the render goes
-/// on from it to the bytes of a run that is not killed.
+/// Kills renders, which write their films all the time because of SIGUSR1, at `even` evenly spaced and at `random`
+/// random moments of their duration. Requires that each leaves no film or a good one, no other file, and that the
+/// resumed render has the bytes of a run that is not killed.
 void requireSurvivesKills(const FilmRuns& runs, int even, int random);
 
 }  // namespace candela

@@ -1,4 +1,4 @@
-// Renders that are stopped or killed, and go on from their films, on the reference tracer.
+// Renders that are stopped or killed, and resumed from their films, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <thread>
@@ -16,7 +16,7 @@ const FilmRuns kLong{{"--device", "cpu", "--threads", "1", "--size", "64x48", "-
 
 }  // namespace
 
-TEST_CASE("a film that cannot be written in the end is an error, and the picture is still written") {
+TEST_CASE("a film that cannot be written at the end is an error, and the picture is still written") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string gone = folder.path("gone");
@@ -34,7 +34,7 @@ TEST_CASE("a film that cannot be written in the end is an error, and the picture
   CHECK(std::filesystem::exists(picture));
 }
 
-TEST_CASE("a render that is stopped in any way leaves a film that it goes on from") {
+TEST_CASE("a render that is stopped in any way leaves a film from which it can be resumed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string whole = kLong.film(scene, folder.path("whole.exr"));
@@ -43,7 +43,7 @@ TEST_CASE("a render that is stopped in any way leaves a film that it goes on fro
     const std::string film = folder.path("a.exr");
     const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--time-limit", "0.2s"});
     CHECK(result.exitCode == 7);
-    CHECK_THAT(result.err, Contains("the time is up") && Contains("--resume " + film));
+    CHECK_THAT(result.err, Contains("the time limit is reached") && Contains("--resume " + film));
     const ProgramResult description = runCandela({"film", film});
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);
@@ -60,7 +60,7 @@ TEST_CASE("a render that is stopped in any way leaves a film that it goes on fro
   }
 }
 
-TEST_CASE("SIGUSR1 has the film written, again and again, and changes nothing") {
+TEST_CASE("SIGUSR1 writes the film each time, and changes nothing") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string whole = kLong.film(scene, folder.path("whole.exr"));
@@ -77,11 +77,11 @@ TEST_CASE("SIGUSR1 has the film written, again and again, and changes nothing") 
   CHECK(folder.fileCount() == 5);  // the scene, and two films with their reports
 }
 
-TEST_CASE("a render that is killed at any moment goes on from its checkpoint, byte by byte") {
+TEST_CASE("a render that is killed at any moment resumes from its checkpoint to the same bytes") {
   requireSurvivesKills(kLong, 10, 1);
 }
 
-TEST_CASE("a render that is killed at 200 even and 100 random moments goes on from its checkpoint", "[slow]") {
+TEST_CASE("a render that is killed at 200 even and 100 random moments resumes from its checkpoint", "[slow]") {
   requireSurvivesKills(kLong, 200, 1);
   requireSurvivesKills(kLong, 0, 100);
 }

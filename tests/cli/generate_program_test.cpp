@@ -1,4 +1,4 @@
-// `candela generate` as a person runs it: files, pipes, mistakes and Ctrl-C.
+// `candela generate` as a user runs it: files, pipes, errors and Ctrl-C.
 #include <catch2/catch.hpp>
 
 #include "host/formats/load_scene.h"

@@ -1,4 +1,4 @@
-// Layers as a user requests them, and what is refused.
+// Layers as a user requests them, and refused requests.
 #include <catch2/catch.hpp>
 
 #include "tests/cli/run_program.h"
@@ -39,8 +39,8 @@ TEST_CASE("layers are refused without an EXR file or a film file, and by other i
   CHECK(contains(noExr.err,
                  "--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE"));
   CHECK(renderLayers(folder, {"--aov", "normal"}).exitCode == 1);
-  requireRefusal({"--aov", "depth", "--integrator", "whitted"}, 1, "--aov: only the path tracer has layers");
-  requireRefusal({"--aov", "depth", "--integrator", "normal"}, 1, "--aov: only the path tracer has layers");
+  requireRefusal({"--aov", "depth", "--integrator", "whitted"}, 1, "--aov applies only to the path tracer");
+  requireRefusal({"--aov", "depth", "--integrator", "normal"}, 1, "--aov applies only to the path tracer");
 }
 
 TEST_CASE("values of layers beyond the range are limited, with a warning") {
@@ -55,7 +55,7 @@ TEST_CASE("values of layers beyond the range are limited, with a warning") {
     all.push_back(layers);
     return runCandela(all);
   };
-  CHECK(contains(with("depth").err, "4 samples have values of layers that are not finite or above 2^20"));
+  CHECK(contains(with("depth").err, "4 samples have layer values that are not finite or above 2^20"));
   CHECK_FALSE(contains(with("normal").err, "values of layers"));
 }
 

@@ -1,5 +1,5 @@
-// A Markdown page whose fenced blocks say in a comment above them, which readers do not see, what a test does with
-// them.
+// A Markdown page whose fenced blocks have a comment above them, invisible to readers, that tells a test what to
+// do with them.
 #pragma once
 #include <string>
 #include <vector>

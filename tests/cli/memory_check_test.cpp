@@ -1,4 +1,4 @@
-// Renders that need more memory than there is.
+// Renders that need more memory than is available.
 #include "host/cli/memory_check.h"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ scene::Scene heavyScene(std::size_t count) {
   return scene;
 }
 
-/// The message that refuses a render of one pixel under a budget.
+/// Returns the message that refuses a render of one pixel under a budget.
 std::string refusalOf(const scene::Scene& scene, std::uint64_t budget) {
   Arguments arguments;
   arguments.settings.image.size = {1, 1};

@@ -1,4 +1,4 @@
-// The option table against what is promised: names, values and defaults.
+// Compares the option table with the documented names, values and defaults.
 #include "host/cli/option_table.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Requests of a file against options of the command line.
+// Precedence of the requests of a file and the options of the command line.
 #include "host/cli/render_job.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// `candela check`, `candela devices` and what happens where there is no device.
+// `candela check`, `candela devices`, and the behaviour without a device.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

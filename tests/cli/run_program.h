@@ -1,4 +1,4 @@
-// Runs the real program as a person would, and catches what it says.
+// Runs the real program like a user, and captures its output.
 #pragma once
 #include <signal.h>
 
@@ -28,7 +28,7 @@ struct Surroundings {
   std::chrono::milliseconds writeRequestsFrom{0};
 };
 
-/// Runs candela with `words`, stdin empty, where nothing has been tuned unless the surroundings say so. Throws
+/// Runs candela with `words`, stdin empty, without stored tuning unless the surroundings have it. Throws
 /// std::runtime_error if it cannot be started or takes over five minutes.
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 

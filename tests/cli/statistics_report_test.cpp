@@ -1,4 +1,4 @@
-// Rates and percentiles against hand-computed ones, and the promised keys.
+// Rates and percentiles, compared with values computed by hand, and the documented keys.
 #include "host/cli/statistics_report.h"
 
 #include <catch2/catch.hpp>

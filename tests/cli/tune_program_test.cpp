@@ -1,4 +1,4 @@
-// `candela tune` on a device, and renders by what it kept.
+// `candela tune` on a device, and renders with the stored choices.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -53,7 +53,7 @@ class Home {
     return run(words, surroundings);
   }
 
-  /// Renders, and gives what is said of it.
+  /// Renders, and returns the JSON report.
   json render(const std::vector<std::string>& options = {}) const {
     std::vector<std::string> words{scene_, "--spp", "2", "--json", "-"};
     words.insert(words.end(), options.begin(), options.end());
@@ -63,7 +63,7 @@ class Home {
     return json::parse(result.out);
   }
 
-  /// Keeps a choice, of values by their numbers, as if it had been the fastest; gives the file.
+  /// Stores a choice, given by indices of values, as if it had been the fastest; returns the file.
   std::string keep(const tune::Candidate& candidate) const {
     const char* const device = std::getenv("CANDELA_TEST_DEVICE");
     const cache::DeviceKey key = cache::keyOf(vulkan::selectDevice(device == nullptr ? "" : device));

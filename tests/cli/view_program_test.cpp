@@ -37,7 +37,7 @@ TEST_CASE("depth and cost are shown in false colours, with their scale in the fi
   CHECK(depth.shown.rgb == toPixels8(depth.linear, {image::ToneMap::depth, 0, scaleIn(depthText)}).rgb);
   CHECK(contains(depth.result.err, "candela: depth: near is white, far is dark, middle grey stands for "));
 
-  // Four primitives and no tree: four steps for every ray.
+  // Four primitives and no BVH: four steps for every ray.
   const Rendered cost = renderView({"--integrator", "cost"});
   CHECK(cost.linear.metadata.at("candela.falseColour") == "heat, scale 4");
   CHECK(cost.linear.at(3, 3) == glm::vec3(4));

@@ -41,7 +41,7 @@ TEST_CASE("conformance: leaf functions pass") {
   CHECK(report["counts"]["Pass"] == report["cases"].size());
 }
 
-TEST_CASE("conformance: control flow and memory give what the baseline of the driver says") {
+TEST_CASE("conformance: the results of control flow and memory are those of the driver's baseline") {
   for (const char* const glob : {"control.*", "memory.*", "group.*"}) {
     const ProgramResult result = runCases(glob, baselineOptions(driverOf()));
     INFO(result.out);
@@ -49,7 +49,7 @@ TEST_CASE("conformance: control flow and memory give what the baseline of the dr
   }
 }
 
-TEST_CASE("conformance: without a baseline the faults of lavapipe 22.3.6 are found, with what differs") {
+TEST_CASE("conformance: without a baseline the faults of lavapipe 22.3.6 are found, with the values that differ") {
   if (driverOf().find("Mesa 22.3.6") == std::string::npos) return;
   const ProgramResult result = runCases("control.loop.*", {});
   REQUIRE(result.exitCode == 3);
@@ -63,7 +63,7 @@ TEST_CASE("conformance: without a baseline the faults of lavapipe 22.3.6 are fou
   CHECK(cases["control.loop.ended_at_the_end"]["result"] == "Pass");
 }
 
-TEST_CASE("conformance: the complete run gives what the baseline of the driver says", "[slow]") {
+TEST_CASE("conformance: the results of the complete run are those of the driver's baseline", "[slow]") {
   const ProgramResult result = runCases("*", baselineOptions(driverOf()));
   INFO(result.out);
   CHECK(result.exitCode == 0);

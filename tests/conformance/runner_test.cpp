@@ -1,4 +1,4 @@
-// Cases in child processes: each way in which they can end, without a device.
+// Cases in child processes: every possible result, without a device.
 #include "host/conformance/runner.h"
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,7 @@ std::map<std::string, CaseResult> byName(const RunResult& run) {
 
 RunResult runMade(const Cases& cases, RunOptions options = {}) { return runCases(cases, {}, options); }
 
-/// A file that tells the processes of one test how often a case has run.
+/// A file by which the processes of one test count the runs of a case.
 class RunCount {
  public:
   RunCount() : file_(std::filesystem::temp_directory_path() / ("candela-runs-" + std::to_string(::getpid()))) {

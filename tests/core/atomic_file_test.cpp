@@ -1,4 +1,4 @@
-// Files that are there as a whole or not at all.
+// Files that exist completely or not at all.
 #include "host/core/atomic_file.h"
 
 #include <fcntl.h>

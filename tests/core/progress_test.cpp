@@ -1,4 +1,4 @@
-// Progress: how often it speaks, and what it says.
+// Progress: how often it is printed, and its text.
 #include "host/core/progress.h"
 
 #include <algorithm>

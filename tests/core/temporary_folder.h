@@ -1,4 +1,4 @@
-// A folder for one test's files, removed afterwards, and what is needed to fill and read them.
+// A folder for one test's files, removed afterwards, and functions that write and read files.
 #pragma once
 #include <stdlib.h>
 

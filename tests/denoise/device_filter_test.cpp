@@ -1,4 +1,4 @@
-// Devices compute what the reference computes.
+// Devices compute the same as the reference.
 #include "host/denoise/device_filter.h"
 
 #include <algorithm>
@@ -47,14 +47,14 @@ void requireAgreement(const PixelStatistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("a device filters as the reference does, to the stated tolerance") {
+TEST_CASE("a device filters like the reference, within the stated tolerance") {
   for (const auto& [width, height] : {std::pair{33u, 29u}, {1u, 1u}, {3u, 40u}, {64u, 5u}}) {
     CAPTURE(width, height);
     requireAgreement(variedStatistics(width, height));
   }
 }
 
-TEST_CASE("no division into bands and dispatches changes a bit of what a device filters") {
+TEST_CASE("no division into bands and dispatches changes a bit of a device's filtered image") {
   vulkan::Device device = openTestDevice();
   const PixelStatistics statistics = variedStatistics(21, 60);
   const std::vector<glm::vec3> whole = filterOnDevice(device, statistics);

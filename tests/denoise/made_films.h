@@ -13,7 +13,7 @@ inline image::LayerSet momentLayers() {
   return layers;
 }
 
-/// What the samples of a pixel have in common.
+/// The properties that the samples of a pixel share.
 struct MadePixel {
   glm::dvec3 radiance{1};  ///< mean of the samples
   glm::dvec3 albedo{0.5};

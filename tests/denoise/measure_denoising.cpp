@@ -16,7 +16,7 @@ namespace candela::denoise {
 namespace {
 
 // A Gaussian of distance, of the difference of the colours' square roots, of normals and of reflectances, with
-// one fixed width each: the joint bilateral filter as it is usually written, on light divided by the reflectance.
+// one fixed width each: the usual joint bilateral filter, on light divided by the reflectance.
 double bilateralWeight(const gpu::DenoisePixel& a, const gpu::DenoisePixel& b, int x, int y) {
   const auto squared = [](const glm::dvec3& v) { return dot(v, v); };
   const double colour = squared(sqrt(glm::dvec3(a.light)) - sqrt(glm::dvec3(b.light))) / (0.3 * 0.3);

@@ -44,7 +44,7 @@ TEST_CASE("the statistics of two samples equal those computed by hand") {
   CHECK(divisorOf(pixel.reflectance) == glm::vec3(0.5f, 0.5f, 0.01f));
 }
 
-TEST_CASE("what misses everything has the reflectance 1 and no normal") {
+TEST_CASE("samples that miss everything have the reflectance 1 and no normal") {
   image::Film film(1, 1, momentLayers());
   addSample(film, glm::dvec3(1), {});
   addSample(film, glm::dvec3(1), hitOf(glm::dvec3(0.5), {0, 0, 1}));

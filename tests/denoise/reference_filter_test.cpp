@@ -1,4 +1,4 @@
-// Properties of the filter: what stays, and what is averaged.
+// Properties of the filter: the pixels that it preserves, and those that it averages.
 #include "host/denoise/reference_filter.h"
 
 #include <algorithm>

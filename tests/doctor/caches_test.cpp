@@ -13,7 +13,7 @@ namespace candela::doctor {
 using Catch::Contains;
 using vulkan::EnvironmentGuard;
 
-TEST_CASE("a cache folder that can be created is in order, and is not created") {
+TEST_CASE("a cache folder that can be created is ok, and is not created") {
   const TemporaryFolder folder;
   const EnvironmentGuard own("CANDELA_CACHE_DIR", (folder.path() / "a" / "b").string());
   const Checks checks = checkCaches(std::nullopt);

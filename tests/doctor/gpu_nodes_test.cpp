@@ -1,4 +1,4 @@
-// Device files of GPUs, in a folder that stands for /dev.
+// Device files of GPUs, in a folder that replaces /dev.
 #include "host/doctor/gpu_nodes.h"
 
 #include <catch2/catch.hpp>

@@ -41,7 +41,7 @@ TEST_CASE("the evidence of every known fault is a heading of a page") {
   }
 }
 
-TEST_CASE("a device has the faults of its driver alone") {
+TEST_CASE("a device has only the faults of its driver") {
   vulkan::DeviceInfo device;
   device.name = "llvmpipe (LLVM 15.0.6, 256 bits)";
   const Checks lavapipe = checkKnownFaults(device);

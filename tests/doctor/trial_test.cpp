@@ -1,4 +1,4 @@
-// The test picture: the reference stands for devices that are right and wrong.
+// The test picture: the reference takes the place of right and wrong devices.
 #include "host/doctor/trial.h"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ class OtherPaths final : public render::Renderer {
 
 }  // namespace
 
-TEST_CASE("a device that renders as the reference does works") {
+TEST_CASE("a device that renders like the reference works") {
   const std::unique_ptr<render::Renderer> device = reference::makeReferenceRenderer();
   const Trial trial = interpretTrial(compareWithReference(*device));
   CHECK(trial.outcome == TrialOutcome::works);

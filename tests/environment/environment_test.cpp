@@ -1,4 +1,4 @@
-// Environments from files and by name, and what they do to a scene that is loaded with one.
+// Environments from files and by name, and their effect on a scene that is loaded with one.
 #include "host/environment/environment.h"
 
 #include <catch2/catch.hpp>

@@ -10,7 +10,7 @@ using glm::vec3;
 
 namespace {
 
-// The scene's direction of a direction of the map.
+// Converts a direction of the map to one of the scene.
 dvec3 inScene(const scene::Environment& environment, const dvec3& d) {
   return d.x * dvec3(environment.axes[0]) + d.y * dvec3(environment.axes[1]) + d.z * dvec3(environment.axes[2]);
 }
@@ -36,7 +36,7 @@ TEST_CASE("the centre of a map is +x, a quarter to its right is +z, the edges ar
   checkClose(directionOf(32, 8, 64, 32), {std::sqrt(0.5), std::sqrt(0.5), 0});
 }
 
-TEST_CASE("what was seen along +x is seen along -z after a rotation by 90 degrees") {
+TEST_CASE("a rotation by 90 degrees moves the direction +x to -z") {
   const scene::Environment turned = placed({0, 1, 0}, 90);
   checkClose(inScene(turned, {1, 0, 0}), {0, 0, -1});
   checkClose(inScene(turned, {0, 0, 1}), {1, 0, 0});

@@ -12,7 +12,7 @@ namespace {
 
 using Catch::Contains;
 
-// The explanation of a path of which `change` alters the device's side.
+// Returns the explanation of a path whose device side is altered by `change`.
 Explanation explainChanged(const std::function<void(render::PathTrace&)>& change) {
   render::PathTrace device = madePath();
   change(device);
@@ -27,7 +27,7 @@ std::string firstOf(const Explanation& explanation) {
 
 std::string firstIn(const std::function<void(render::PathTrace&)>& change) { return firstOf(explainChanged(change)); }
 
-// The made path with another weight, as an amplified error changes it.
+// Returns the artificial path with another weight, as after an amplified error.
 render::PathTrace movedBy(double distance) {
   render::PathTrace path = madePath();
   path.vertices[0].scattering->weight *= 1 + distance;
@@ -38,7 +38,7 @@ Explanation explainWithReplicas(const render::PathTrace& device, const std::vect
   return explainReplays(twoSpheres(), {}, {3, 4, 5}, {device, {}}, {madePath(), {}}, replicas);
 }
 
-TEST_CASE("replicas say how far rounding may take a number") {
+TEST_CASE("replicas show how much rounding may change a number") {
   const std::vector<render::PathTrace> replicas{movedBy(1e-3), movedBy(-2e-3)};
   const Explanation grown = explainWithReplicas(movedBy(0.01), replicas);
   CHECK_FALSE(grown.firstDifference);
@@ -50,7 +50,7 @@ TEST_CASE("replicas say how far rounding may take a number") {
   REQUIRE(wrong.firstDifference);
   CHECK(wrong.at(*wrong.firstDifference).name == "weight");
   CHECK_THAT(wrong.verdict(), Contains("rounding allows 3e-02") && Contains("Rounding does not explain it."));
-  // Without replicas the fixed tolerance holds; with equal ones an error of a hundred roundings is too much.
+  // Without replicas the fixed tolerance applies; with equal replicas an error of a hundred roundings is too large.
   CHECK_FALSE(explainMade(movedBy(1e-5), madePath()).firstDifference);
   CHECK(explainWithReplicas(movedBy(1e-5), {madePath()}).firstDifference);
 }
@@ -72,10 +72,10 @@ TEST_CASE("a decision that replicas take differently cannot be decided, and says
 TEST_CASE("equal paths agree, to the bit or within rounding") {
   const Explanation same = explainChanged([](render::PathTrace&) {});
   CHECK_FALSE(same.firstDifference);
-  CHECK(same.verdict() == "The two paths agree: no decision differs, and all numbers are equal to the bit.");
+  CHECK(same.verdict() == "The two paths agree: no decision differs, and all numbers are bit-identical.");
   const Explanation rounded = explainChanged([](render::PathTrace& path) { path.vertices[0].light->pdf *= 1 + 5e-5; });
   CHECK_FALSE(rounded.firstDifference);
-  CHECK_THAT(rounded.verdict(), Contains("no number is further apart than 5.0e-05 (light pdf at vertex 1)"));
+  CHECK_THAT(rounded.verdict(), Contains("no number differs by more than 5.0e-05 (light pdf at vertex 1)"));
 }
 
 TEST_CASE("every quantity that differs is named, at its vertex") {

@@ -1,4 +1,4 @@
-// A difference that is planted on one side is named: at its vertex, by its quantity, with its size.
+// A difference that is planted on one side is named with its vertex, its quantity and its size.
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -38,7 +38,7 @@ render::RenderSettings testSettings() {
   return settings;
 }
 
-// A pixel whose first vertex is as wanted, by the reference.
+// Returns a pixel whose first vertex meets a condition, by the reference.
 render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSettings& settings, const Wanted& wanted) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   for (std::uint32_t y = 0; y < settings.image.size.height; ++y) {
@@ -51,7 +51,7 @@ render::PixelSample findPixel(const scene::Scene& scene, const render::RenderSet
   return {};
 }
 
-// The explanation of a wanted pixel where one side, either one, has a changed scene or changed settings.
+// Returns the explanation of such a pixel if one side, either one, has a changed scene or changed settings.
 Explanation explainPlanted(const Wanted& wanted, const Change& change, bool onDevice) {
   const scene::Scene scene = device::sceneFromText(kScene);
   const render::RenderSettings settings = testSettings();

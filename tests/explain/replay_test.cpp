@@ -1,4 +1,4 @@
-// A replay traces the very sample that a render traces.
+// A replay traces exactly the sample that a render traces.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -22,7 +22,7 @@ void forEachPixel(const render::Extent& size, const std::function<void(std::uint
   }
 }
 
-// The film that all samples give when they are replayed one by one.
+// Returns the film of all samples, replayed one by one.
 image::Film filmOfReplays(render::Renderer& tracer, const scene::Scene& scene, const render::RenderSettings& settings) {
   image::Film film(settings.image.size.width, settings.image.size.height);
   forEachPixel(settings.image.size, [&](std::uint32_t x, std::uint32_t y) {

@@ -86,7 +86,7 @@ class SlurmCluster:
         self.node = self.start([shutil.which("slurmd") or "/usr/sbin/slurmd", "-D", "-N", self.host])
 
     def kill_node(self):
-        """Ends the node's daemon without a chance to clean up; its tasks go on."""
+        """Kills the node's daemon; its tasks continue."""
         self.node.send_signal(signal.SIGKILL)
         self.node.wait()
 

@@ -58,7 +58,7 @@ TEST_CASE("an image whose device fails while it is denoised is denoised by the h
     const std::string b = render.folder.path("b.exr");
     const ProgramResult result = runCandela({"denoise", film, "-o", b}, withFaults(faults));
     CHECK(result.exitCode == 0);
-    CHECK(contains(result.err, "; the host denoises the image instead"));
+    CHECK(contains(result.err, "; the image is denoised on the host instead"));
     CHECK(readText(a) == readText(b));
   }
 }
@@ -76,7 +76,7 @@ TEST_CASE("a render whose device fails once ends with the bytes of one that did 
   }
 }
 
-TEST_CASE("a device that fails again and again ends a render with a film to go on from") {
+TEST_CASE("a device that fails repeatedly ends a render with a film from which it can be resumed") {
   const Render render;
   const std::string whole = render.film("whole.exr");
   const std::string film = render.folder.path("film.exr");
@@ -85,7 +85,7 @@ TEST_CASE("a device that fails again and again ends a render with a film to go o
   INFO(lost.err);
   CHECK(lost.exitCode == 5);
   CHECK(contains(lost.err, "attempt 3 of 3"));
-  CHECK(contains(lost.err, "--resume " + film + " goes on"));
+  CHECK(contains(lost.err, "--resume " + film + " to continue"));
   const ProgramResult memory = render.run({"--checkpoint", film, "--resume", film},
                                           fault("vkQueueSubmit", 9, "OUT_OF_DEVICE_MEMORY", kEveryFrom));
   CHECK(memory.exitCode == 6);
@@ -97,7 +97,7 @@ TEST_CASE("a render without a checkpoint leaves a film beside its output") {
   const std::string whole = render.film("whole.exr");
   const std::string picture = render.folder.path("a.png");
   const std::string film = picture + ".film.exr";
-  // The film reaches the host when the last one is read, so that the last calls are made to fail.
+  // The film is read to the host at the end, so that the last calls are made to fail.
   const std::string resumed = render.folder.path("part.exr");
   REQUIRE(render.run({"--samples", "0:4", "--checkpoint", resumed}).exitCode == 0);
   const ProgramResult result = render.run({"--resume", resumed, "-o", picture},

@@ -94,7 +94,7 @@ def glb(json_length, total):
 
 
 def zeros(megabytes):
-    """So many million zeros, compressed a piece at a time, since a child's peak memory begins with that of its parent."""
+    """This number of million zeros, compressed in pieces, since a child's peak memory begins with that of its parent."""
     packer = zlib.compressobj(9)
     return b"".join(packer.compress(bytes(10**6)) for _ in range(megabytes)) + packer.flush()
 
@@ -219,7 +219,7 @@ def try_attack(program, folder, name, words, must_fail):
 
 
 def race(program, folder):
-    """Two processes write the same picture again and again: it is always one of the two."""
+    """Two processes write the same picture repeatedly: it is always one of the two."""
     (folder / "scene.p3f").write_text(SCENE)
     picture = folder / "race.png"
     def command(seed):

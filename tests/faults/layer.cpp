@@ -1,4 +1,4 @@
-// A Vulkan layer that makes chosen calls fail, so that tests see what the program does then.
+// A Vulkan layer that makes chosen calls fail, so that tests observe the program's reaction.
 //
 // CANDELA_FAULT lists faults, separated by commas: FUNCTION:N:RESULT fails the N-th call of a function (from 1) without
 // passing it on, and FUNCTION:N+:RESULT that call and all after it. RESULT is the name of a VkResult. After
@@ -128,7 +128,7 @@ std::vector<Fault> parseFaults() {
 
 std::array<std::atomic<unsigned long>, kFunctionCount> calls{};
 
-/// The result that this call is to have instead of being passed on.
+/// Returns the result that replaces this call; nothing if the call is passed on.
 std::optional<VkResult> faultOf(Function function) {
   static const std::vector<Fault> faults = parseFaults();
   const unsigned long number = ++calls[function];
@@ -156,7 +156,7 @@ struct Next : NextFunctions {
 };
 NextTable<Next> nexts;
 
-// Functions that a lost device fails. The waits end after the work, as the specification has it.
+// Functions that a lost device fails. The waits end after the work, as the specification requires.
 constexpr bool isWait(Function function) { return function == k_vkWaitForFences || function == k_vkDeviceWaitIdle; }
 constexpr bool usesDevice(Function function) { return isWait(function) || function == k_vkQueueSubmit; }
 

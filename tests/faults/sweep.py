@@ -93,7 +93,7 @@ class Sweep:
         return {name: int(count) for name, count in map(str.split, file.read_text().splitlines())}
 
     def requireFilm(self, folder, code):
-        """The film is complete, or the render goes on from it; in the end it has the bytes of a run without faults."""
+        """The film is complete, or the render is resumed from it; in the end it has the bytes of a run without faults."""
         film = folder / "film.exr"
         if code == 0 and film.read_bytes() != self.whole:
             return "the film has other bytes than without the fault"

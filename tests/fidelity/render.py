@@ -43,7 +43,7 @@ def completed(scenario):
 
 
 def below(root: Path, path: str):
-    """Configurations name files from the folder of a renderer, by leading `../`, which stand for the root."""
+    """Configurations name files from the folder of a renderer, by leading `../`, which mean the root."""
     while path.startswith("../"):
         path = path[3:]
     return root / path

@@ -26,7 +26,7 @@ def png_head(file):
 
 
 def generated(folder, name="box.gltf"):
-    """Writes a glTF model of Candela's own, with its buffer in another file."""
+    """Writes a generated glTF model, with its buffer in another file."""
     model = folder / name
     subprocess.run([CANDELA, "generate", "material-table", "--size", "8", "-o", str(model)], check=True,
                    capture_output=True)

@@ -14,7 +14,7 @@ CAMERA_NAME = "fidelity"
 def camera_matrix(target, orbit):
     """Returns the node matrix (16 numbers, column by column) of a camera on a sphere around `target` that looks at it.
 
-    `theta` is the azimuth from +z towards +x and `phi` the angle from +y, in degrees, as three.js has them. The matrix
+    `theta` is the azimuth from +z towards +x and `phi` the angle from +y, in degrees, as in three.js. The matrix
     exists at the poles and with radius 0, too.
     """
     theta, phi = math.radians(orbit["theta"]), math.radians(orbit["phi"])

@@ -1,4 +1,4 @@
-// Damaged film files are refused with a reason, and forged ones at least do no harm.
+// Damaged film files are refused with a reason, and forged ones do no harm.
 #include <zlib.h>
 
 #include <array>
@@ -82,7 +82,7 @@ void requireRefused(int count, std::uint32_t seed) {
   std::mt19937 random(seed);
   for (int i = 0; i < count; ++i) {
     const std::string bytes = damaged(good, random);
-    if (bytes == good) continue;  // what was written over was the same
+    if (bytes == good) continue;  // the overwritten bytes were equal
     writeBytes(folder / "bad.exr", bytes);
     INFO("corruption " << i << " of seed " << seed);
     CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::StartsWith((folder / "bad.exr").string() + ": "));
@@ -103,7 +103,7 @@ void seal(std::string& bytes) {
   bytes.replace(head.checkOffset, kCheckDigits, crcText(crc32Of(0, viewOf(bytes).first(end))));
 }
 
-// Changes a byte behind the header, and the checksums with it.
+// Changes a byte after the header, and the checksums with it.
 void forgeBlock(std::string& bytes, std::mt19937& random) {
   const std::size_t start = headEnd(bytes);
   const FilmHead head = parseHead(viewOf(bytes));
@@ -142,7 +142,7 @@ void readForged(int count, std::uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("every bit of a film file is under a checksum: all flips in and around its header are refused") {
+TEST_CASE("every bit of a film file is covered by a checksum: all flips in and around its header are refused") {
   const TemporaryFolder folder;
   const std::string good = bytesOf(writeBox(folder / "good.exr", madeHeader({8, 40}, 16), {{2, 3, 4, 33}, {0, 2}}));
   for (std::size_t at = 0; at < good.size(); at += at < headEnd(good) ? 7 : 31) {
@@ -164,7 +164,7 @@ TEST_CASE("film files with forged checksums are read or refused") { readForged(2
 
 TEST_CASE("ten thousand film files with forged checksums are read or refused", "[slow]") { readForged(10000, 4); }
 
-TEST_CASE("a film file that was cut off or that goes on is refused wherever it ends") {
+TEST_CASE("a film file that is truncated or has trailing data is refused, wherever it ends") {
   const TemporaryFolder folder;
   const std::string good = bytesOf(writeBox(folder / "good.exr", madeHeader({64, 60}, 16), kBox));
   for (std::size_t length = 0; length < good.size(); length += 1 + length / 16) {
@@ -173,7 +173,7 @@ TEST_CASE("a film file that was cut off or that goes on is refused wherever it e
     CHECK_FALSE(refusalOf(folder / "bad.exr").empty());
   }
   writeBytes(folder / "bad.exr", good + '\0');
-  CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::Contains("behind its last block"));
+  CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::Contains("data follows its last block"));
 }
 
 TEST_CASE("damaged rows are named") {
@@ -184,7 +184,7 @@ TEST_CASE("damaged rows are named") {
   CHECK_THAT(refusalOf(folder / "bad.exr"), Catch::Contains("rows 53 to 54 do not match their checksum"));
 }
 
-TEST_CASE("a forged film of huge dimensions is refused before memory is taken") {
+TEST_CASE("a forged film of huge dimensions is refused before memory is allocated") {
   const TemporaryFolder folder;
   std::string bytes = bytesOf(writeBox(folder / "good.exr", madeHeader({4, 4}, 16), {{0, 0, 4, 4}, {0, 2}}));
   const auto replaceAll = [&](const std::string& from, const std::string& to) {
@@ -193,14 +193,14 @@ TEST_CASE("a forged film of huge dimensions is refused before memory is taken") 
       bytes.replace(at, from.size(), to);
     }
   };
-  // 9 pixels instead of 4 each way would fit the number of blocks, so that only the film's coverage tells.
+  // 9 pixels instead of 4 each way would fit the number of blocks, so that only the film's coverage shows the error.
   replaceAll("\"size\":[4,4]", "\"size\":[9,9]");
   seal(bytes);
   writeBytes(folder / "forged.exr", bytes);
   CHECK_THAT(refusalOf(folder / "forged.exr"), Catch::Contains("windows"));
 }
 
-TEST_CASE("a film whose pixels do not hold what it says is refused") {
+TEST_CASE("a film whose pixels contradict its description is refused") {
   const TemporaryFolder folder;
   FilmHeader header = madeHeader({8, 8}, 16);
   header.covered = {{{0, 0, 8, 8}, {0, 4}}};

@@ -1,4 +1,4 @@
-// Film files: what is written is read, equal films have equal bytes, and other programs see a picture.
+// Film files: a written film is read again, equal films have equal bytes, and other programs see a picture.
 #include "host/film/film_file.h"
 
 #include <OpenEXR/ImfHeader.h>
@@ -23,7 +23,7 @@ bool equal(const image::Film& a, const image::Film& b) {
 
 }  // namespace
 
-TEST_CASE("a film file gives back header and film, to the bit") {
+TEST_CASE("a film file preserves header and film, bit for bit") {
   const TemporaryFolder folder;
   const auto file = writeBox(folder / "a.exr", madeHeader({64, 60}, 16), kBox);
   FilmReader reader(file);
@@ -34,7 +34,7 @@ TEST_CASE("a film file gives back header and film, to the bit") {
   CHECK(equal(readFilm(reader), madeFilm(kBox)));
 }
 
-TEST_CASE("equal films have equal bytes, others have another check") {
+TEST_CASE("equal films have equal bytes, and different films have different checks") {
   const TemporaryFolder folder;
   const FilmHeader header = madeHeader({64, 60}, 16);
   const auto a = writeBox(folder / "a.exr", header, kBox);
@@ -86,7 +86,7 @@ TEST_CASE("sums of 96 bits and counts of 32 bits survive") {
   CHECK(equal(readFilm(reader), film));
 }
 
-TEST_CASE("a film with alpha gives back its hit counts, and is a picture with alpha") {
+TEST_CASE("a film with alpha preserves its hit counts, and is a picture with alpha") {
   const TemporaryFolder folder;
   FilmHeader header = madeHeader({2, 1}, 8);
   header.settings["background"] = "none";
@@ -118,7 +118,7 @@ TEST_CASE("a film with alpha gives back its hit counts, and is a picture with al
   CHECK_THAT(refusalOf(folder / "b.exr"), Catch::Contains("pixel (0, 0) holds more hits than samples"));
 }
 
-TEST_CASE("a film with layers gives back their sums, to the bit, and layers that every film has need no sums") {
+TEST_CASE("a film with layers preserves their sums, bit for bit, and layers that every film has need no sums") {
   const TemporaryFolder folder;
   image::LayerSet layers;
   for (const auto layer : {image::Layer::position, image::Layer::emission, image::Layer::samples}) layers.add(layer);
@@ -149,7 +149,7 @@ TEST_CASE("a film with layers gives back their sums, to the bit, and layers that
   CHECK_THAT(refusalOf(folder / "b.exr"), Catch::Contains("pixel (2, 19) has layers of more samples than it holds"));
 }
 
-TEST_CASE("files that are no films are refused, and the message says what they are") {
+TEST_CASE("files that are not films are refused, and the message says what they are") {
   const TemporaryFolder folder;
   image::writeImage(folder / "picture.exr", image::toImage(madeFilm(kBox)), {});
   CHECK_THAT(refusalOf(folder / "picture.exr"),

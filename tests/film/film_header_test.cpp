@@ -1,4 +1,4 @@
-// The description of a film: JSON that says everything once, and of which nothing else is accepted.
+// The description of a film: canonical JSON, in which no other member or value is accepted.
 #include "host/film/film_header.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ FilmHeader fullHeader() {
 
 }  // namespace
 
-TEST_CASE("a header is the same after a way through JSON") {
+TEST_CASE("a header survives conversion to JSON and back") {
   CHECK(headerFromJson(toJson(fullHeader())) == fullHeader());
   const FilmHeader plain = madeHeader({1, 65535}, 1);
   CHECK(headerFromJson(toJson(plain)) == plain);
@@ -94,7 +94,7 @@ TEST_CASE("another version of the format is refused by its number") {
                     Catch::Contains("has version 6") && Catch::Contains("reads versions 1 to 5"));
 }
 
-TEST_CASE("films with alpha have version 2 of the format, and no others have") {
+TEST_CASE("only films with alpha have version 2 of the format") {
   FilmHeader header = fullHeader();
   CHECK(ordered_json::parse(toJson(header))["format"] == 1);
   CHECK_FALSE(header.hasAlpha());

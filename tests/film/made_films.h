@@ -23,7 +23,7 @@ inline FilmHeader madeHeader(const render::Extent& size, std::uint32_t samplesPe
   return header;
 }
 
-// Mostly small values with all their bits, and now and then a bad one.
+// Mostly small values with all their bits, and occasionally a bad one.
 inline glm::dvec3 madeRadiance(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
   std::minstd_rand random(1 + x + 1000 * y + 1000003 * sample);
   random.discard(3);

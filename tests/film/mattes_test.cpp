@@ -21,7 +21,7 @@ image::LayerSet matteLayers() {
   return layers;
 }
 
-// Which of the names a sample hits; none: it hits nothing.
+// Returns the name of the object that a sample hits; nothing: it hits none.
 std::optional<std::string> nameAt(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
   const std::uint32_t choice = (x + 3 * y + 5 * sample) % 7;
   return choice < kNames.size() ? std::optional(kNames[choice]) : std::nullopt;
@@ -58,7 +58,7 @@ std::filesystem::path writeMattes(const std::filesystem::path& file, render::Sam
 
 }  // namespace
 
-TEST_CASE("a film with mattes has version 5 and gives back counts and names") {
+TEST_CASE("a film with mattes has version 5 and preserves counts and names") {
   const TemporaryFolder folder;
   FilmReader reader(writeMattes(folder / "a.exr", {0, 8}));
   CHECK(reader.header().format() == 5);
@@ -78,7 +78,7 @@ TEST_CASE("merged mattes have the bytes of those of all samples") {
   CHECK(bytesOf(folder / "merged.exr") == bytesOf(writeMattes(folder / "whole.exr", {0, 8})));
 }
 
-TEST_CASE("mattes that are not those of the samples are refused") {
+TEST_CASE("mattes that do not match the samples are refused") {
   const TemporaryFolder folder;
   image::Film film = matteFilm({0, 8});
   FilmHeader header = matteHeader(film, {0, 8});
@@ -90,7 +90,7 @@ TEST_CASE("mattes that are not those of the samples are refused") {
   SECTION("a count of zero in between") { counts[0] = {0, 0}; }
   SECTION("a missing name") { header.matteNames[0].pop_back(); }
   writeFilm(folder / "a.exr", header, film);
-  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the mattes of a pixel are not those of its samples"));
+  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the mattes of a pixel do not match its samples"));
 }
 
 TEST_CASE("descriptions of mattes that no film has are refused") {

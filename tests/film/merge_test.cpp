@@ -1,4 +1,4 @@
-// Merging: the bytes of one film for any division and any order, and refusals that name what is wrong.
+// Merging: the bytes of one film for any division and any order, and refusals that name the error.
 #include "host/film/merge.h"
 
 #include <algorithm>
@@ -167,7 +167,7 @@ TEST_CASE("a film of several devices names them all, in whatever order it was me
   CHECK(merged.isMixed());
 }
 
-TEST_CASE("an interrupted film is resumed before it is merged, unless a partial merge is asked for") {
+TEST_CASE("an interrupted film is resumed before it is merged, unless a partial merge is requested") {
   const TemporaryFolder folder;
   const auto second = writeBox(folder / "b.exr", header(), {kWhole.window, {6, kSamples}});
   FilmHeader interrupted = header();
@@ -185,7 +185,7 @@ TEST_CASE("an interrupted film is resumed before it is merged, unless a partial 
   CHECK(refusalOf(folder / "c.exr").empty());
 }
 
-TEST_CASE("a shard that is damaged or no film ends the merge by its name") {
+TEST_CASE("a merge names a shard that is damaged or not a film") {
   const TemporaryFolder folder;
   const Files files = writeParts(folder, 1, 1, 3);
   std::string bytes = bytesOf(files[1]);

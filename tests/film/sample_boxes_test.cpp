@@ -1,4 +1,4 @@
-// Sets of samples: equal sets have equal lists, and what is missing is what no box has.
+// Sets of samples: equal sets have equal lists, and the missing samples are those that no box has.
 #include "host/film/sample_boxes.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using namespace candela::film;
 
 namespace {
 
-// Divides a box again and again at random places along random axes.
+// Divides a box repeatedly at random positions along random axes.
 std::vector<SampleBox> divided(const SampleBox& whole, std::size_t parts, std::mt19937& random) {
   std::vector<SampleBox> boxes{whole};
   while (boxes.size() < parts) {
@@ -79,7 +79,7 @@ TEST_CASE("parts of a set have the same list for any order and any division of t
   }
 }
 
-TEST_CASE("what is missing completes a set, and nothing is in both") {
+TEST_CASE("the missing samples complete a set, and do not overlap with it") {
   std::mt19937 random(3);
   for (int run = 0; run < 50; ++run) {
     std::vector<SampleBox> boxes = divided(kImage, 30, random);

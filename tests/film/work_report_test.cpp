@@ -1,4 +1,4 @@
-// Reports of work: what is written is read, and what is not a report counts as none.
+// Reports of work: a written report is read again, and any other file counts as no report.
 #include "host/film/work_report.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ TEST_CASE("a report of work is read for the film that it belongs to, and for no 
   CHECK(readWork(folder / "b.exr", "0a1b2c3d").runsNotCounted == 1);
 }
 
-TEST_CASE("a file that is no report counts as a run that is not counted") {
+TEST_CASE("a file that is not a report counts as a run without counts") {
   const TemporaryFolder folder;
   for (const char* text :
        {"", "{", "[]", "{\"film\":\"x\"}", "{\"film\":\"x\",\"runs\":\"two\"}",

@@ -1,4 +1,4 @@
-// The reader of benchmark reports: the input stands for both files.
+// The reader of benchmark reports: the input is used as both files.
 #include "host/bench/report_comparison.h"
 #include "host/bench/report_file.h"
 #include "tests/fuzz/fuzz.h"

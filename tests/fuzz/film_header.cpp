@@ -1,4 +1,4 @@
-// The description in a film file, which its checksum keeps from the target `film`.
+// The description in a film file, which the target `film` does not reach because of its checksum.
 #include "host/film/film_header.h"
 
 #include "tests/fuzz/fuzz.h"

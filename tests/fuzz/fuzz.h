@@ -1,4 +1,4 @@
-// What the targets share. A target calls one reader with any bytes, as the program does: expected errors are caught,
+// Common parts of the targets. A target calls one reader with any bytes, like the program: expected errors are caught,
 // and everything else is a fault.
 #pragma once
 #include <cstddef>

@@ -1,4 +1,5 @@
-// The kinds of Candela's own: a height field, a closed surface in a closed room, and two balls in the Cornell box.
+// The kinds that are not from the databases: a height field, a closed surface in a closed room, and two balls in the
+// Cornell box.
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -18,7 +19,7 @@ using Edge = std::pair<Point, Point>;
 
 Point key(const glm::vec3& p) { return {p.x, p.y, p.z}; }
 
-/// For each edge from a to b: how many more of it there are than of the edge from b to a.
+/// Returns for each edge from a to b its excess over the edge from b to a.
 std::map<Edge, int> unmatchedEdges(std::span<const scene::Triangle> triangles) {
   std::map<Edge, int> edges;
   for (const scene::Triangle& triangle : triangles) {
@@ -39,10 +40,10 @@ glm::dvec3 normalOf(const scene::Triangle& triangle) {
 }
 
 using Colour = std::tuple<float, float, float>;
-using Corner = std::tuple<Point, Colour, Colour>;  ///< where, the surface's colour, what it emits
+using Corner = std::tuple<Point, Colour, Colour>;  ///< position, the surface's colour, its emission
 
-/// Corners of the triangles of a scene from `first` on, which must be diffuse. Lamps have no colour here: those of
-/// `al` statements are black.
+/// Corners of the triangles of a scene from `first` on, which must be diffuse. Lights have no colour here: those
+/// of `al` statements are black.
 std::set<Corner> cornersOf(const scene::Scene& scene, std::size_t first, std::size_t count) {
   std::set<Corner> corners;
   for (std::size_t i = first; i < first + count; ++i) {

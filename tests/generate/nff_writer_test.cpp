@@ -1,4 +1,4 @@
-// The text of statements, and the blocks in which it leaves.
+// The text of statements, and the blocks in which it is written.
 #include "host/generate/nff_writer.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Every kind has exactly the primitives that its definition promises, as the loader counts them.
+// Every kind has exactly the number of primitives of its definition, as counted by the loader.
 #include <catch2/catch.hpp>
 
 #include "tests/generate/generated_text.h"

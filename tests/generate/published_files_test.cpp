@@ -1,4 +1,4 @@
-// Generated scenes against the files that the original programs print.
+// Generated scenes, compared with the files that the original programs print.
 #include <catch2/catch.hpp>
 #include <charconv>
 #include <cmath>

@@ -29,7 +29,7 @@ std::vector<float> scalars(const std::vector<Element>& elements, int type, bool 
 
 }  // namespace
 
-TEST_CASE("integers become the numbers that they stand for") {
+TEST_CASE("normalised integers are converted to their values") {
   CHECK(scalars<std::int8_t>({-128, -127, 0, 64, 127}, kByte, true) == std::vector<float>{-1, -1, 0, 64.0f / 127, 1});
   CHECK(scalars<std::uint8_t>({0, 51, 255}, kUnsignedByte, true) == std::vector<float>{0, 0.2f, 1});
   CHECK(scalars<std::int16_t>({-32768, 0, 32767}, kShort, true) == std::vector<float>{-1, 0, 1});

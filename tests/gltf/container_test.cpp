@@ -17,7 +17,7 @@ TEST_CASE("GLB and JSON give the same scene") {
   CHECK(fromBinary.hash != fromText.hash);
 }
 
-TEST_CASE("bytes behind the stated length and unknown chunks are ignored") {
+TEST_CASE("bytes after the stated length and unknown chunks are ignored") {
   const GltfFile file = triangleFile();
   CHECK(loadText(file.glb() + "trailing").scene.primitives.size() == 1);
   const std::string text = R"({"asset":{"version":"2.0"}} )";

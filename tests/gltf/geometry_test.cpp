@@ -39,13 +39,13 @@ TEST_CASE("indices of all widths are read") {
   }
 }
 
-TEST_CASE("points and lines, and primitives without positions, are left out with a warning") {
+TEST_CASE("points and lines, and primitives without positions, are not rendered, with a warning") {
   for (int mode = 0; mode < 4; ++mode) {
     GltfFile file = triangleFile();
     file.primitive()["mode"] = mode;
     const scene::LoadedScene loaded = load(file);
     CHECK(loaded.scene.primitives.empty());
-    CHECK(warns(loaded, "/meshes/0/primitives/0: points and lines are left out"));
+    CHECK(warns(loaded, "/meshes/0/primitives/0: points and lines are not rendered"));
   }
   GltfFile file = triangleFile();
   file.primitive()["attributes"] = json::object();
@@ -118,7 +118,7 @@ TEST_CASE("a normal without length is replaced by that of a triangle") {
   checkVector(scene.meshes[0].normals[1], {0, 1, 0});
 }
 
-TEST_CASE("vertices that no triangle has are dropped where they are many") {
+TEST_CASE("unused vertices are removed if there are many") {
   GltfFile file;
   std::vector<float> xyz(300);
   for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] = static_cast<float>(i * i % 97);

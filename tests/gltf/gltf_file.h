@@ -82,7 +82,7 @@ inline scene::Scene sceneOf(const GltfFile& file, const scene::LoadOptions& opti
 /// The errors of a file, one line each; empty if it is read.
 std::string errorsOf(const std::string& bytes, const scene::LoadOptions& options = {});
 
-/// Whether some warning contains `part`.
+/// Returns whether some warning contains `part`.
 bool warns(const scene::LoadedScene& loaded, std::string_view part);
 
 }  // namespace candela::gltf

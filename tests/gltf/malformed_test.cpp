@@ -1,4 +1,4 @@
-// Malformed files: each is refused with the place of its mistake.
+// Malformed files: each is refused with the place of its error.
 #include <functional>
 
 #include "tests/gltf/gltf_file.h"
@@ -6,7 +6,7 @@
 namespace candela::gltf {
 namespace {
 
-/// A change to a good file, and how its only error begins, behind the file's name.
+/// A change to a valid file, and the beginning of its only error after the file's name.
 struct Malformed {
   std::function<void(GltfFile&)> change;
   std::string error;
@@ -88,8 +88,8 @@ const std::vector<Malformed> kMalformed{
     {set("/accessors/0/count", -3), "/accessors/0/count: expected a whole number"},
     {set("/accessors/0/count", "3"), "/accessors/0/count: expected a whole number"},
     {set("/accessors/0/byteOffset", kHuge), "/accessors/0: 3 elements end at byte 4503599627370532"},
-    {set("/accessors/0/componentType", 5124), "/accessors/0/componentType: 5124 is no component type"},
-    {set("/accessors/0/type", "VEC5"), "/accessors/0/type: \"VEC5\" is no type of elements"},
+    {set("/accessors/0/componentType", 5124), "/accessors/0/componentType: 5124 is not a component type"},
+    {set("/accessors/0/type", "VEC5"), "/accessors/0/type: \"VEC5\" is not a type of elements"},
     {set("/accessors/0/type", "VEC2"), "/meshes/0/primitives/0/attributes/POSITION: the accessor's elements have 2"},
     {set("/accessors/0/normalized", true), "/accessors/0/normalized: only bytes and shorts"},
     {poke(4, std::nanf("")), "/accessors/0: element 0 is not finite"},
@@ -111,7 +111,7 @@ const std::vector<Malformed> kMalformed{
     {set("/nodes/0/mesh", 5), "/nodes/0/mesh: index 5 into \"meshes\", which has 1 elements"},
     {drop("/meshes/0", "primitives"), "/meshes/0: the property \"primitives\" is missing"},
     {drop("/meshes/0/primitives/0", "attributes"), "/meshes/0/primitives/0: the property \"attributes\" is missing"},
-    {set("/meshes/0/primitives/0/mode", 7), "/meshes/0/primitives/0/mode: 7 is no mode"},
+    {set("/meshes/0/primitives/0/mode", 7), "/meshes/0/primitives/0/mode: 7 is not a mode"},
     {set("/meshes/0/primitives/0/material", 1), "/meshes/0/primitives/0/material: index 1 into \"materials\""},
     {set("/meshes/0/primitives/0/indices", 0), "/meshes/0/primitives/0/indices: the accessor's elements are not"},
     {set("/meshes/0/primitives/0/indices", -1), "/meshes/0/primitives/0/indices: expected a whole number"},
@@ -200,7 +200,7 @@ const std::vector<Malformed> kMalformed{
 
 }  // namespace
 
-TEST_CASE("each mistake in a file is reported with its JSON pointer and exit code 2") {
+TEST_CASE("each error in a file is reported with its JSON pointer and exit code 2") {
   REQUIRE(errorsOf(goodFile().text()).empty());
   for (const Malformed& malformed : kMalformed) {
     GltfFile file = goodFile();
@@ -228,7 +228,7 @@ TEST_CASE("damaged GLB files are refused") {
   CHECK(errorsOf(glbOf({{0x4e4f534a, R"({"asset":{"version":"2.0"}})"}})).empty());
 }
 
-TEST_CASE("several mistakes are reported together") {
+TEST_CASE("several errors are reported together") {
   GltfFile file = goodFile();
   file.root["materials"][0]["alphaMode"] = "GLOW";
   file.primitive()["mode"] = 9;

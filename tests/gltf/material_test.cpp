@@ -1,4 +1,4 @@
-// Materials: what is read, and the lobes that are made of it.
+// Materials: their properties, and their surface parameters.
 #include <numbers>
 
 #include "host/gltf/material_mapping.h"
@@ -69,7 +69,7 @@ TEST_CASE("alpha modes decide the opacity of triangles") {
   CHECK(mapped(material).opacity->cutoff == 0.125f);
 }
 
-TEST_CASE("what transmits bounds a volume if it has a thickness, and is a thin wall if it has none") {
+TEST_CASE("a transmitting surface bounds a volume if it has a thickness, and is a thin wall otherwise") {
   json material = metallicRoughness(0, 0);
   material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.75;
   CHECK(mapped(material).surface->transmissionWeight == 0.75f);
@@ -82,7 +82,7 @@ TEST_CASE("what transmits bounds a volume if it has a thickness, and is a thin w
   CHECK(mapped(material).surface->transmissionWeight == 0);
 }
 
-TEST_CASE("the attenuation colour remains of light at the attenuation distance") {
+TEST_CASE("white light has the attenuation colour after the attenuation distance") {
   json material = metallicRoughness(0, 0);
   material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 1;
   json& volume = material["extensions"]["KHR_materials_volume"];
@@ -191,7 +191,7 @@ TEST_CASE("a conductor has a complex index of refraction") {
   CHECK_FALSE(mapped(json::object()).surface->conductor);
 }
 
-TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by their colour") {
+TEST_CASE("emission has a strength and a texture, and unlit surfaces emit their colour") {
   json material{{"emissiveFactor", {1, 0.5, 0}}};
   material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8;
   CHECK(mapped(material).emission == glm::vec3(8, 4, 0));
@@ -207,7 +207,7 @@ TEST_CASE("emission has a strength and a texture, and unlit surfaces shine by th
   CHECK_FALSE(mapped(material).coloursScaleEmission);
 }
 
-TEST_CASE("backs of single-sided surfaces can be left out, those of others not") {
+TEST_CASE("backs of single-sided surfaces can be removed, those of others cannot") {
   CHECK(mapped(json::object()).opaque);
   CHECK_FALSE(mapped({{"doubleSided", true}}).opaque);
 }
@@ -220,7 +220,7 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
   CHECK(scene.materials[0].surface == scene::SurfaceParameters{.metalness = 1});
 }
 
-TEST_CASE("one warning lists what is not rendered") {
+TEST_CASE("one warning lists the features that are not rendered") {
   GltfFile file = triangleFile();
   json material{{"occlusionTexture", {{"index", 0}}}};
   material["extensions"]["KHR_materials_dispersion"] = json::object();

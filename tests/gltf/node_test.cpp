@@ -4,7 +4,7 @@
 namespace candela::gltf {
 namespace {
 
-/// Where the first vertex of the first mesh, which is the origin of its node, ends up.
+/// Returns the position in the scene of the first vertex of the first mesh, which is the origin of its node.
 glm::vec3 origin(const GltfFile& file) { return sceneOf(file).meshes.at(0).positions.at(0); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Malformed glTF files: each is refused by `candela check` with exit code 2 and the place of its mistake.
+"""Malformed glTF files: each is refused by `candela check` with exit code 2 and the place of its error.
 
     python3 test_malformed.py CANDELA [--keep DIR]
 
@@ -29,7 +29,7 @@ def write(folder: Path, all_cases):
 
 
 def check(candela, files):
-    """Returns exit code and JSON report, or raises if the program dies by a signal or prints bytes that are no text."""
+    """Returns exit code and JSON report, or raises if the program dies by a signal or prints bytes that are not text."""
     result = subprocess.run([candela, "check", *map(str, files), *ANIMATED, "--json", "-", "-q"], capture_output=True,
                             text=True, timeout=SECONDS)
     if result.returncode < 0:
@@ -45,7 +45,7 @@ def place_of(error):
 
 
 def complaint(case, entry):
-    """Returns what is wrong with the report on a file; empty if nothing is."""
+    """Returns the error in the report on a file; empty if it is right."""
     if entry["valid"]:
         return "accepted"
     found = [place_of(error) for error in entry["errors"]]

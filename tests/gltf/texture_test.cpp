@@ -1,4 +1,4 @@
-// Textures, samplers, images and texture transforms, and what is wrong with them.
+// Textures, samplers, images and texture transforms, and their errors.
 #include <fstream>
 
 #include "host/gltf/textures.h"
@@ -92,7 +92,7 @@ TEST_CASE("images come from data URIs and permitted files, and the scene's hash 
   CHECK_THROWS_WITH(loadText(file.text(), {}, folder.path()), Catch::Contains("/images/0/uri"));
 }
 
-TEST_CASE("damaged textures end with the place of the mistake") {
+TEST_CASE("damaged textures are errors with their place") {
   GltfFile file = texturedFile();
   SECTION("an index beyond the list") {
     infoOf(file)["index"] = 1;
@@ -101,7 +101,7 @@ TEST_CASE("damaged textures end with the place of the mistake") {
   SECTION("a wrap mode that does not exist") {
     file.root["samplers"] = {{{"wrapT", 5}}};
     file.root["textures"][0]["sampler"] = 0;
-    CHECK_THROWS_WITH(load(file), Catch::Contains("/samplers/0/wrapT: 5 is no wrapping mode"));
+    CHECK_THROWS_WITH(load(file), Catch::Contains("/samplers/0/wrapT: 5 is not a wrapping mode"));
   }
   SECTION("a third set of coordinates") {
     infoOf(file)["texCoord"] = 2;

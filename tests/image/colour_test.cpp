@@ -1,4 +1,4 @@
-// Transfer function and tone curves against values computed elsewhere.
+// Transfer function and tone curves, compared with values computed independently.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-// FLIP against closed forms and against a second derivation.
+// FLIP, compared with closed forms and with an independent implementation.
 #include "host/image/flip.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Damaged and hostile image files end in a FileError or in some image, never in anything worse.
+// Damaged and hostile image files give a FileError or some image, and nothing else.
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"

@@ -106,7 +106,7 @@ TEST_CASE("the JSON of a comparison contains its numbers, and null for infinity"
 TEST_CASE("the text of a comparison names its figures") {
   const std::string text = toText(compareImages(row({{2, 1, 1}, {kNanPixel, 1, 1}}), row({{1, 1, 1}, {1, 1, 1}})));
   CHECK_THAT(text, Catch::Contains("2 x 1") && Catch::Contains("relMSE") && Catch::Contains("1 pixels, ignored") &&
-                       Catch::Contains("+21.26 %") && Catch::Contains("largest difference    1 at 0 0"));
+                       Catch::Contains("+21.26 %") && Catch::Contains("maximum difference    1 at 0 0"));
 }
 
 TEST_CASE("a difference picture is orange where brighter, blue where darker, black where equal") {

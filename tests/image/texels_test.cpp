@@ -109,7 +109,7 @@ TEST_CASE("PNG files keep their channels: colour, grey, alpha, palettes, 16 bits
   CHECK(wordsOf(storedPng(1, 1, 16, 2, rows)) == Words{0xff020101u});
 }
 
-TEST_CASE("what a PNG file states about its colours is ignored") {
+TEST_CASE("the colour space of a PNG file is ignored") {
   const std::string linear = chunk("gAMA", {0, 1, static_cast<char>(0x86), static_cast<char>(0xa0)});
   CHECK(wordsOf(storedPng(1, 1, 8, 2, {0, 10, 100, 77}, linear)) == Words{0xff4d640au});
 }

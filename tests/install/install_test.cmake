@@ -1,4 +1,4 @@
-# Installs BUILD into a folder of its own under WORK, builds the consumer against that alone, and renders a scene on the
+# Installs BUILD into a separate folder under WORK, builds the consumer only against that, and renders a scene on the
 # reference and on lavapipe (ICD). The two images must show the same scene, by `candela compare`.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)

@@ -58,7 +58,7 @@ json madeResults(const std::string& device, double speed) {
           {"tune", nullptr}};
 }
 
-// Reads results from a file in a folder of its own.
+// Reads results from a file in a temporary folder.
 KitResults read(const json& results) {
   const TemporaryFolder folder;
   return readKitResults(folder.write("results.json", results.dump()));
@@ -95,7 +95,7 @@ TEST_CASE("a step without a result is null, and the device is that of any other 
   CHECK_THAT(toMarkdown({read}), Contains("Conformance: not run."));
 }
 
-TEST_CASE("the report compares devices in one table, and names what failed") {
+TEST_CASE("the report compares devices in one table, and names failures") {
   const std::vector<KitResults> both{read(madeResults("A GPU", 12)), read(madeResults("B | GPU", 3))};
   const std::string page = toMarkdown(both);
   CHECK_THAT(page, Contains("| A GPU | A GPU driver 1 | 1 Fail, 2 Pass | 1 of 1 | 12 |"));

@@ -1,4 +1,4 @@
-"""Cryptomatte files, decoded by a reader of this test's own, and films with mattes that are divided and merged."""
+"""Cryptomatte files, decoded by an independent reader, and films with mattes that are divided and merged."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Completes command lines with fish, which prints what it would offer.
+# Completes command lines with fish, which prints its completions.
 command -v fish > /dev/null || { echo "fish is not installed: apt-get install fish"; exit 1; }
 export HOME="$(mktemp -d)"
 failures=0

@@ -43,7 +43,7 @@ def read_list():
 
 
 def misplaced_edits(mutants):
-    """What of the edits does not occur exactly once in its file."""
+    """The edits whose `find` text does not occur exactly once in its file."""
     problems = []
     for mutant in mutants:
         for edit in mutant["edits"]:
@@ -98,7 +98,7 @@ class Workshop:
             return None
 
     def find_fault(self, layer_name):
-        """What of the layer fails; empty if nothing does."""
+        """The failures of the layer; empty if there are none."""
         layer = self.layers[layer_name]
         if not self.compile(layer["target"]):
             raise RuntimeError(f"{layer['target']} does not compile")
@@ -161,7 +161,7 @@ def examine(workshop: Workshop, mutant, means):
 
 
 def require_soundness(workshop: Workshop, mutants):
-    """The unchanged program passes every layer. Gives its means by scene."""
+    """Requires that the unchanged program passes every layer. Returns its means by scene."""
     for layer in dict.fromkeys(layer for mutant in mutants for layer in mutant["layers"]):
         failure = workshop.find_fault(layer)
         if failure:

@@ -1,4 +1,4 @@
-// Work in a child process: its result, and every way in which it can fail.
+// Work in a child process: its result, and every kind of failure.
 #include "host/process/child_process.h"
 
 #include <unistd.h>

@@ -8,7 +8,7 @@
 
 namespace candela::proof {
 
-/// Cells of a unit square, and one more for what lies outside of it or is nothing at all.
+/// Cells of a unit square, and one more for points outside of it and for samples without a point.
 class Cells {
  public:
   Cells(int rows, int columns)

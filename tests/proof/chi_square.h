@@ -1,4 +1,4 @@
-// Pearson's chi-square test: were counts drawn with the probabilities that are claimed?
+// Pearson's chi-square test of whether counts were drawn with the claimed probabilities.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -12,14 +12,14 @@ inline constexpr double kLeastExpected = 5;
 struct ChiSquareTest {
   double statistic = 0;
   std::size_t degreesOfFreedom = 0;  ///< pools less one
-  double pValue = 1;                 ///< 0 if something was counted where nothing is expected
+  double pValue = 1;                 ///< 0 if there are counts where none are expected
 };
 
-/// `observed` and `expected` counts of the same cells, neither negative; their totals are equal but for what
-/// quadrature left. With fewer than two pools there is nothing to test, and the p-value is 1.
+/// `observed` and `expected` counts of the same cells, neither negative; their totals are equal except for
+/// the error of quadrature. With fewer than two pools there is no test, and the p-value is 1.
 ChiSquareTest chiSquare(std::span<const double> observed, std::span<const double> expected);
 
-/// Fails the running test case unless the counts agree with what is expected, at a level that lets the suite of all
+/// Fails the running test case unless the counts agree with the expected ones, at a level that lets the suite of all
 /// such checks, on one side, give a false alarm in one of a thousand choices of its seeds (after Sidak).
 void checkCounts(std::span<const double> observed, std::span<const double> expected);
 

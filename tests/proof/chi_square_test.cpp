@@ -50,7 +50,7 @@ TEST_CASE("the statistic and its p-value equal those computed by hand") {
 }
 
 TEST_CASE("cells are pooled until five samples are expected, and the rest joins the last pool") {
-  // 1 + 2 + 3 make a pool of 6; 8 and 9 are pools of their own.
+  // 1 + 2 + 3 make a pool of 6; 8 and 9 are separate pools.
   const ChiSquareTest pooled = chiSquare(Counts{9, 2, 2, 2, 8}, Counts{8, 1, 3, 2, 9});
   CHECK(pooled.degreesOfFreedom == 2);
   CHECK(pooled.statistic == Approx(1.0 / 8 + 1.0 / 9));

@@ -1,4 +1,4 @@
-// The device's side: each function in a small shader of its own, on the device under test.
+// The device's side: each function in a small separate shader, on the device under test.
 #include <bit>
 #include <catch2/catch.hpp>
 
@@ -43,7 +43,7 @@ WarpValues warps(std::span<const vec3> numbers, float capHeight) {
 
 namespace {
 
-// Every material on a sphere of its own, which makes it one that the scene uses.
+// Each material is on a separate sphere, so that the scene uses it.
 scene::Scene sceneOfMaterials(const std::vector<scene::Material>& materials) {
   scene::Scene scene;
   scene.camera.emplace();

@@ -1,5 +1,5 @@
-// The environment: its light samples against their density, its taps against the interpolated map, and light that is
-// known.
+// The environment: its light samples compared with their density, its taps with the interpolated map, and its light
+// with closed forms.
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
@@ -103,8 +103,8 @@ std::vector<EnvironmentQuery> randomQueries(std::size_t count, std::uint32_t see
   return queries;
 }
 
-// Density with which a texel is chosen, in a direction: its share, times texels per area of the map's unit square,
-// times that area per solid angle.
+// Density with which a texel is chosen, in a direction: its probability, times texels per area of the map's unit
+// square, times that area per solid angle.
 double densityOf(const scene::Environment& map, double share, double sine) {
   return share * map.width * map.height / (2 * pi * pi * sine);
 }

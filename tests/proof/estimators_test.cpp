@@ -1,4 +1,4 @@
-// Three ways to the same light: by light samples alone, by the lobes' samples alone, and by both with weights.
+// Three estimators of the same light: by light samples, by BSDF samples, and by both with weights.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/cells.h"
@@ -77,7 +77,7 @@ Estimate byLightSamples() {
 void checkAgreement(const char* names, const Estimate& a, const Estimate& b) {
   INFO(names << ": " << a.mean << " +- " << a.error << ", " << b.mean << " +- " << b.error);
   const double error = std::hypot(a.error, b.error);
-  CHECK(error < 0.004 * a.mean);  // or else the next line would say little
+  CHECK(error < 0.004 * a.mean);  // otherwise the next check would be weak
   CHECK(std::abs(a.mean - b.mean) < 4 * error);
 }
 

@@ -1,4 +1,4 @@
-// Specular light whose amount is known: a corridor of two mirrors, and a slab of glass.
+// Specular light with closed forms: a corridor of two mirrors, and a slab of glass.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/leaves.h"
@@ -34,7 +34,7 @@ struct Slab {
   double transmitted() const {
     return std::pow((1 - reflectance) * colour, 2) / (1 - std::pow(reflectance * colour, 2));
   }
-  // R c, and what goes in, is reflected an odd number of times, and comes out.
+  // R c, and the light that enters, is reflected an odd number of times, and exits.
   double reflected() const { return reflectance * colour + reflectance * colour * transmitted(); }
 };
 
@@ -53,7 +53,8 @@ TEST_CASE("the end of a corridor of two mirrors is attenuated once per reflectio
   settings.image.nextEventEstimation = false;
   const render::RenderResult result = renderScene(b.scene, settings);
 
-  // Where the straight ray through the image's column `x` ends, in the row of mirrored corridors of width 1.
+  // The position at which the straight ray through the image's column `x` ends, in the row of mirrored corridors of
+  // width 1.
   const double width = 2 * std::tan(b.scene.camera->angle * std::numbers::pi / 360) * kWidth / kHeight;
   const auto corridorAt = [&](double x) {
     return static_cast<int>(std::floor(kStart + kLength * width * (x / kWidth - 0.5)));

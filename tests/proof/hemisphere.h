@@ -11,7 +11,7 @@ namespace candela::proof {
 struct QuadraturePoint {
   glm::dvec3 direction;
   glm::dvec2 place;   ///< (z, turn) in the unit square
-  double solidAngle;  ///< for which the point stands; 2 pi in all
+  double solidAngle;  ///< that the point represents; 2 pi in total
 };
 
 /// Gauss and Legendre's points, `Order` of them along each side of every cell; rows of equal height z, columns of equal

@@ -1,4 +1,4 @@
-// Known amounts of light: lights over a diffuse floor, among them a point light, and furnaces.
+// Light with closed forms: lights over a diffuse floor, among them a point light, and furnaces.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/closed_meshes.h"
@@ -19,7 +19,7 @@ const scene::Sphere kBall{{-1, 0.5f, 2}, 0.5f};
 const vec3 kNear[3] = {{1, -0.5f, 1}, {1.5f, 1, 1.25f}, {0.75f, 0.25f, 2}};
 const vec3 kFar[3] = {{2, 3, 4}, {-2, 4, 3}, {0, 2.5f, 4.5f}};
 
-// A red ball, a green triangle, a blue one farther away, so that each has a channel to itself; and a grey point light.
+// A red ball, a green triangle, a blue one farther away, so that each has a separate channel; and a grey point light.
 scene::Scene lampsOverFloor(const vec3& seen) {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(kAlbedo))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -31,7 +31,7 @@ scene::Scene lampsOverFloor(const vec3& seen) {
   return b.scene;
 }
 
-// A red point light with fall-off, a green spot light that shines past the place that is seen, and a blue sun.
+// A red point light with fall-off, a green spot light whose axis passes beside the visible point, and a blue sun.
 scene::Scene punctualLightsOverFloor() {
   using Kind = scene::PunctualLight::Kind;
   SceneBuilder b;
@@ -94,7 +94,8 @@ TEST_CASE("a sphere, two triangles and a point light illuminate the floor by the
   }
 }
 
-TEST_CASE("lights with fall-off, spots and directions light the floor by their closed forms", "[swiftshader-slow]") {
+TEST_CASE("lights with fall-off, spot lights and directional lights light the floor by their closed forms",
+          "[swiftshader-slow]") {
   const double spot = (0.8 - 0.7) / (0.9 - 0.7);  // the place is at cosine 0.8 from the spot's direction
   const dvec3 irradiance(20 / 5.0 * (2 / std::sqrt(5.0)), 300 / 16.0 * spot * spot, 5 * 0.8);
   const dvec3 expected = double{kAlbedo} / std::numbers::pi * irradiance;

@@ -1,5 +1,5 @@
-// The functions under proof, of one side. A program's leaves are the reference's or the device's, as it is linked with
-// reference_leaves.cpp or with device_leaves.cpp; the proofs are the same.
+// The functions under test, of one side. A program that is linked with reference_leaves.cpp tests those of the
+// reference, and one with device_leaves.cpp those of the device; the proofs are the same.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -84,7 +84,7 @@ struct ChosenLight {
   std::uint32_t entry = 0;
   double probability = 0;
 };
-/// The light table of a scene. Its entries are numbered as docs/light-transport.md section 6 says.
+/// The light table of a scene. Its entries are numbered as in docs/light-transport.md section 6.
 class LightLeaves {
  public:
   explicit LightLeaves(const scene::Scene& scene);
@@ -92,7 +92,7 @@ class LightLeaves {
   std::vector<ChosenLight> choose(std::span<const std::uint32_t> words) const;
   /// Numbers: light u, v in x and y.
   std::vector<LitPoint> sample(std::uint32_t entry, const Viewpoint& from, std::span<const glm::vec3> numbers) const;
-  /// Rays that find the emitter of `entry` by themselves.
+  /// Traces rays, and returns those that hit the emitter of `entry`.
   std::vector<FoundLight> find(std::uint32_t entry, const Viewpoint& from, std::span<const dvec3> directions) const;
 
  private:
@@ -128,7 +128,7 @@ class EnvironmentLeaves {
 /// Single precision, so that both sides trace the same rays.
 struct ProofRay {
   glm::vec3 origin;
-  glm::vec3 direction;  ///< unit but for rounding
+  glm::vec3 direction;  ///< unit except for rounding
 };
 struct TracedHit {
   static constexpr std::uint32_t kMiss = 0xffffffffu;

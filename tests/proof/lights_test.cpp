@@ -1,4 +1,4 @@
-// Light samplers against their densities: docs/light-transport.md section 6.
+// Samples of lights, compared with their densities: docs/light-transport.md section 6.
 #include <catch2/catch.hpp>
 
 #include "host/image/film.h"
@@ -92,7 +92,7 @@ TEST_CASE("samples of a sphere are uniform in the cap of directions that it subt
       worstPoint = std::max(worstPoint, std::abs(length(lit.distance * lit.wi - centre) / radius - 1));
     }
     std::vector<double> expected = uniformCounts(kLightSide, kLightSide, kLightSamples);
-    CHECK(cells.counts().back() <= kLightSamples * kRounding);  // lost at the silhouette, and of no weight in the test
+    CHECK(cells.counts().back() <= kLightSamples * kRounding);  // lost at the silhouette, without effect on the test
     expected[0] -= cells.counts().back();
     expected.back() += cells.counts().back();
     checkCounts(cells.counts(), expected);

@@ -1,5 +1,5 @@
-// Lobes against their densities, against quadrature, and against what physics demands of them: docs/light-transport.md
-// section 5.
+// Lobes, compared with their densities and with quadrature, and tests of reciprocity and energy:
+// docs/light-transport.md section 5.
 #include <catch2/catch.hpp>
 
 #include "tests/proof/cells.h"
@@ -72,7 +72,8 @@ std::vector<ScatterValue> valuesOn(const MaterialLeaves& leaves, const Hemispher
 
 bool isSmooth(render::Lobe lobe) { return lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy; }
 
-// How likely the half vector that Blinn's lobe takes reflects `wo` below the surface: with t = cosH^(n + 2) uniform.
+// Returns the probability that a half vector of Blinn's lobe reflects `wo` below the surface: with t = cosH^(n + 2)
+// uniform.
 double shareBelow(double exponent, const dvec3& wo) {
   constexpr std::size_t kPoints = 200000;
   int below = 0;
@@ -212,7 +213,7 @@ TEST_CASE("no white surface scatters more than it receives, at 16 angles and 16 
       }
       CAPTURE(materials[material].glossy->exponent, materials[material].glossy->weight, wo.z);
       CHECK(albedo <= 1.001);
-      CHECK(albedo > 0.3);  // grooves hide at most so much
+      CHECK(albedo > 0.3);  // grooves occlude at most this fraction
     }
   }
 }

@@ -38,7 +38,7 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
 struct MaterialLeaves::Side {
   std::vector<reference::SurfaceMaterial> materials;
 
-  // The BSDF of the vertex that was asked for last, since many queries in a row have the same.
+  // The BSDF of the last requested vertex, since many consecutive queries have the same.
   class Vertex {
    public:
     explicit Vertex(const Side& side) : side_(side) {}

@@ -13,7 +13,7 @@
 
 namespace candela::proof {
 
-/// Where microfacets send light: they reflect it, they transmit it as a thin wall, or they refract it.
+/// The ways in which microfacets scatter light: they reflect it, transmit it as a thin wall, or refract it.
 enum class Passage { reflected, thin, refracted };
 
 /// Quadrature over the directions to which half vectors send light, and the cells of sampled directions.
@@ -21,8 +21,8 @@ class SlopeGrid {
  public:
   using Point = QuadraturePoint;
 
-  /// Nodes are those of a hemisphere, whose places are used. `eta`, not used except for refraction, is the index beyond
-  /// the surface divided by that on the side of wo.
+  /// Nodes are those of a hemisphere, whose coordinates are used. `eta`, not used except for refraction, is the index
+  /// beyond the surface divided by that on the side of wo.
   SlopeGrid(std::span<const Point> nodes, const glm::dvec3& wo, const glm::dvec2& alpha, Passage passage, double eta)
       : wo_(wo),
         alpha_(alpha),
@@ -34,7 +34,7 @@ class SlopeGrid {
 
   const std::vector<Point>& points() const { return points_; }
 
-  /// Cells outside the unit square hold what is steeper.
+  /// Cells outside the unit square contain steeper half vectors.
   glm::dvec2 placeOf(const glm::dvec3& wi) const {
     const glm::dvec2 slope = slopeOf(halfVector(wi));
     return {std::log1p(dot(slope, slope)) / scale_, turns(slope.x, slope.y)};

@@ -1,4 +1,4 @@
-// The energy that surfaces scatter, and their reciprocity: docs/light-transport.md section 5.1 to 5.12.
+// The energy that surfaces scatter, and their reciprocity: docs/light-transport.md sections 5.1 to 5.12.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <utility>
@@ -38,7 +38,8 @@ TEST_CASE("white surfaces reflect everything within 1 percent, and never more th
     for (int step = 0; step < kAngles; ++step) {
       const dvec3 wo = directionAt((step + 0.5) / kAngles, 0.3);
       for (const bool outside : {true, false}) {
-        if (!outside && materials[material].surface->isThinWalled) continue;  // scatters alike from both sides
+        if (!outside && materials[material].surface->isThinWalled)
+          continue;  // scatters in the same way from both sides
         const double albedo = meanWeight(scattered(leaves, material, wo, numbers, outside)).x;
         CAPTURE(material % (materials.size() / kRoughnesses.size()), materials[material].surface->roughness, wo.z,
                 outside);
@@ -100,7 +101,7 @@ TEST_CASE("anisotropic glass that bounds a volume scatters 0.9 to 1.001 of the l
 }
 
 TEST_CASE("microfacets before their energy is compensated, and sheen, are reciprocal") {
-  std::vector<scene::Material> materials;  // a reflectance of 0 at normal incidence leaves nothing to compensate
+  std::vector<scene::Material> materials;  // a reflectance of 0 at normal incidence has no compensation
   const SurfaceParameters black{.baseColour = {0, 0, 0}, .specularWeight = 0};
   for (const float roughness : kRoughnesses) {
     materials.push_back(materialOf({.baseColour = {0, 0, 0}, .metalness = 1, .roughness = roughness}));
@@ -123,7 +124,7 @@ TEST_CASE("microfacets before their energy is compensated, and sheen, are recipr
   }
 }
 
-TEST_CASE("glass is reciprocal in both directions, up to factors that depend on one direction alone") {
+TEST_CASE("glass is reciprocal in both directions, up to factors that depend on only one direction") {
   // For two directions outside and two inside, these factors cancel in the ratio of the values around the cycle.
   std::vector<scene::Material> materials;
   for (const float roughness : {0.2f, 0.5f, 1.0f}) {

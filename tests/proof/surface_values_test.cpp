@@ -1,4 +1,4 @@
-// Values of lobes of surfaces in closed form: docs/light-transport.md section 5.1 to 5.11.
+// Values of lobes of surfaces in closed form: docs/light-transport.md sections 5.1 to 5.11.
 #include <catch2/catch.hpp>
 #include <complex>
 
@@ -32,7 +32,7 @@ TEST_CASE("a highlight's centre has the value of the closed form, with Schlick's
     const double coated = valueAt(leaves, 0, wo, wi);
     CAPTURE(cosine);
     CHECK(valueAt(leaves, 1, wo, wi) == Approx(white * grazing).epsilon(1e-4).margin(1e-6));
-    CHECK(coated >= white * reflectance);  // compensation adds less than 4 percent of what is lost
+    CHECK(coated >= white * reflectance);  // compensation adds less than 4 percent of the lost light
     CHECK(coated <= white * reflectance * 1.01);
     CHECK(valueAt(leaves, 2, wo, wi) == Approx(coated / 2).epsilon(1e-4));
   }
@@ -67,7 +67,7 @@ TEST_CASE("sheen has the values of the closed form") {
   }
 }
 
-TEST_CASE("conductors reflect as Fresnel's equations state, in complex numbers and with the published values of gold") {
+TEST_CASE("conductors reflect by Fresnel's equations, in complex numbers and with the published values of gold") {
   const float roughness = 0.3f;
   const MaterialLeaves leaves({materialOf({.metalness = 1, .roughness = roughness, .conductor = kGold}),
                                materialOf({.metalness = 1, .roughness = roughness})});

@@ -1,4 +1,4 @@
-// The densities of surfaces with OpenPBR's parameters: docs/light-transport.md section 5.1 to 5.12.
+// The densities of surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.1 to 5.12.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
@@ -116,10 +116,10 @@ class Cases {
   std::vector<Mixture> mixtures_;
 };
 
-// The cells of one side of a surface, and quadrature over them. Cells that follow the highlight resolve what is narrow,
-// those of the hemisphere what is broad: within a long and narrow highlight's cells, a broad lobe fills but a narrow
+// The cells of one side of a surface, and quadrature over them. Cells that follow the highlight resolve narrow lobes,
+// those of the hemisphere broad lobes: in the cells of a long and narrow highlight, a broad lobe fills only a narrow
 // range of azimuths. Where a surface may have both, a direction belongs to the former with a probability that falls
-// smoothly with the density of their quadrature, so that each integrates what it resolves.
+// smoothly with the density of their quadrature, so that each kind of cells integrates the densities that it resolves.
 class Half {
  public:
   Half(const Case& c, bool transmitted) : case_(c), transmitted_(transmitted) {
@@ -180,7 +180,7 @@ class Half {
     static const HemisphereGrid grid(kCellRows, 2 * kCellColumns);
     return grid.points();
   }
-  // The horizon cuts anisotropic highlights: many cells with few points integrate what is not smooth.
+  // The horizon cuts anisotropic highlights: many cells with few points integrate densities that are not smooth.
   static std::span<const QuadraturePoint> fineNodes() {
     static const GaussGrid<3> grid(8 * kCellRows, 8 * kCellColumns);
     return grid.points();

@@ -1,4 +1,4 @@
-"""What the tests of the Python module share: paths, the program, and a folder for each test."""
+"""Common parts of the tests of the Python module: paths, the program, and a folder for each test."""
 import os
 import pathlib
 import subprocess

@@ -1,4 +1,4 @@
-"""The examples of docs/python.md run as they stand, and show what they say."""
+"""The examples of docs/python.md run unchanged, with the output that they state."""
 import contextlib
 import io
 import os

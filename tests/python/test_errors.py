@@ -9,7 +9,7 @@ from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
 
 
 def text_of(done):
-    """What the program printed, without its name at the head of each line."""
+    """The output of the program, without its name at the beginning of each line."""
     return "\n".join(line.removeprefix("candela: ") for line in done.stderr.splitlines())
 
 

@@ -1,4 +1,4 @@
-"""Scenes from arrays are those of files."""
+"""Scenes from arrays equal those from files."""
 import base64
 import json
 import struct
@@ -66,7 +66,7 @@ class SceneArrays(FolderTest):
         self.assertEqual(hash_of(of_arrays), hash_of(of_file))
 
     def test_the_view_of_a_file(self):
-        """Emitters alone, seen by camera rays alone: P3F and arrays then agree whatever their materials are."""
+        """Only emitters, and only camera rays: P3F and arrays then agree whatever their materials are."""
         text = ("v\nfrom 0 0.5 4\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 24 20\naperture 2\nfocal 1.5\n"
                 "f 0 0 0 0 0 0 0 0 1 0 0 0.5 0.25 0.125\np 3\n-1 -1 0\n1 -1 0\n1 1 0\np 3\n-1 -1 0\n1 1 0\n-1 1 0\n")
         of_file = self.load_text("a.p3f", text)
@@ -103,7 +103,7 @@ class SceneArrays(FolderTest):
             scene = candela.Scene(vertices, faces, [{"metallic": 0}], lights=[light], camera=CAMERA)
             image = candela.render(scene, spp=4, device="cpu").image
             self.assertGreater(image[10, 12].sum(), 0.1)
-        # Lambert's law, with the diffuse part alone: the irradiance is cos 45 degrees times the intensity.
+        # Lambert's law, with only the diffuse part: the irradiance is cos 45 degrees times the intensity.
         matte = {"metallic": 0, "specular": 0, "base_colour": (0.5, 0.5, 0.5)}
         scene = candela.Scene(vertices, faces, [matte], lights=[light], camera={**CAMERA, "from": (0, 0, 4)})
         pixel = candela.render(scene, spp=1, device="cpu").image[10, 12]

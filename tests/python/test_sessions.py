@@ -1,4 +1,4 @@
-"""Sessions: parts are the whole."""
+"""Sessions: renders in parts equal whole renders."""
 import unittest
 
 import candela

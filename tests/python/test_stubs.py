@@ -1,4 +1,4 @@
-"""The stubs say what the module has."""
+"""The stubs declare the content of the module."""
 import ast
 import pathlib
 import re

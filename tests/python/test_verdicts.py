@@ -1,4 +1,4 @@
-"""Verdicts are those of the program."""
+"""Verdicts equal those of the program."""
 import json
 import unittest
 

@@ -22,7 +22,7 @@ scene::Camera lookingAtOrigin() {
   return camera;
 }
 
-// Where a ray crosses the plane at the height `z`.
+// Returns the point at which a ray crosses the plane at the height `z`.
 dvec2 crossing(const Ray& ray, double z) { return dvec2(ray.at((z - ray.origin.z) / ray.direction.z)); }
 
 Ray generate(const scene::Camera& camera, const render::RenderSettings& settings, std::uint32_t x, std::uint32_t y,
@@ -130,7 +130,7 @@ TEST_CASE("the rays of an orthographic camera are parallel, and cross the view p
   CHECK(length(crossing(generate(camera, settings, 0, 0), 1) - dvec2(-6, 3)) < 1e-12);
 }
 
-TEST_CASE("a lens blurs an orthographic view alike everywhere, and leaves the plane in focus sharp") {
+TEST_CASE("a lens blurs an orthographic view equally everywhere, and leaves the plane in focus sharp") {
   scene::Camera camera = lookingAtOrigin();
   camera.orthographicHeight = 8.0f;
   camera.aperture = 5;  // 5 * 8 / 50 = 0.8

@@ -13,7 +13,7 @@ namespace {
 void checkEqualMeans(const Estimate& a, const Estimate& b, double largestError) {
   INFO(a.mean << " +- " << a.error << " against " << b.mean << " +- " << b.error);
   const double error = std::hypot(a.error, b.error);
-  CHECK(error < largestError * a.mean);  // or else the next line would say little
+  CHECK(error < largestError * a.mean);  // otherwise the next check would be weak
   CHECK(std::abs(a.mean - b.mean) < 4 * error);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("a point light gives Kd Lc cd (N.L), with and without next-event estim
     CHECK(seen.y == Approx(0.5 * 4 * 0.5 * 0.8).epsilon(1e-7));
     CHECK(seen.z == Approx(0.5 * 8 * 1 * 0.8).epsilon(1e-7));
   }
-  b.material(diffuseMaterial(vec3(1))).sphere({4, 1, 4}, 0.5f);  // in the light's way
+  b.material(diffuseMaterial(vec3(1))).sphere({4, 1, 4}, 0.5f);  // between the surface and the light
   CHECK(renderScene(b.scene, onePixel(1)).film.mean(0, 0) == dvec3(0));
 }
 
@@ -273,7 +273,7 @@ TEST_CASE("emitters outside the table are hit by paths, with weight 1") {
     lookDownAt(b, 0, 0);
     render::RenderSettings settings = onePixel(16);
     settings.image.nextEventEstimation = nextEvent;
-    // All directions but those that run to infinity below the other plane's horizon: the whole half-space.
+    // All directions except those below the other plane's horizon, which never hit it: the whole half-space.
     CHECK(renderScene(b.scene, settings).film.mean(0, 0).x == Approx(0.5).epsilon(1e-9));
   }
 }

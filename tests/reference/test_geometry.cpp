@@ -131,7 +131,7 @@ TEST_CASE("the hits of a triangle agree with its plane and the sides of its edge
     const dvec3 x = ray.at(t);
     const auto side = [&](const vec3& a, const vec3& b) { return dot(cross(dvec3(b) - dvec3(a), x - dvec3(a)), n); };
     const double inside = std::min({side(p0, p1), side(p1, p2), side(p2, p0)});
-    if (std::abs(inside) < 1e-12) continue;  // too near to an edge to tell
+    if (std::abs(inside) < 1e-12) continue;  // too near to an edge to decide
     const double expected = t > 0 && inside > 0 ? t : kNoHit;
     CHECK(triangle.distance(ray) == (expected == kNoHit ? Approx(kNoHit) : Approx(expected).epsilon(1e-9)));
     hits += expected < kNoHit;

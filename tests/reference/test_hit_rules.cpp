@@ -1,4 +1,4 @@
-// Rules that decide which hit counts: ties, sides, and the view of shadow rays.
+// Rules that decide which hit counts: ties, sides, and shadow rays.
 #include <catch2/catch.hpp>
 
 #include "host/reference/tracing.h"

@@ -56,7 +56,7 @@ scene::Scene sceneWith(const test::TouchedSurface& surface, const vec3& shift) {
 
 }  // namespace
 
-TEST_CASE("a light on a surface illuminates what is in front of it, exactly and in replicas") {
+TEST_CASE("a light on a surface illuminates everything in front of it, exactly and in replicas") {
   for (const vec3& shift : kShifts) {
     for (const test::TouchedSurface& surface : test::touchedSurfaces()) {
       CAPTURE(surface.name, shift.x);

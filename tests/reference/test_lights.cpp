@@ -113,7 +113,7 @@ TEST_CASE("sphere samples give the irradiance of a sphere, outside and inside") 
   // From (3, 0, 0): distance^2 18, cosine 1/sqrt 2.
   CHECK(estimate(lights, surfaceFacing({3, 0, 0}, up), cosine) == Approx(kPi / 18 / std::sqrt(2)).epsilon(1e-4));
   CHECK(estimate(lights, surfaceFacing({0, 0.3, 3}, up), cosine) == Approx(kPi).epsilon(1e-3));
-  // On its own inside, looking to the centre: everything above the horizon is lit.
+  // On the inside of the sphere, looking to the centre: everything above the horizon is lit.
   CHECK(estimate(lights, surfaceFacing({0, 0, 2}, up, 0), cosine) == Approx(kPi).epsilon(1e-3));
 }
 

@@ -1,4 +1,4 @@
-// Whole renders by the reference: sameness of bytes, statistics, records, interruption.
+// Whole renders by the reference: equality of bytes, statistics, records, interruption.
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <set>
@@ -31,7 +31,7 @@ render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
 
 TEST_CASE("threads, tiles and the structure do not change a byte of the film") {
   scene::Scene scene = cornellBox().scene;
-  for (int i = 0; i < 40; ++i) {  // enough for a hierarchy
+  for (int i = 0; i < 40; ++i) {  // enough for a BVH
     scene.spheres.push_back({vec3(-0.9f + 0.045f * static_cast<float>(i), -0.95f, 0.3f), 0.04f});
     scene.primitives.push_back({scene::PrimitiveKind::sphere, static_cast<std::uint32_t>(scene.spheres.size() - 1), 1});
   }

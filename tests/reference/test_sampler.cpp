@@ -1,4 +1,4 @@
-// The reference's random numbers, against vectors that sampler_vectors.py prints, and against published points.
+// The reference's random numbers, compared with vectors that sampler_vectors.py prints, and with published points.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

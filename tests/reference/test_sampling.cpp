@@ -1,4 +1,4 @@
-// Warps and frames, against closed-form inverses and moments.
+// Warps and frames, compared with closed-form inverses and moments.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -21,7 +21,7 @@ T meanOverSquare(const std::function<T(const dvec2&)>& g) {
   return sum / static_cast<double>(kSide * kSide);
 }
 
-// Shirley and Chiu's map backwards: the square of half side r around the origin becomes the circle of radius r.
+// The inverse of Shirley and Chiu's map: the square of half side r around the origin becomes the circle of radius r.
 dvec2 squareOfDisc(const dvec2& p) {
   const double r = length(p);
   if (r == 0) return {0.5, 0.5};

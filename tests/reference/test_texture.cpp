@@ -1,4 +1,4 @@
-// Lookups of textures against values computed by hand.
+// Lookups of textures, compared with values computed by hand.
 #include <catch2/catch.hpp>
 
 #include "host/reference/texture.h"

@@ -1,4 +1,4 @@
-// Structures of the reference against brute force, and their rules.
+// Acceleration structures of the reference, compared with brute force, and their rules.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -100,7 +100,7 @@ TEST_CASE("every structure gives the hits of brute force in scenes of all kinds 
     const Hit expected = brute.closest(ray, bruteWork);
     hits += expected.primitive != kNoPrimitive;
     if (expected) {
-      // The winner of a tie is the lower index: hiding it, the other one is as near.
+      // The winner of a tie is the lower index: without it, the other one is hit at the same distance.
       ties += brute.isOccluded(ray, {std::nextafter(expected.distance, kNoHit), expected.primitive}, setupWork);
     }
     for (std::size_t s = 0; s < structures.size(); ++s) {
@@ -146,7 +146,7 @@ TEST_CASE("every structure of the reference gives the hits of brute force in ext
   add([](SceneBuilder& b) {  // coincident
     for (int i = 0; i < 300; ++i) b.box({1, 1, 1}, {2, 2, 2});
   });
-  add([](SceneBuilder& b) {  // small ones in the shadow of huge ones
+  add([](SceneBuilder& b) {  // small ones beside huge ones
     for (int i = 0; i < 60; ++i) b.sphere({0.1f * static_cast<float>(i), 0, 0}, 0.03f);
     b.sphere({0, 1e5f + 3, 0}, 1e5f).cone({0, 0, -1e4f}, 2, {0, 0, 1e4f}, 1);
   });

@@ -80,7 +80,7 @@ TEST_CASE("a mirror's ray that would enter its own surface is not traced") {
 TEST_CASE("light sampling is skipped on glass that no light can illuminate") {
   SceneBuilder b = paneBetweenWalls();
   b.pointLight({1, 0, 4}, vec3(1));
-  // The walls are lit: one from each side of the pane, which throws a shadow.
+  // The walls are lit, one on each side of the pane, which casts a shadow.
   const render::RenderResult result = renderScene(b.scene, whittedSettings(4));
   const render::PathRecord& record = result.paths.at(0);
   CHECK(record.vertices[0].shadow == render::ShadowOutcome::notTraced);

@@ -10,7 +10,7 @@
 
 namespace candela::test {
 
-/// Translates what is added to a builder. Coordinates are multiples of 1/64, so that at 10^5 they are exact.
+/// Translates everything that is added to a builder. Coordinates are multiples of 1/64, so that at 10^5 they are exact.
 struct Shifted {
   SceneBuilder& builder;
   vec3 by;
@@ -98,8 +98,8 @@ inline std::vector<TouchedSurface> touchedSurfaces() {
   };
 }
 
-/// The margin at `light`, from above: for coordinates of everything that touchedSurfaces() adds but huge spheres, of
-/// which only the part near the eye counts.
+/// An upper bound of the margin at `light`: for the coordinates of everything that touchedSurfaces() adds except
+/// huge spheres, whose part near the eye counts.
 inline float marginNear(const vec3& shift) {
   return 0x1p-19f * (20 + std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)}));
 }

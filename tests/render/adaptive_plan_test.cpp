@@ -56,7 +56,7 @@ TEST_CASE("adaptive: the pilot grows with the square of the reciprocal threshold
 }
 
 TEST_CASE("adaptive: the error of a half-region is the noise of the other half, relative to its brightness") {
-  // Pixels of one half are 2 or 4 in turn, those of the other half are always 1.
+  // Pixels of one half alternate between 2 and 4, those of the other half are always 1.
   const Light light = [](std::uint32_t x, std::uint32_t y, std::uint32_t i) {
     return halfOf(x, y) == 0 ? 2.0 + 2.0 * (i % 2) : 1.0;
   };
@@ -90,7 +90,7 @@ TEST_CASE("adaptive: regions stop at the first level at which their error is at 
   CHECK(countAt(film, 191, 5) == 512);
 }
 
-TEST_CASE("adaptive: a half stops by the samples of the other half alone") {
+TEST_CASE("adaptive: only the samples of the other half decide when a half stops") {
   const Extent size{64, 64};
   const AdaptivePlan plan(windowOf(size), 0.2, 64);
   const image::Film film = sampled(plan, size, [](auto x, auto y, auto i) {
@@ -99,7 +99,7 @@ TEST_CASE("adaptive: a half stops by the samples of the other half alone") {
   for (std::uint32_t x = 0; x < 64; ++x) CHECK(countAt(film, x, 9) == (halfOf(x, 9) == 0 ? 16 : 64));
 }
 
-TEST_CASE("adaptive: the neighbours of a noisy region go on, within its block") {
+TEST_CASE("adaptive: the neighbours of a noisy region continue, within its block") {
   const Extent size{128, 64};
   const AdaptivePlan plan(windowOf(size), 0.2, 64);
   // Noise in the region from (48, 16), which is at the right edge of its block.
@@ -115,7 +115,7 @@ TEST_CASE("adaptive: the neighbours of a noisy region go on, within its block") 
   CHECK(countAt(film, 64, 20) == 16);  // another block
 }
 
-TEST_CASE("adaptive: black regions stop behind the pilot") {
+TEST_CASE("adaptive: black regions stop after the pilot") {
   const Extent size{64, 64};
   const AdaptivePlan plan(windowOf(size), 0.001, 1u << 20);
   image::Film film(64, 64);
@@ -131,7 +131,7 @@ TEST_CASE("adaptive: halves of too few pixels decide nothing") {
   CHECK(countAt(film, 64, 0) == 32);
 }
 
-TEST_CASE("adaptive: a film that was stopped anywhere goes on to the same counts and sums") {
+TEST_CASE("adaptive: a film that was stopped anywhere continues to the same counts and sums") {
   const Extent size{96, 80};
   const AdaptivePlan plan(windowOf(size), 0.2, 200);
   const Light light = [](auto x, auto y, auto i) {
@@ -144,7 +144,7 @@ TEST_CASE("adaptive: a film that was stopped anywhere goes on to the same counts
   std::mt19937 random(5);
   while (const auto step = plan.next(film)) {
     fill(film, step->pixels, step->indivisible, light);
-    // Some pixels get all their samples, some get a few of them, and then the film is looked at again.
+    // Some pixels get all their samples, some get a few of them, and then the plan examines the film again.
     PixelMask chosen = step->pixels;
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = chosen[i] && random() % 3 == 0;
     fill(film, chosen,
@@ -154,7 +154,7 @@ TEST_CASE("adaptive: a film that was stopped anywhere goes on to the same counts
   CHECK(film.hash() == whole.hash());
 }
 
-TEST_CASE("adaptive: crops of whole blocks decide as the image does") {
+TEST_CASE("adaptive: crops of whole blocks decide like the image") {
   const Extent size{160, 96};
   const Light light = [](auto x, auto y, auto i) { return 1 + (x / 8 % 3) * 10 * (uniformAt(6, x, y, i) < 0.02); };
   const image::Film whole = sampled(AdaptivePlan(windowOf(size), 0.2, 128), size, light);
@@ -167,7 +167,7 @@ TEST_CASE("adaptive: crops of whole blocks decide as the image does") {
   }
 }
 
-TEST_CASE("adaptive: a finished film goes on to a higher maximum as if that had been asked for at once") {
+TEST_CASE("adaptive: a finished film that is continued to a higher maximum equals one with it from the start") {
   const Extent size{64, 64};
   const Light light = [](auto x, auto y, auto i) { return x < 20 ? 30 * (uniformAt(7, x, y, i) < 0.03) : 1.0; };
   const image::Film whole = sampled(AdaptivePlan(windowOf(size), 0.2, 400), size, light);
@@ -219,14 +219,14 @@ Simulation simulate(double probability, double threshold, std::uint32_t runs) {
 
 }  // namespace
 
-TEST_CASE("adaptive: stopping by the other half leaves the mean as it is") {
-  // Frequent light, light of the caustics, and rare light that half of the pilots of half-regions do not see.
+TEST_CASE("adaptive: stopping by the other half does not change the mean") {
+  // Frequent light, light of the caustics, and rare light that half of the pilots of half-regions do not sample.
   for (const auto& [probability, threshold] : {std::pair{0.2, 0.1}, std::pair{0.01, 0.5}, std::pair{4e-4, 2.0}}) {
     const Simulation result = simulate(probability, threshold, 400);
     INFO(probability << ": mean " << result.mean << " +- " << result.meanError << ", squared error " << result.squared
                      << ", estimate " << result.estimate);
     CHECK(std::abs(result.mean - 1) < 4 * result.meanError);
-    // Light that pilots do not see is not in the estimate either.
+    // Light that pilots do not sample is not in the estimate either.
     if (probability > 0.001) CHECK(result.estimate == Approx(result.squared).epsilon(0.03));
   }
 }

@@ -1,4 +1,4 @@
-// The comparison names the decision in which two paths part.
+// The comparison names the decision at which two paths diverge.
 #include "host/verify/agreement.h"
 
 #include <catch2/catch.hpp>

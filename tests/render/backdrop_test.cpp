@@ -1,5 +1,5 @@
-// Backdrops on both tracers: what camera rays see changes no light, and alpha is the exact count of the samples that
-// hit.
+// Backdrops on both tracers: the backdrop does not change the light, and alpha is the exact count of the samples
+// that hit.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -88,7 +88,8 @@ TEST_CASE("a hidden background takes its radiance from the samples that miss, an
 TEST_CASE("alpha is the part of a pixel that is covered: of a ball, and of a sheet that blends", "[swiftshader-slow]") {
   onBothTracers([](const RenderFunction& render) {
     SceneBuilder b;
-    b.material(test::glassMaterial(vec3(0.9f), 1.5f)).sphere({0, 0, 0}, 1);  // what it refracts is no background
+    b.material(test::glassMaterial(vec3(0.9f), 1.5f))
+        .sphere({0, 0, 0}, 1);  // the refracted background is not a backdrop
     b.view({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 60);
     const auto meanAlpha = [&](const scene::Scene& scene, std::uint32_t maxDepth = 64) {
       render::RenderSettings settings = backdropSettings(render::Backdrop::none, 64);

@@ -1,4 +1,4 @@
-// Runs the body of a test on each tracer, as a section of its own.
+// Runs the body of a test on each tracer, as a separate section.
 #pragma once
 #include <catch2/catch.hpp>
 #include <functional>

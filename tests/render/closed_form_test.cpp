@@ -1,4 +1,4 @@
-// Pictures whose exact values neither tracer wrote.
+// Pictures whose exact values are known independently of both tracers.
 #include <catch2/catch.hpp>
 
 #include "tests/render/both_tracers.h"
@@ -14,7 +14,7 @@ scene::Scene furnace(const std::string& albedo) {
                        albedo + " " + albedo + " 1 0 0 0 0 1 0 1 1 1 1\ns 0 0 0 3\n");
 }
 
-// Without roulette every path has the exact value, up to what lies beyond the depth limit: 0.8^100 = 2e-10.
+// Without roulette every path has the exact value, except for the light beyond the maximum depth: 0.8^100 = 2e-10.
 render::RenderSettings withoutRoulette(std::uint32_t side, std::uint32_t samples) {
   render::RenderSettings settings = squareSettings(side, samples);
   settings.image.maxDepth = 100;

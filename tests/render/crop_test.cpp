@@ -1,4 +1,4 @@
-// A crop renders the pixels of the full image, to the bit, whatever renders it.
+// A crop has the pixels of the full image, bit for bit, with every tracer and kernel.
 #include <catch2/catch.hpp>
 
 #include "tests/render/both_tracers.h"

@@ -17,7 +17,7 @@ struct OddCounts {
   std::uint64_t all = 0;
 };
 
-// Adds the odd participants of one scene. The seeds are fixed, so that this is no lottery.
+// Adds the odd participants of one scene. The seeds are fixed, so that the result is deterministic.
 void addScene(const scene::Scene& scene, render::RenderSettings settings, OddCounts& counts) {
   settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
   const auto reference = reference::makeReferenceRenderer();
@@ -40,7 +40,7 @@ render::RenderSettings settingsOf(render::Integrator integrator) {
 
 }  // namespace
 
-TEST_CASE("what single precision can decide is equal in every scene, by paths") {
+TEST_CASE("samples that single precision can decide are equal in every scene, by paths") {
   OddCounts counts;
   for (const auto& file : sceneFiles()) {
     addScene(formats::loadScene(file).scene, settingsOf(render::Integrator::path), counts);
@@ -49,7 +49,8 @@ TEST_CASE("what single precision can decide is equal in every scene, by paths") 
   CHECK(3 * counts.device <= counts.all);
 }
 
-TEST_CASE("what single precision can decide is equal in generated scenes that amplify rounding or coincide", "[slow]") {
+TEST_CASE("samples that single precision can decide are equal in generated scenes that amplify rounding or coincide",
+          "[slow]") {
   const auto integrator = GENERATE(render::Integrator::path, render::Integrator::whitted);
   OddCounts counts;
   for (const auto& [kind, size] : {std::pair("balls", 3u),

@@ -1,4 +1,4 @@
-// How a picture is computed never changes a bit of it.
+// The execution of a render never changes a bit of the image.
 #include <catch2/catch.hpp>
 
 #include "tests/render/render_support.h"
@@ -10,7 +10,7 @@ namespace {
 
 render::RenderSettings baseSettings() {
   render::RenderSettings settings = squareSettings(72, 4);
-  settings.image.size.height = 50;  // no multiple of any workgroup
+  settings.image.size.height = 50;  // not a multiple of any workgroup
   return settings;
 }
 

@@ -146,7 +146,7 @@ TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
   settings.image.nextEventEstimation = GENERATE(true, false);
   const image::Film device = renderOnDevice(scene, settings).film;
   const image::Film reference = renderOnReference(scene, settings).film;
-  // Acne darkens and leaks brighten: pixel by pixel, with the same samples, next to nothing may differ.
+  // Acne darkens and leaks brighten: pixel by pixel, with the same samples, almost no pixel may differ.
   std::uint32_t different = 0;
   for (std::uint32_t y = 0; y < device.height(); ++y) {
     for (std::uint32_t x = 0; x < device.width(); ++x) {

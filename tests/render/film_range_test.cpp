@@ -1,4 +1,4 @@
-// Samples that the film cannot hold are counted where they fall, on both sides.
+// Samples that the film cannot represent are counted in their pixels, on both sides.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -16,8 +16,8 @@ scene::Scene tooBright() {
       "f 0 0 0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 1\n");
 }
 
-// Balls under a point light that nearly is the brightest a number can say: in single precision pi times it is infinite,
-// and a red ball's green is 0 times that.
+// Balls under a point light that is nearly as bright as single precision permits: pi times its colour is infinite, and
+// the green of a red ball is 0 times that.
 scene::Scene overflowing() {
   return sceneFromText(
       "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n"
@@ -59,7 +59,8 @@ TEST_CASE("radiance that overflows only on a device is counted as a bad sample b
   const render::RenderResult reference = renderOnReference(scene, settings);
   requireEqualCounts(device.film, reference.film);
   CHECK(device.statistics.badSamples == reference.statistics.badSamples);
-  // Where every sample overflows: infinite there, which counts as nothing; too bright here.
+  // In these pixels every sample overflows: on the device it is infinite, which adds 0; on the reference it is too
+  // bright.
   std::size_t overflowed = 0;
   for (std::size_t i = 0; i < device.film.pixels().size(); ++i) {
     const auto x = static_cast<std::uint32_t>(i % 8), y = static_cast<std::uint32_t>(i / 8);

@@ -1,4 +1,4 @@
-// Rows that flatten writes, read back and held against the scene.
+// The records that flatten writes, compared with the scene.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,6 +1,6 @@
-// Exact Fresnel on the device and in the reference, against closed forms that neither computes. (The programs that such
-// pictures come from divide integers where the reflectance at normal incidence is due, so that their glass never
-// reflects; these cases would tell.)
+// Exact Fresnel reflectance on the device and in the reference, compared with closed forms that neither computes. (Some
+// programs divide integers to compute the reflectance at normal incidence, so that their glass never reflects; these
+// cases would detect it.)
 #include "host/reference/fresnel.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A ray that hits a boundary; `index` is the index of refraction behind it divided by the one before it.
+/// A ray that hits a boundary; `index` is the index of refraction on its far side divided by that on the near side.
 struct Incidence {
   double angle;
   double index;
@@ -50,7 +50,7 @@ void onBothSides(const std::function<void(const Evaluate&)>& body) {
   SECTION("reference") { body(onReference); }
 }
 
-// Fresnel's own form, by the angles; not for normal incidence.
+// Fresnel's original form, by angles; not for normal incidence.
 double byAngles(const Incidence& ray) {
   const double refracted = std::asin(std::sin(ray.angle) / ray.index);
   const double sine = std::sin(ray.angle - refracted) / std::sin(ray.angle + refracted);

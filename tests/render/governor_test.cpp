@@ -98,7 +98,7 @@ TEST_CASE("a device that becomes five times slower exceeds the time limit at mos
     CHECK(countAbove(durations, 0.25) <= 1);
     CHECK(durations[1] <= 0.13);
     CHECK(durations.back() <= 0.13);
-    CHECK(durations.back() >= 0.04);  // the governor aims lower for a while
+    CHECK(durations.back() >= 0.04);  // the governor lowers its target for some time
   }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("durations that vary by a factor of two up and down stay within the li
   CHECK(countAbove(durations, 0.25) <= 10);
   double sum = 0;
   for (const double seconds : durations) sum += seconds;
-  CHECK(sum / 1000 > 0.03);  // and is not kept short for nothing
+  CHECK(sum / 1000 > 0.03);  // and dispatches do not stay short without need
 }
 
 TEST_CASE("a sweep whose strips differ in cost by a factor of eight stays within the limit at the 99th percentile") {

@@ -47,7 +47,7 @@ dvec3 directionThrough(std::uint32_t x, std::uint32_t y, std::uint32_t side) {
 }  // namespace
 
 TEST_CASE("both tracers have the same layers at one sample") {
-  // Rounding may change what is hit at edges, and a path after curved surfaces.
+  // Rounding may change hits at edges, and a path after curved surfaces.
   for (const char* name : {"primitives.p3f", "cornell.p3f", "balls.p3f", "sky.p3f"}) {
     CAPTURE(name);
     const scene::Scene scene = loadTestScene(name);
@@ -99,7 +99,7 @@ TEST_CASE("normals, distances and positions of a ball have their closed form") {
 }
 
 TEST_CASE("at a silhouette, normals and albedo are means over all samples, distances and positions over the hits") {
-  // Of each pixel, the left half shows a wall at y = 4, whose normal is turned to the eye, and the right half nothing.
+  // Of each pixel, the left half shows a wall at y = 4, whose normal faces the eye, and the right half nothing.
   const scene::Scene scene = sceneFromText(
       "v\nfrom 0 0 0\nat 0 1 0\nup 0 0 1\nangle 1\nhither 0\nresolution 1 1\n"
       "f .8 .5 .25 1 0 0 0 0 1 0 1 0 0 0\np 4\n-9 4 -9\n0 4 -9\n0 4 9\n-9 4 9\n");

@@ -1,4 +1,4 @@
-// Layers: equal bytes however a device works.
+// Layers: equal bytes for every division of a device's work.
 #include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ void requireSameLayers(const scene::Scene& scene, const render::RenderSettings& 
 
 render::RenderSettings divisionSettings() {
   render::RenderSettings settings = layerSettings(36, 4);
-  settings.image.size.height = 29;  // no multiple of any workgroup
+  settings.image.size.height = 29;  // not a multiple of any workgroup
   settings.image.maxDepth = 6;
   return settings;
 }
@@ -78,7 +78,7 @@ TEST_CASE("a crop has the layers of the full image") {
   });
 }
 
-TEST_CASE("layers have the film's samples where a session was stopped, and go on from there") {
+TEST_CASE("layers have the film's samples where a session was stopped, and continue from there") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = divisionSettings();
   settings.execution.segmentsPerDispatch = 1;
@@ -127,7 +127,7 @@ TEST_CASE("layers of parts of the samples add up to the layers of all") {
   SECTION("reference") { check(*reference::makeReferenceRenderer()); }
 }
 
-TEST_CASE("a session does not go on from a film with other layers") {
+TEST_CASE("a session does not continue a film with other layers") {
   const scene::Scene scene = loadTestScene("mirror.p3f");
   onBothTracers([&](const RenderFunction& render) {
     render::RenderSettings settings = layerSettings(8, 2);

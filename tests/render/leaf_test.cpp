@@ -1,4 +1,4 @@
-// The shader's leaf functions on a device, against the reference's and against the C library.
+// The shader's leaf functions on a device, compared with the reference's and with the C library.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-// The lobes of materials as the device's records have them.
+// The lobes of materials in the device's records.
 #include "host/flatten/lobes.h"
 
 #include <catch2/catch.hpp>

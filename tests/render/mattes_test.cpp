@@ -1,4 +1,4 @@
-// Mattes: every sample is counted once, by both tracers and however a device works.
+// Mattes: every sample is counted once, by both tracers and for every division of a device's work.
 #include <atomic>
 #include <catch2/catch.hpp>
 
@@ -110,7 +110,7 @@ TEST_CASE("both tracers count the same ids where single precision decides the hi
   }
 }
 
-TEST_CASE("a ball's coverage is its share of the image") {
+TEST_CASE("a ball's coverage is its fraction of the image") {
   const scene::Scene scene = sceneFromText(
       "b 0 0 0\nv\nfrom 0 0 0\nat 0 1 0\nup 0 0 1\nangle 90\nhither 0\nresolution 12 12\n"
       "f 1 1 1 1 0 0 0 0 1 0 1 0 0 0\ns -9 2 0 1\nf 1 0 0 1 0 0 0 0 1 0 1 0 0 0\ns 0 4 0 2\n");

@@ -97,7 +97,7 @@ scene::Material withMap(scene::Material material, scene::TextureSlot slot) {
   return material;
 }
 
-// Balls of all kinds on a mapped floor below a lamp and a point light.
+// Balls of all kinds on a mapped floor below an area light and a point light.
 scene::Scene bumpyBalls() {
   SceneBuilder b;
   b.scene.images = {bumps(8)};
@@ -171,7 +171,7 @@ TEST_CASE("no direction of a normal-mapped surface is black or gains light") {
 }
 
 TEST_CASE("a coat has its own normal map, or none") {
-  // The base is black, so that light comes from the coat alone: the mirror image of a light on the left in a coat that
+  // The base is black, so that only the coat reflects light: the mirror image of a light on the left in a coat that
   // is not tilted, whatever the map of the base, and in a tilted one that of a light in another place.
   const auto [slot, other] = GENERATE(
       table<scene::TextureSlot, scene::TextureSlot>({{scene::TextureSlot::normal, scene::TextureSlot::coatNormal},

@@ -7,7 +7,7 @@
 
 namespace candela::test {
 
-/// The derived class scripts what a whole render gives; its sessions cannot continue films or replay samples.
+/// The derived class defines the result of a whole render; its sessions cannot continue films or replay samples.
 class OneShotRenderer : public render::Renderer {
  public:
   virtual render::RenderResult renderOnce(const scene::Scene& scene, const render::RenderSettings& settings,

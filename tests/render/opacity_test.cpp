@@ -30,7 +30,7 @@ void add(SceneBuilder& b, scene::Material material, const scene::Opacity& opacit
   addMesh(b.scene, std::move(mesh), static_cast<std::uint32_t>(b.scene.materials.size() - 1));
 }
 
-// Sheets of each kind one behind the other and above each other, in the light of an emitter and a point light: with a
+// Sheets of each kind behind and above each other, in the light of an emitter and a point light: with a
 // factor, a texture that blends, a mask, a mask of nearest texels with vertex normals, and vertex colours.
 scene::Scene sheets() {
   SceneBuilder b;
@@ -108,7 +108,7 @@ TEST_CASE("views see through transparent triangles as paths do", "[swiftshader-s
   }
 }
 
-TEST_CASE("what is behind sheets is seen by the product of what they let pass") {
+TEST_CASE("surfaces behind sheets are attenuated by the product of their transmittances") {
   onBothTracers([](const RenderFunction& render) {
     const std::vector<scene::Opacity> opacities{{.factor = 0.25f}, {.factor = 0.5f}, {.factor = 0.125f}};
     const double mean = meanLuminance(render(wallBehind(opacities).scene, squareSettings(16, 256)).film);
@@ -116,7 +116,7 @@ TEST_CASE("what is behind sheets is seen by the product of what they let pass") 
   });
 }
 
-TEST_CASE("shadow rays pass by the share that is not stopped") {
+TEST_CASE("a sheet lets shadow rays pass with probability 1 - alpha") {
   onBothTracers([](const RenderFunction& render) {
     const auto lit = [&](bool covered) {
       SceneBuilder b;

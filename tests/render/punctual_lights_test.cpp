@@ -1,5 +1,5 @@
 // Point lights with fall-off, spot lights and directional lights, together with every other kind of light: the device
-// chooses and evaluates them as the reference does.
+// chooses and evaluates them like the reference.
 #include <catch2/catch.hpp>
 
 #include "tests/reference/scene_builder.h"
@@ -16,7 +16,7 @@ namespace {
 using Kind = scene::PunctualLight::Kind;
 
 // Two of each kind that has a position, in an order that does not sort them by kind; a light that shines away from
-// everything, and one that is switched off. Each colour differs, so that a light taken for another one shows.
+// everything, and one that is switched off. Each colour differs, so that exchanged lights are detected.
 std::vector<scene::PunctualLight> punctualLights() {
   return {{.kind = Kind::spot,
            .position = {-2, -1, 3},

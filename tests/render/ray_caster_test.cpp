@@ -1,4 +1,4 @@
-// Rays alone find the same hits through every layout of a tree, however it is read, and by brute force.
+// Rays have the same hits with every layout of a BVH and every buffer type, and by brute force.
 #include "host/device/ray_caster.h"
 
 #include <array>
@@ -24,7 +24,7 @@ struct Layout {
 
 using Words = std::vector<std::array<std::uint32_t, 2>>;
 
-// Distance and primitive of each ray's hit; of shadow rays whether they are blocked.
+// Distance and primitive of each ray's hit; of shadow rays whether they are occluded.
 Words wordsOf(RayCaster& caster, const RaySets& sets, std::uint32_t kind) {
   caster.load(sets[kind], kind == gpu::kShadowRay);
   caster.trace();

@@ -21,7 +21,7 @@ inline constexpr double kMeanTolerance = 1e-3;
 std::vector<std::filesystem::path> sceneFiles();
 scene::Scene loadTestScene(const std::string& fileName);
 /// scenes/primitives.p3f (every primitive, mirrors, glass, patches, mixtures) under eleven point lights: more than
-/// Whitted's tracer asks in one segment.
+/// Whitted's tracer tests in one segment.
 scene::Scene primitivesUnderLights();
 
 /// A sample of Haines' databases, of tests/scene/spd/.

@@ -1,4 +1,4 @@
-// Grid, midpoint BVH, SAH BVH and brute force give the same film, by different ways.
+// Grid, midpoint BVH, SAH BVH and brute force give the same film.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -103,8 +103,8 @@ scene::Scene crowdedCell() {
   return scene;
 }
 
-// Around one point, at 36 distances that double, three clusters of spheres each: a deep tree, of whose nodes several
-// children are nodes.
+// Around one point, at 36 distances that double, three clusters of spheres each: a deep BVH, many of whose nodes
+// have several interior children.
 scene::Scene clustersOfAllSizes() {
   std::mt19937 random(7);
   const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
@@ -150,7 +150,7 @@ render::RenderSettings shortPaths(std::uint32_t side, std::uint32_t samples) {
   return settings;
 }
 
-// Renders all scenes in one way before the next, because compiled kernels are then reused.
+// Renders all scenes with one structure before the next, because compiled kernels are then reused.
 void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::RenderSettings& settings,
                       const std::vector<Way>& ways) {
   std::vector<std::set<std::uint64_t>> hashes(scenes.size());

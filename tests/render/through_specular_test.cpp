@@ -1,4 +1,4 @@
-// Layers of what perfect mirrors and smooth glass show.
+// Layers behind perfect mirrors and smooth glass.
 #include <catch2/catch.hpp>
 
 #include "host/scene/object_names.h"
@@ -36,7 +36,7 @@ std::uint32_t onlyIdOf(const image::Film& film, std::uint32_t x, std::uint32_t y
 
 }  // namespace
 
-TEST_CASE("behind a perfect mirror, layers show what it reflects, at the length of the path") {
+TEST_CASE("behind a perfect mirror, layers show the surface that it reflects, at the length of the path") {
   const scene::Scene scene = roomWith(kMirror);
   REQUIRE(scene.materials[0].mirror);
   onBothTracers([&](const RenderFunction& render) {

@@ -49,7 +49,7 @@ TEST_CASE("every surface that a light touches is marked, and the flat scene has 
       }
       CHECK(marks == touchedIn(b.scene).size());
       b.scene.pointLights[0].position = surface.light + shift - 8 * test::marginNear(shift) * normalize(surface.inward);
-      // At 10^5, this is near the floor; of huge spheres, the host does not know what the camera sees.
+      // At 10^5, this is near the floor; the host does not know which part of a huge sphere the camera sees.
       if (shift == vec3(0) && surface.name != "a huge sphere") CHECK(touchedIn(b.scene).empty());
     }
   }

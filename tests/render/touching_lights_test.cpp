@@ -16,7 +16,7 @@ namespace {
 
 const std::vector<vec3> kShifts{{0, 0, 0}, {100000, -100000, 100000}};
 
-// Direct light alone.
+// Direct light only.
 render::RenderSettings directLight() {
   render::RenderSettings settings = squareSettings(32, 1);
   settings.image.maxDepth = 2;
@@ -108,7 +108,7 @@ TEST_CASE("a light in the plane of a wall illuminates the room in front of it") 
   });
 }
 
-TEST_CASE("a light on an edge, in a corner, on a sphere, a cone, a box or a mesh illuminates what is in front of it",
+TEST_CASE("a light on an edge, in a corner, on a sphere, a cone, a box or a mesh illuminates everything in front of it",
           "[swiftshader-slow]") {
   onBothTracers([&](const RenderFunction& renderScene) {
     for (const vec3& shift : kShifts) {
@@ -138,7 +138,7 @@ TEST_CASE("spot lights and the point lights of Whitted's tracer have the margin,
   });
 }
 
-TEST_CASE("an area light in the plane of a ceiling illuminates what is in front of it, and one above it does not",
+TEST_CASE("an area light in the plane of a ceiling illuminates the room below it, and one above it does not",
           "[swiftshader-slow]") {
   const auto ceilings = std::vector<std::pair<std::string, std::function<void(const Shifted&)>>>{
       {"quad", test::addCeiling},

@@ -1,4 +1,4 @@
-// Where work is left is known well enough to size the next dispatch.
+// The estimate of unfinished pixels is accurate enough to size the next dispatch.
 #include "host/device/unfinished_rows.h"
 
 #include <catch2/catch.hpp>

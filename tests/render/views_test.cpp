@@ -1,4 +1,4 @@
-// The auxiliary integrators: what they show is known, and both tracers show it.
+// The auxiliary integrators: both tracers show the known values.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -37,7 +37,7 @@ const scene::Scene& exhibition() {
 const vec3 kMixedBall(0, -100, 5), kMirrorBall(20, -100, 5), kBlackBall(40, -100, 5), kLamp(60, -100, 5),
     kGlassBall(80, -100, 5), kLeaningTriangle(100, -100, 5);
 
-const vec3 kAway(0, -600, 200), kOutside(0, -500, 100);  // a target with nothing behind, as seen from outside
+const vec3 kAway(0, -600, 200), kOutside(0, -500, 100);  // a target with nothing behind it, as seen from outside
 
 // Through a field of view of a hundredth of a degree.
 scene::Scene lookingAt(const vec3& at, const vec3& from) {
@@ -191,7 +191,7 @@ TEST_CASE("the view ao shows the cosine-weighted fraction of directions without 
 TEST_CASE("the view cost shows the traversal steps of the statistics, pixel by pixel") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const auto primitives = static_cast<double>(scene.primitives.size());
-  // Mean cost with a tree.
+  // Mean cost with a BVH.
   const auto meanCost = [&](const RenderFunction& renderScene) {
     render::RenderSettings settings = viewSettings(render::Integrator::cost, 64, 4);
     settings.structure.accel = render::AccelKind::none;
@@ -218,7 +218,7 @@ TEST_CASE("every view of all kinds of primitives has the reference's pixels") {
 TEST_CASE("the division of work, the structure, and options of paths do not change a view", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   render::RenderSettings settings = viewSettings(render::Integrator::ao, 64, 4);
-  settings.image.size.height = 50;  // no multiple of any workgroup
+  settings.image.size.height = 50;  // not a multiple of any workgroup
   const std::uint64_t expected = renderOnDevice(scene, settings).film.hash();
   const auto check = [&](auto change) {
     render::RenderSettings changed = settings;

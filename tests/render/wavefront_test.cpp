@@ -13,7 +13,7 @@ namespace {
 
 render::RenderSettings wavefrontSettings() {
   render::RenderSettings settings = squareSettings(44, 3);
-  settings.image.size.height = 29;  // no multiple of any workgroup
+  settings.image.size.height = 29;  // not a multiple of any workgroup
   settings.image.maxDepth = 9;
   return settings;
 }

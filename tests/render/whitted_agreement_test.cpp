@@ -1,4 +1,4 @@
-// Whitted's tracer on the device against the reference's: pixels, primitives and numbers of rays.
+// Whitted's tracer on the device, compared with the reference's: pixels, primitives and numbers of rays.
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"

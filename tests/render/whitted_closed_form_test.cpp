@@ -1,4 +1,4 @@
-// Whitted's pictures whose exact values neither tracer wrote.
+// Whitted's pictures whose exact values are known independently of both tracers.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -77,7 +77,7 @@ TEST_CASE("a mirror shows Ks times the background that it reflects") {
 }
 
 TEST_CASE("a slab of glass lacks only the contribution of rays beyond the maximum depth, by exact Fresnel") {
-  // Every ray that gets out sees the background; those of depth 5 that stay inside see nothing.
+  // Every ray that exits sees the background; those of depth 5 that stay inside see nothing.
   const double degrees = GENERATE(0.0, 30.0, 56.3, 75.0);
   const double angle = degrees * std::numbers::pi / 180;
   const double refracted = std::asin(std::sin(angle) / 1.5);

@@ -1,4 +1,4 @@
-"""Opens a report in a real headless Chromium and operates it as a person would."""
+"""Opens a report in a real headless Chromium and operates it like a user."""
 import array
 import json
 import os
@@ -18,7 +18,7 @@ from selenium.webdriver.chrome.service import Service
 PROGRAM = os.environ["CANDELA_PROGRAM"]
 SIDE = 32
 
-# A ball on a floor under a lamp; `albedo` is the floor's.
+# A ball on a floor under a light; `albedo` is that of the floor.
 SCENE = """v
 from 0 -4 1
 at 0 0 0
@@ -41,7 +41,7 @@ s 1 -1 2 0.4
 
 
 def render(folder, name, albedo, seed):
-    """Renders an EXR and a PFM file of one film, and gives the EXR's path."""
+    """Renders an EXR and a PFM file of one film, and returns the EXR's path."""
     scene = folder / (name + ".p3f")
     scene.write_text(SCENE.format(side=SIDE, albedo=albedo))
     exr = folder / (name + ".exr")
@@ -105,7 +105,7 @@ class ReportTest(unittest.TestCase):
             "return [...document.querySelectorAll('#values tr')].map(r => [...r.querySelectorAll('td')].map(c => c.textContent))")
 
     def colour_at(self, share_x, share_y):
-        """What the screen shows at a place of the pictures, in 0..255."""
+        """The colour on the screen at a position of the pictures, in 0..255."""
         shot = self.element("#side-b .stage").screenshot_as_base64
         return self.browser.execute_async_script(
             "const [shot, x, y, done] = arguments; const image = new Image();"

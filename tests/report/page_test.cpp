@@ -1,4 +1,4 @@
-// The page as text: what it holds, that it is one file, and that no name breaks it.
+// The page as text: its content, that it is self-contained, and that no name breaks it.
 #include <catch2/catch.hpp>
 #include <regex>
 

@@ -1,4 +1,4 @@
-// Every dialect in circulation is read as its programs meant it.
+// Every dialect in circulation is read as its programs interpret it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -210,7 +210,7 @@ TEST_CASE("lenient reading skips unknown statements and warns once of each kind"
   CHECK(warningWith(loaded, "\"Wall\"").line == 7);
   CHECK(warningWith(loaded, "unexpected number \"9\"").column == 11);
   CHECK(warningWith(loaded, "3, 6 or 7 numbers").line == 9);
-  CHECK(warningWith(loaded, "what is missing has its default").line == 10);
+  CHECK(warningWith(loaded, "missing numbers have their defaults").line == 10);
   CHECK(warningWith(loaded, "not 10").line == 12);
   CHECK(warningWith(loaded, "radius must not be 0").line == 14);
   CHECK(loaded.scene.materials.at(1) == fromNff({.kd = .5f}));

@@ -1,4 +1,4 @@
-// The comment in which a scene states its own answer.
+// The comment in which a scene states its exact mean.
 #include <catch2/catch.hpp>
 
 #include "tests/scene/scene_text.h"

@@ -1,4 +1,4 @@
-// No damage to a scene file crashes the reader: it loads or says what is wrong.
+// No damage to a scene file crashes the reader: it is loaded, or refused with a message.
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>

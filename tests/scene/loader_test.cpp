@@ -88,7 +88,7 @@ TEST_CASE("WorldToolKit's NFF is refused by name under any extension") {
   }
 }
 
-TEST_CASE("options of glTF cause a warning for NFF and P3F, which are read all the same") {
+TEST_CASE("options of glTF cause a warning for NFF and P3F, which are read nevertheless") {
   const std::string text = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\ns 0 0 0 1\n";
   LoadOptions named;
   named.camera = "left";

@@ -13,7 +13,7 @@ struct Malformed {
   std::string text;
   std::uint32_t line;
   std::uint32_t column;
-  std::string message;  ///< a piece of it
+  std::string message;  ///< a part of it
 };
 
 const std::string kView = "v\nfrom 0 0 1\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0\nresolution 8 8\n";
@@ -31,7 +31,7 @@ std::string numbers(int count) {
 }
 
 const std::vector<Malformed> kMalformed{
-    // Words that are no keywords
+    // Words that are not keywords
     {"spehre 0 0 0 1\n", 1, 1, "unknown keyword \"spehre\"; did you mean \"s\"?"},
     {"\n\n  polygn 3\n", 3, 3, "did you mean \"p\"?"},
     {"mseh 1 1\n", 1, 1, "did you mean \"mesh\"?"},
@@ -42,8 +42,8 @@ const std::vector<Malformed> kMalformed{
     {"/left line\n", 1, 1, "unknown keyword \"/left\""},
     {"From: haines@example.org\n", 1, 1, "unknown keyword \"From:\""},
     {"fire sky\n", 1, 1, "write \"env\""},
-    {"tess 4\n", 1, 1, "foreign keyword (tessellation)"},
-    {"t 1 2\n", 1, 1, "foreign keyword (texture)"},
+    {"tess 4\n", 1, 1, "keyword of another dialect (tessellation)"},
+    {"t 1 2\n", 1, 1, "keyword of another dialect (texture)"},
     {"from 0 0 0\n", 1, 1, "outside a view"},
     {"1 2 3\n", 1, 1, "expected a keyword, found \"1\""},
     {"\x1b[31m\n", 1, 1, "unknown keyword \"?[31m\""},

@@ -1,4 +1,4 @@
-// Tangents computed as MikkTSpace does, compared with values computed by hand.
+// Tangents computed as by MikkTSpace, compared with values computed by hand.
 #include "host/scene/mikk_tangents.h"
 
 #include <catch2/catch.hpp>

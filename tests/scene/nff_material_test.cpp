@@ -1,4 +1,4 @@
-// The rules that turn an `f` line into lobes, and into what Whitted's integrator reads.
+// The rules that convert an `f` line to lobes, and to the coefficients of Whitted's integrator.
 #include "host/scene/nff_material.h"
 
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 namespace candela::scene {
 namespace {
 
-// The weights of a material's lobes; 0 where it lacks one.
+// Returns the weights of a material's lobes; 0 for lobes that it lacks.
 double diffuseOf(const Material& m) { return m.diffuse ? m.diffuse->weight : 0; }
 double glossyOf(const Material& m) { return m.glossy ? m.glossy->weight : 0; }
 double dielectricOf(const Material& m) { return m.dielectric ? m.dielectric->weight : 0; }

@@ -1,4 +1,4 @@
-// The scenes of the project, and small files of the Standard Procedural Databases, contain what they should.
+// The scenes of the project, and small files of the Standard Procedural Databases, have the expected content.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

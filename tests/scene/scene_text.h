@@ -26,7 +26,7 @@ inline std::vector<Diagnostic> errorsOf(const std::string& text, const LoadOptio
 
 inline bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// The one warning that contains `part`.
+/// Returns the only warning that contains `part`.
 inline Diagnostic warningWith(const LoadedScene& loaded, std::string_view part) {
   const auto matches = [&](const Diagnostic& d) { return contains(d.message, part); };
   REQUIRE(std::ranges::count_if(loaded.warnings, matches) == 1);

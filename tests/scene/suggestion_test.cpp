@@ -1,4 +1,4 @@
-// Slips of the pen are near what was meant; other words are not.
+// Mistyped words get suggestions; other words do not.
 #include "host/scene/suggestion.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The triangles of a scene, for tests that look at all of them.
+// The triangles of a scene, for tests that examine all of them.
 #pragma once
 #include <vector>
 

@@ -10,7 +10,7 @@ namespace {
 
 using Polygon = std::vector<glm::vec3>;
 
-/// Carries (x, y) into a tilted plane far from the origin.
+/// Maps (x, y) to a tilted plane far from the origin.
 glm::vec3 tilted(double x, double y) {
   const glm::dvec3 u = glm::normalize(glm::dvec3(2, 1, -1));
   const glm::dvec3 v = glm::normalize(glm::cross(glm::dvec3(1, 3, 5), u));

@@ -1,4 +1,4 @@
-// The sharing out of false alarms: sums and simulated rates.
+// The division of the probability of false alarms: sums and simulated rates.
 #include "host/statistics/error_rates.h"
 
 #include <catch2/catch.hpp>
@@ -48,7 +48,7 @@ TEST_CASE("eight looks at growing samples of one mean give no more false alarms 
     naive += naiveAlarm ? 1 : 0;
   }
   CHECK(planned < kAlpha * kRuns);
-  CHECK(planned > 0.4 * kAlpha * kRuns);  // the bound is not absurdly wide
+  CHECK(planned > 0.4 * kAlpha * kRuns);  // the bound is not too wide
   CHECK(naive > 2 * kAlpha * kRuns);      // and it is needed
 }
 

@@ -8,7 +8,7 @@
 namespace candela::statistics {
 namespace {
 
-// How many of `runs` runs ever reach `level`, with a look after each quarter of `count` values.
+// Returns how many of `runs` runs ever reach `level`, with a look after each quarter of `count` values.
 int alarmsOf(int runs, int count, double level, const std::function<double(std::mt19937&)>& draw) {
   int alarms = 0;
   for (int run = 0; run < runs; ++run) {

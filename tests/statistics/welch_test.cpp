@@ -1,4 +1,4 @@
-// Welch's t-test against hand-computed values, and its rate of false alarms.
+// Welch's t-test, compared with values computed by hand, and its rate of false alarms.
 #include "host/statistics/welch.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The table of what is tuned.
+// The table of tuned options.
 #include "host/tune/dimensions.h"
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ TEST_CASE("every value of a dimension gives different settings, and is found by 
 }
 
 TEST_CASE("workgroups that a device does not support are not feasible on it, and the built-in one always is") {
-  vulkan::DeviceInfo least = roomyDevice();  // what Vulkan promises
+  vulkan::DeviceInfo least = roomyDevice();  // guaranteed by Vulkan
   least.maxWorkgroupInvocations = 128;
   for (std::uint32_t& side : least.maxWorkgroupSize) side = 128;
   CHECK(isFeasible(builtIn(), least));

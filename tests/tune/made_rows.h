@@ -28,7 +28,7 @@ inline Row madeRow(const Candidate& candidate, const std::vector<MadeTime>& time
   return row;
 }
 
-/// The candidate that is built in but for some values, by their names.
+/// Returns the built-in candidate with other values for some options, by their names.
 inline Candidate candidateWith(const std::vector<std::pair<std::string, std::string>>& values) {
   Candidate candidate = builtIn();
   for (std::size_t i = 0; i < candidate.size(); ++i) {

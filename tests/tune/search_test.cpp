@@ -1,4 +1,4 @@
-// The search, by made measurements.
+// The search, with artificial measurements.
 #include "host/tune/search.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ using Times = std::map<std::string, std::vector<MadeTime>>;  // by nameOf()
 const std::string kBuiltIn = nameOf(builtIn());
 const std::vector<MadeTime> kOneSecond{{1}, {1}};
 
-// Every candidate takes a second on each of two scenes but for those in `times`.
+// Every candidate takes a second on each of two scenes, except for those in `times`.
 class MadeDevice {
  public:
   explicit MadeDevice(Times times) : times_(std::move(times)) {}

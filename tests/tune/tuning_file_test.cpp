@@ -21,7 +21,7 @@ const std::string kDate = "2026-01-31T12:00:00Z";
 
 Candidate someChoice() { return candidateWith({{"layout", "bvh2"}, {"loads", "storage"}, {"workgroup", "16x16"}}); }
 
-// The text of a file that is as it should be.
+// Returns the text of a valid file.
 std::string soundText() {
   const TemporaryFolder folder;
   writeTuning(folder / "a.json", kKey, {someChoice(), kDate});

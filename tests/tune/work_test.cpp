@@ -1,4 +1,4 @@
-// How much is rendered to measure by, on devices of any speed, and what is rendered.
+// The amount of work that is measured, on devices of any speed, and its scenes.
 #include "host/tune/work.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@
 namespace candela::tune {
 namespace {
 
-// Takes as long as its speed says, and some time for each render.
+// A renderer whose time follows from its speed, plus some time for each render.
 class MadeRenderer final : public test::OneShotRenderer {
  public:
   explicit MadeRenderer(double samplesPerSecond, std::uint32_t stopAfter = 1000)

@@ -1,4 +1,4 @@
-// Variants on a driver: sound, with its known fault, and with planted ones.
+// Variants on a driver: without faults, with its known fault, and with planted ones.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +44,7 @@ bool isOnMesa22() { return openTestDevice().info().driver.find("Mesa 22.3.6") !=
 
 }  // namespace
 
-TEST_CASE("variants: small modules give equal results in every form") {
+TEST_CASE("variants: small modules give equal results in every variant") {
   for (const char* const glob : {"variants.module.*.control.loop.nested_break", "variants.module.*.leaf.film.sums",
                                  "variants.module.*.memory.shared.scan", "variants.module.*.leaf.float.add"}) {
     const Result result = runVariants(glob);
@@ -61,7 +61,7 @@ TEST_CASE("variants: a kernel renders equal bits in optimised and mutated forms"
   CHECK(result.cases.size() == 2);
 }
 
-TEST_CASE("variants: a fault that hits one mutation is found and shrunk to it") {
+TEST_CASE("variants: a fault that affects one mutation is found and shrunk to it") {
   const Result result = runVariants("variants.module.mutated_4.control.loop.return", faulty(kCopiesWithAMinus));
   INFO(result.cases.dump());
   CHECK(result.exitCode == 3);
@@ -70,7 +70,7 @@ TEST_CASE("variants: a fault that hits one mutation is found and shrunk to it") 
   CHECK_THAT(textOf(result), Contains(" of seed 4: copy at %"));
 }
 
-TEST_CASE("variants: a fault that hits optimised modules is shrunk to the pass that makes its instruction",
+TEST_CASE("variants: a fault that affects optimised modules is shrunk to the pass that makes its instruction",
           "[swiftshader-slow]") {
   const Result result = runVariants("variants.path.O.cornell", faulty(kInsertsBesideIt));
   INFO(result.cases.dump());
@@ -87,7 +87,7 @@ TEST_CASE("variants: a fault in one stage of the wavefront names its module", "[
   CHECK_THAT(textOf(result), Contains(": 1 of 64 steps, in 1 of 5 modules: wave_"));
 }
 
-TEST_CASE("variants: the loop of lavapipe 22.3.6 that counts a value twice is right in another form") {
+TEST_CASE("variants: the loop in which lavapipe 22.3.6 counts a value twice is right in another variant") {
   const Result result = runVariants("variants.module.mutated_1_O.control.loop.ended_in_the_middle");
   INFO(result.cases.dump());
   CHECK(result.exitCode == (isOnMesa22() ? 3 : 0));
@@ -96,7 +96,7 @@ TEST_CASE("variants: the loop of lavapipe 22.3.6 that counts a value twice is ri
   CHECK_THAT(textOf(result), Contains(": 3 of 108 steps") && Contains("spirv-opt --if-conversion"));
 }
 
-TEST_CASE("variants: all of them give what the baseline of the driver says", "[slow]") {
+TEST_CASE("variants: all results are those of the driver's baseline", "[slow]") {
   const bool isMesa22 = isOnMesa22();
   const Result result = runVariants("variants.module.*");
   for (const json& one : result.cases) {

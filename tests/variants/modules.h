@@ -33,12 +33,12 @@ inline std::vector<NamedModule> testModules() {
           {"memory", spirv::memory}};
 }
 
-/// Returns those that take little time.
+/// Returns the modules that take little time.
 inline std::vector<NamedModule> smallModules() {
   return {{"wave_renew", spirv::wave_renew}, {"control", spirv::control}};
 }
 
-/// Returns what the validator has against a module; empty: nothing.
+/// Returns the message of the validator about a module; empty: it is valid.
 inline std::string validationOf(const Code& code) {
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
   std::string problems;

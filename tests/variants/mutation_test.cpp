@@ -16,7 +16,7 @@ std::string kindOf(const std::string& done) { return done.substr(0, done.find(" 
 
 }  // namespace
 
-TEST_CASE("variants: a module is the same after it was taken apart") {
+TEST_CASE("variants: a module is the same after it was parsed and written") {
   for (const NamedModule& named : testModules()) {
     CHECK(codeOf(parseModule(named.spirv)) == Code(named.spirv.begin(), named.spirv.end()));
   }
@@ -64,7 +64,7 @@ TEST_CASE("variants: a seed determines the mutations, and another one makes othe
   CHECK(validationOf(first) == "");
 }
 
-TEST_CASE("variants: mutations keep their places if others are left out") {
+TEST_CASE("variants: mutations keep their places if others are omitted") {
   const NamedModule named = smallModules().front();
   Module all = soundModule(named), some = soundModule(named);
   Mutator allMutator(all), someMutator(some);

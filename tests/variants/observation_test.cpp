@@ -1,4 +1,4 @@
-// Differences between two forms, in words.
+// Differences between two variants, in words.
 #include "host/conformance/observation.h"
 
 #include <catch2/catch.hpp>

@@ -19,7 +19,7 @@ Code optimisedAtOnce(std::span<const std::uint32_t> code, const char* flag) {
 
 }  // namespace
 
-TEST_CASE("variants: the passes of -O and -Os, run by their names, give what the options give") {
+TEST_CASE("variants: the passes of -O and -Os, run by their names, have the results of the options") {
   CHECK(optimised(spirv::control, performancePasses()) == optimisedAtOnce(spirv::control, "-O"));
   CHECK(optimised(spirv::control, sizePasses()) == optimisedAtOnce(spirv::control, "-Os"));
 }

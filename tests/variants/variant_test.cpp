@@ -38,14 +38,14 @@ TEST_CASE("variants: only an open variant leaves constants to the driver") {
   }
 }
 
-TEST_CASE("variants: what is rendered bit for bit has NoContraction everywhere, and the rest is as shipped") {
+TEST_CASE("variants: modules that must agree bit for bit have NoContraction everywhere, and others are as shipped") {
   const FloatOperations decorated = operationsOf(preparation(plainVariant())(spirv::wave_renew, kWorkgroup));
   CHECK(decorated.decorated == decorated.all);
   const vulkan::ShaderCode shipped = preparation(withContraction(plainVariant()))(spirv::wave_renew, kWorkgroup);
   CHECK(shipped.words == vulkan::reducedSpirv(spirv::wave_renew, kWorkgroup));
 }
 
-TEST_CASE("variants: modules that are not meant get the plain form, and steps say what they did") {
+TEST_CASE("variants: modules that are not selected get the plain form, and steps report their changes") {
   std::vector<std::string> notes;
   PreparationScope scope;
   scope.isMeant = [](std::span<const std::uint32_t> spirv) { return spirv.data() == spirv::control.data(); };

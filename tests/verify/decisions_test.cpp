@@ -1,4 +1,4 @@
-// Decidable samples: who is odd, what confirms it, and how often an honest device is.
+// Decidable samples: which participant is odd, how this is confirmed, and how often a correct device is odd.
 #include "host/verify/decisions.h"
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,7 @@ double honest(const MadePixel& pixel, unsigned seed, std::uint32_t x, std::uint3
   return ReplicaSession::made(pixel, {~seed, x, y, 99}).radiance.x;
 }
 
-TEST_CASE("an honest device is odd no more often than a replica, whatever rounding can decide") {
+TEST_CASE("a correct device is odd no more often than a replica, whatever rounding can decide") {
   for (const double share : {0.0, 1e-3, 0.02, 0.2, 0.5}) {
     for (unsigned seed = 0; seed < 5; ++seed) {
       const auto device = [seed](const MadePixel& p, std::uint32_t x, std::uint32_t y) {
@@ -73,7 +73,7 @@ TEST_CASE("a device that is wrong in ten decidable pixels of 4,096 is found, and
   CHECK(test.worstX == 7);
   CHECK(test.worstY == 9);
   CHECK(test.worst == Approx(0.01).epsilon(1e-3));
-  CHECK_THAT(test.text(), Contains("the device's is the odd value in 10"));
+  CHECK_THAT(test.text(), Contains("the device's value is the outlier in 10"));
   CHECK(test.json()["oddDevice"] == 10);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("a device that is wrong everywhere is found by a bounded number of rep
   CHECK_FALSE(result.test.agrees());
 }
 
-TEST_CASE("a scene in which nothing can be decided says so, and agrees") {
+TEST_CASE("a scene without decidable samples agrees, and the report says so") {
   const auto device = [](const MadePixel&, std::uint32_t x, std::uint32_t) { return 1.0 + x; };
   std::vector<MadePixel> pixels = allAlike({.left = 1, .right = 2, .share = 0.5});
   const DecisionTest test = runDecisions(pixels, 3, device).test;

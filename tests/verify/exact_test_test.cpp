@@ -1,4 +1,4 @@
-// The test against an exact mean, on renderers whose truth is known: its level, its power, and whose error it names.
+// The test against an exact mean, on renderers whose mean is known: its level, its power, and the side that it names.
 #include "host/verify/exact_test.h"
 
 #include <catch2/catch.hpp>
@@ -48,7 +48,7 @@ PairedOptions biased(double deviceFactor, double referenceFactor) {
   return options;
 }
 
-TEST_CASE("the exact mean is met as often as the level says, by both sides") {
+TEST_CASE("both sides agree with the exact mean as often as the level states") {
   int alarms = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed)
     alarms += runExact({}, seed, {.alpha = 0.05, .bias = 0.05}).isMet() ? 0 : 1;

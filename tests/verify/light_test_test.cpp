@@ -1,4 +1,4 @@
-// The sequential test on images whose truth is known: its false alarms, its power, and what ends it.
+// The sequential test on images whose mean is known: its false alarms, its power, and its end.
 #include "host/verify/light_test.h"
 
 #include <catch2/catch.hpp>

@@ -8,8 +8,8 @@
 
 namespace candela::verify {
 
-/// A sample of mean 1 and deviation 1. Rounding can decide a share of the samples, which then are brighter by `jump`:
-/// in a replica with probability 1/2, on the device always (oneWay) or with probability 1/2.
+/// A sample of mean 1 and deviation 1. Rounding can decide a fraction of the samples, which then are brighter by
+/// `jump`: in a replica with probability 1/2, on the device always (oneWay) or with probability 1/2.
 struct PairedOptions {
   double flips = 0;
   double jump = 1;

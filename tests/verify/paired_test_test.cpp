@@ -1,4 +1,4 @@
-// The paired test on renderers whose truth is known: its level with rare flips and one-way devices, its power, its
+// The paired test on renderers whose mean is known: its level with rare flips and one-way devices, its power, its
 // margin.
 #include "host/verify/paired_test.h"
 
@@ -59,7 +59,7 @@ TEST_CASE("a bias of 0.05 % is found at the first look where nothing is amplifie
   CHECK(same.image().margin == Approx(2e-7).epsilon(0.1));
 }
 
-TEST_CASE("a bias of the size that was promised is seen in 99 of 100 runs, among flips") {
+TEST_CASE("a bias of the promised size is found in 99 of 100 runs, among flips") {
   PairedOptions options{.flips = 1e-3, .jump = 3};
   options.factor = [](std::uint32_t, std::uint32_t) { return 1.03; };
   CHECK(pairedAlarmsOf(60, options, {.bias = 0.03}) >= 59);

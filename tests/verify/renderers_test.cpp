@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kRuns = 200;
 constexpr double
-    kBias = 0.05;  // as large as keeps 600 runs short; the number of samples is in proportion to 1 / bias^2
+    kBias = 0.05;  // large enough that 600 runs are short; the number of samples is in proportion to 1 / bias^2
 
 // A plane under a spherical light, partly in the shadow of a ball, with direct light only: the image is proportional to
 // the albedo of the plane and the ball, which have the same material.

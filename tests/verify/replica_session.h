@@ -1,4 +1,4 @@
-// A session of a made reference: every pixel has one decision, which rounding may turn.
+// A session of an artificial reference: every pixel has one decision, which rounding may change.
 #pragma once
 #include <random>
 #include <stdexcept>
@@ -46,7 +46,7 @@ class ReplicaSession final : public render::Session {
     return made(pixels_[sample.y * size_.width + sample.x], {seed_, sample.x, sample.y, index});
   }
 
-  /// What an honest tracer gives: a replica's value under other random numbers.
+  /// Returns the value of a correct tracer: that of a replica with other random numbers.
   static render::Replica made(const MadePixel& pixel, std::initializer_list<unsigned> seeds) {
     std::seed_seq sequence(seeds);
     std::mt19937 random(sequence);

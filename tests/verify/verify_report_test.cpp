@@ -10,7 +10,7 @@ namespace {
 
 using Catch::Contains;
 
-// Paths are not compared here: noise has none.
+// Paths are not compared here, because the renderers make only noise.
 VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact = std::nullopt) {
   const NoiseOptions options{.deviation = 0.5, .factor = [=](std::uint32_t, std::uint32_t) { return deviceFactor; }};
   NoiseRenderer a(options), b;

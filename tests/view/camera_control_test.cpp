@@ -56,7 +56,7 @@ TEST_CASE("a look turns the view about the camera") {
   requireNear(control.camera().at, {4, 0, 4});
 }
 
-TEST_CASE("pans and flights move camera and target alike, and a dolly changes the distance") {
+TEST_CASE("pans and flights move camera and target equally, and a dolly changes the distance") {
   CameraControl control(cameraOnAxis());
   control.pan({0.5, 0.25});
   requireNear(control.camera().at, {4, 2, 0});

@@ -44,7 +44,7 @@ Sessions sessionsOf(const Choice& choice, bool) {
   return sessions;
 }
 
-// Another reference stands for the device. `seed` makes it differ.
+// A second reference tracer replaces the device. `seed` makes it differ.
 auto deviceWithSeed(std::uint32_t seed) {
   return [seed](const Choice& choice, Sessions& sessions) {
     sessions.deviceRenderer = reference::makeReferenceRenderer();
@@ -98,7 +98,7 @@ class LostSession final : public render::Session {
   render::Replay replay(const render::PixelSample&) override { return {}; }
 };
 
-// Waits until the engine publishes nothing for a moment, and returns the serial number of its last view.
+// Waits until the engine publishes nothing for some time, and returns the serial number of its last view.
 std::uint64_t settledSerial(const Engine& engine) {
   std::uint64_t serial = 0;
   while (engine.view().serial != serial) {
@@ -176,7 +176,7 @@ TEST_CASE("a pixel is explained, also by the sample that differs most") {
   CHECK(waitFor(engine, explains(5)).explanation.find("First difference") != std::string::npos);
 }
 
-TEST_CASE("a choice replaces the sessions, and a file that cannot be read leaves them") {
+TEST_CASE("a choice replaces the sessions, and a file that cannot be read does not") {
   EngineHooks hooks = testHooks();
   hooks.load = [](const Choice& choice, bool reads) {
     if (reads) throw FileError("the scene is broken");
@@ -212,13 +212,13 @@ TEST_CASE("the film that is saved has the samples that are shown") {
         "a.exr: 4 samples per pixel");
 }
 
-TEST_CASE("the reference goes on when the device is lost") {
+TEST_CASE("the reference continues when the device is lost") {
   EngineHooks hooks = testHooks();
   hooks.addDevice = [](const Choice&, Sessions& sessions) { sessions.device = std::make_unique<LostSession>(); };
   Engine engine(hooks, {"0"}, Mode::device);
   const EngineView view = waitFor(
       engine, [](const EngineView& each) { return each.isError && finished(Side::reference)(each); });
-  CHECK(view.message == "the device was lost; the reference goes on");
+  CHECK(view.message == "the device was lost; the reference continues");
   CHECK(!view.sides[0].hasSession);
 }
 

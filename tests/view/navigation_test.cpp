@@ -144,7 +144,7 @@ TEST_CASE("pictures are placed in the middle, magnified by whole numbers alone, 
   CHECK(placed({100, 50}, {300, 50}, 150).origin == glm::dvec2(175, 0));
 }
 
-TEST_CASE("each mode wants the sides that it shows") {
+TEST_CASE("each mode requests the sides that it shows") {
   CHECK(wants(Mode::device, Side::device));
   CHECK(!wants(Mode::device, Side::reference));
   CHECK(!wants(Mode::reference, Side::device));

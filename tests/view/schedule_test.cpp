@@ -21,7 +21,7 @@ Step finishNext(Schedule& schedule, double seconds) {
 
 }  // namespace
 
-TEST_CASE("nothing is rendered unless a side is wanted") {
+TEST_CASE("nothing is rendered unless a side is requested") {
   Schedule schedule(kImage, 4);
   CHECK(!schedule.next());
   schedule.setWanted(Side::reference, true);
@@ -62,7 +62,7 @@ TEST_CASE("steps take about the time of a step, but trace one sample at least") 
   CHECK(schedule.next()->sampleEnd == before + 11);
 }
 
-TEST_CASE("two sides take turns, and stop at equal numbers of samples") {
+TEST_CASE("two sides alternate, and stop at equal numbers of samples") {
   Schedule schedule(kImage, 64);
   schedule.setWanted(Side::device, true);
   schedule.setWanted(Side::reference, true);

@@ -1,4 +1,4 @@
-"""What the tests of the window share: a display without a screen, the viewer on it, its pixels, keys and mouse."""
+"""Common parts of the tests of the window: a display without a screen, the viewer on it, its pixels, keys and mouse."""
 import json
 import os
 import pathlib

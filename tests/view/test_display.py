@@ -1,4 +1,4 @@
-"""What the window shows is what files contain."""
+"""The window shows the same pixels as files."""
 import unittest
 
 import support

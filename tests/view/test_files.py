@@ -1,4 +1,4 @@
-"""Images that are saved, scenes that change, and what is said where there is no display."""
+"""Images that are saved, scenes that change, and the message without a display."""
 import os
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-// Buffers return what is written to them, in every way of writing and reading, and respect limits.
+// Buffers return the data that were written to them, by every way of writing and reading, and respect limits.
 #include "host/vulkan/buffer.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kStagingBytes = 4096;
 
-/// The two ways to device memory: mapped where the device allows it, and through a small staging buffer.
+/// The two kinds of access to device memory: mapped where the device allows it, and through a small staging buffer.
 Device openEitherWay(bool throughStaging) {
   return openTestDevice({.stagingBytes = kStagingBytes, .mapDeviceMemory = !throughStaging});
 }

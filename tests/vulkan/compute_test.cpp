@@ -1,4 +1,4 @@
-// Pipelines get every kind of input, and each command sees what those before it wrote.
+// Pipelines get every kind of input, and each command sees the writes of earlier ones.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The device that a selector denotes, on lists made by hand.
+// The device that a selector selects, from handwritten lists.
 #include "host/vulkan/device_choice.h"
 
 #include <catch2/catch.hpp>

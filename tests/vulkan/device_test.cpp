@@ -1,4 +1,4 @@
-// Devices are found, described, selected and opened; where there are none, that is said.
+// Devices are found, described, selected and opened; without any, the message says so.
 #include "host/vulkan/device.h"
 
 #include <catch2/catch.hpp>

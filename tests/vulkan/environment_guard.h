@@ -1,4 +1,4 @@
-// An environment variable with another value for a while.
+// Sets an environment variable to another value temporarily.
 #pragma once
 #include <cstdlib>
 #include <optional>

@@ -1,4 +1,4 @@
-// Words in and out of buffers, for tests.
+// Writes and reads words of buffers, for tests.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@ namespace candela::vulkan {
 
 using Words = std::vector<std::uint32_t>;
 
-/// `count` words that differ from each other and from what memory often holds.
+/// Returns `count` words that differ from each other and from common contents of memory.
 inline Words makeWords(std::size_t count, std::uint32_t seed = 1) {
   Words words(count);
   for (std::size_t i = 0; i < count; ++i) words[i] = (static_cast<std::uint32_t>(i) + seed) * 2654435761u;

@@ -1,5 +1,5 @@
-// What every Vulkan layer of the tests consists of: the next functions of the chain, found by the dispatch table that a
-// handle refers to, and the functions by which the loader and the program find those of the layer.
+// The common parts of the Vulkan layers of the tests: the next functions of the chain, found by the dispatch table that
+// a handle refers to, and the functions by which the loader and the program find those of the layer.
 #pragma once
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -10,7 +10,7 @@
 
 namespace candela::layer {
 
-/// The first members of what a layer keeps for an instance or a device.
+/// The first members of a layer's data for an instance or a device.
 struct NextFunctions {
   PFN_vkVoidFunction destroy = nullptr;          ///< vkDestroyInstance or vkDestroyDevice
   PFN_vkGetInstanceProcAddr instance = nullptr;  ///< of an instance
@@ -22,7 +22,7 @@ void* keyOf(Handle handle) {
   return *reinterpret_cast<void**>(handle);
 }
 
-/// What a layer keeps for each instance and device: a `Next` that derives from NextFunctions.
+/// The data of a layer for each instance and device: a `Next` that derives from NextFunctions.
 template <class Next>
 class NextTable {
  public:
@@ -85,7 +85,7 @@ PFN_vkVoidFunction erased(F* function) {
   return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
-/// Answers the loader's question for the interface of the layer.
+/// Negotiates the interface of the layer with the loader.
 inline VkResult negotiate(VkNegotiateLayerInterface& interface, PFN_vkGetInstanceProcAddr instance,
                           PFN_vkGetDeviceProcAddr device) {
   interface.loaderLayerInterfaceVersion = std::min(interface.loaderLayerInterfaceVersion, 2u);

@@ -9,8 +9,8 @@ namespace candela {
 /// The device that CANDELA_TEST_DEVICE selects, by default the best one.
 vulkan::Device openTestDevice(const vulkan::DeviceOptions& options = {});
 
-/// Calls `action` when all test cases have run, but before exit(). Whatever owns Vulkan objects until then is destroyed
-/// in this way: during exit(), the validation layer may have destroyed its own state already.
+/// Calls `action` when all test cases have run, but before exit(). Owners of Vulkan objects are destroyed in this way:
+/// during exit(), the validation layer may have destroyed its own state already.
 void atTestRunEnd(std::function<void()> action);
 /// Calls those actions, the last one first.
 void endTestRun();

@@ -1,4 +1,4 @@
-"""Types of the module. Options are those of the command line, which docs/python.md explains; None leaves one out."""
+"""Types of the module. Options are those of the command line, which docs/python.md explains; None omits one."""
 import os
 from collections.abc import Callable, Sequence
 from typing import Any, Literal, TypedDict, final, overload

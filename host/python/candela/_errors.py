@@ -2,7 +2,7 @@
 
 
 class CandelaWarning(UserWarning):
-    """What the program would print to stderr as a warning, such as a mistake in a scene that can be ignored."""
+    """A warning that the program would print to stderr, for example about an error in a scene that can be ignored."""
 
 
 class Error(Exception):
@@ -12,7 +12,7 @@ class Error(Exception):
 
 
 class UsageError(Error, ValueError):
-    """An option or an argument that is unknown, out of range or of no use."""
+    """An option or an argument that is unknown, out of range or without effect."""
 
     exit_code = 1
 
@@ -30,7 +30,7 @@ class SceneError(FileError):
 
 
 class NoDeviceError(Error):
-    """There is no usable Vulkan device, or none of that name."""
+    """There is no usable Vulkan device, or none with this name."""
 
     exit_code = 4
 
@@ -52,4 +52,4 @@ class OutOfMemoryError(Error, MemoryError):
 
 
 class InternalError(Error):
-    """A mistake in Candela itself, or in a driver."""
+    """An error in Candela itself, or in a driver."""

@@ -1,4 +1,4 @@
-"""Materials by their parameters, as glTF states them."""
+"""Materials by their parameters, with the meaning of glTF."""
 import math
 
 from ._errors import UsageError

@@ -10,7 +10,7 @@ GLB_JSON, GLB_BINARY = 0x4E4F534A, 0x004E4942
 
 
 def png(width, height, pixels=None):
-    """Returns a PNG file of RGBA pixels; `pixels` (default: all that the size asks for) may be shorter than it says."""
+    """Returns a PNG file of RGBA pixels; `pixels` (default: all pixels of the size) may be shorter than the size requires."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
     rows = b"".join(b"\0" + b"\xff" * (4 * width) for _ in range(height)) if pixels is None else pixels
@@ -57,7 +57,7 @@ class File:
 
 
 def glb(chunks, version=2, length=None):
-    """Returns a GLB container of these chunks; `length` is what the header says instead of the truth."""
+    """Returns a GLB container of these chunks; `length` replaces the correct length in the header."""
     body = b"".join(struct.pack("<II", len(content), kind) + content for kind, content in chunks)
     return struct.pack("<4sII", b"glTF", version, 12 + len(body) if length is None else length) + body
 

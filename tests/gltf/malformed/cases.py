@@ -1,4 +1,4 @@
-"""Malformed glTF files: changes to the base file, each with the place where the mistake must be reported.
+"""Malformed glTF files: changes to the base file, each with the place where the error must be reported.
 
 Most are made by rules that apply to every place of a kind, the others are written by hand. A place is a JSON pointer, or
 "line" where the JSON cannot be parsed, or "GLB" for the container.
@@ -215,7 +215,7 @@ def of_bytes():
 
 
 def of_images():
-    """Images whose bytes are not what they say."""
+    """Images whose content contradicts their declaration."""
     def with_image(content):
         file = base()
         file.root["images"][1]["uri"] = data_uri(content, "image/png")
