@@ -21,7 +21,7 @@ using bench::RayTracer;
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
   const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
   const device::RaySets sets = tracers.front()->makeRays();
-  log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, {} runs each", job.scene.name,
+  log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, runs of each: {}", job.scene.name,
                        sets[gpu::kPrimaryRay].size(), sets[gpu::kDiffuseRay].size(), sets[gpu::kShadowRay].size(),
                        tracers.size(), report.repeats));
   std::vector<RayTracer*> all;

@@ -41,7 +41,7 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
 bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
-  log.note(fmt::format("{}: {} variants, {} runs each", job.scene.name, variants.size(), arguments.repeats));
+  log.note(fmt::format("{}: {} variants, runs of each: {}", job.scene.name, variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   const render::RenderControl control = makeControl(progress);
   std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats,

@@ -37,7 +37,7 @@ constexpr std::uint32_t kTable1Samples = 15 * 15;
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
-  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, {} runs each", scene.name,
+  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, runs of each: {}", scene.name,
                        settings.image.size.width, settings.image.size.height, settings.image.sampleCount,
                        variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));

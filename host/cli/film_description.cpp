@@ -72,13 +72,13 @@ std::string toText(const FilmDescription& description) {
                                    header.samplesPerPixel, header.seed));
   text += row("settings", settingsText(header.settings));
   if (!header.layers.isEmpty()) text += row("layers", layerText(header.layers));
-  text += rows("holds", textsOf(header.covered));
+  text += rows("contains", textsOf(header.covered));
   text += rows("interrupted in", textsOf(header.begun));
   text += rows("lacks", textsOf(description.missing));
   text += row("samples", fmt::to_string(description.samples));
   if (description.adaptive) text += row("adaptive", *description.adaptive);
   text += row("bad samples", fmt::to_string(description.badSamples));
-  text += rows("made by", tracerTexts(header.tracers));
+  text += rows("rendered by", tracerTexts(header.tracers));
   text += rows("mixed", header.mixed);
   text += row("film hash", description.filmHash);
   if (description.work.runs > 0) {
