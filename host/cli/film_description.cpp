@@ -74,7 +74,7 @@ std::string toText(const FilmDescription& description) {
   if (!header.layers.isEmpty()) text += row("layers", layerText(header.layers));
   text += rows("contains", textsOf(header.covered));
   text += rows("interrupted in", textsOf(header.begun));
-  text += rows("lacks", textsOf(description.missing));
+  text += rows("missing", textsOf(description.missing));
   text += row("samples", fmt::to_string(description.samples));
   if (description.adaptive) text += row("adaptive", *description.adaptive);
   text += row("bad samples", fmt::to_string(description.badSamples));
