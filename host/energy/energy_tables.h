@@ -5,7 +5,7 @@
 
 namespace candela::energy {
 
-/// Roughness below which a surface is no smoother; alpha is the square of the roughness.
+/// Smallest roughness: smaller values are raised to it. alpha is the square of the roughness.
 inline constexpr double kMinRoughness = 0.01;
 
 /// Nodes of a table in each of its two dimensions, both over [0, 1]: node (i, j) has the index j * kNodes + i, belongs
@@ -32,7 +32,7 @@ using GlassTable = std::array<float, kGlassCosines * kGlassRoughnesses * kGlassI
 extern const GlassTable kGlassOutside;
 extern const GlassTable kGlassInside;
 
-/// Roughness below which a sheen is no smoother.
+/// Smallest roughness of a sheen: smaller values are raised to it.
 inline constexpr double kMinSheenRoughness = 0.07;
 
 /// Nodes of the sheen table: node (i, j) has the index j * kSheenCosines + i, belongs to the roughness

@@ -51,10 +51,10 @@ TEST_CASE("a driver whose library does not exist is named with the reason of the
   CHECK(diagnosis.checks[1].text == "none found");
 }
 
-TEST_CASE("a library that is no Vulkan driver is named") {
+TEST_CASE("a library that is not a Vulkan driver is named") {
   const DriverDiagnosis diagnosis = diagnosisWith("libm.so.6");
   requireProblems(diagnosis);
-  CHECK_THAT(diagnosis.checks[0].text, Contains("libm.so.6 is no Vulkan driver"));
+  CHECK_THAT(diagnosis.checks[0].text, Contains("libm.so.6 is not a Vulkan driver"));
 }
 
 TEST_CASE("a variable that names no driver is the problem") {
