@@ -3,6 +3,7 @@
 
 #include "host/verify/light_test.h"
 #include "tests/render/render_support.h"
+#include "tests/verify/changed_renderer.h"
 
 namespace candela::verify {
 namespace {
@@ -21,19 +22,6 @@ scene::Scene shadowedPlane(float albedo) {
   scene.materials[0].diffuse->colour = glm::vec3(albedo);
   return scene;
 }
-
-// Renders another scene than the given one: the side that has changed.
-class ChangedRenderer : public render::Renderer {
- public:
-  ChangedRenderer(render::Renderer& renderer, const scene::Scene& scene) : renderer_(renderer), scene_(scene) {}
-  std::unique_ptr<render::Session> prepare(const scene::Scene&, const render::RenderSettings& settings) override {
-    return renderer_.prepare(scene_, settings);
-  }
-
- private:
-  render::Renderer& renderer_;
-  const scene::Scene& scene_;
-};
 
 int alarmsOf(float deviceAlbedo, double alpha) {
   const scene::Scene scene = shadowedPlane(0.5f);
