@@ -26,7 +26,8 @@ from verify_scenes import GENERATED, SCENES, TOUCHING, lamps, scenes_of
 RUN_SECONDS = 300  # a fault may make a loop endless
 # Code that the default kernel does not execute, or that does not change the light.
 OTHER_CODE = re.compile(r"wave_|shaders/bvh\.glsl|path_state|command_recorder|gpu_session|layers|lanes")
-OTHER_LIGHT = ["light that was scattered once is limited", "the film's second moment is its first", "layers: ", "alpha: ", "backdrops: ", "mattes: ", "orthographic"]
+OTHER_LIGHT = ["light that was scattered once is limited", "the film's second moment is its first", "layers: ", "alpha: ",
+               "backdrops: ", "mattes: ", "orthographic"]
 
 
 def is_eligible(mutant):
@@ -55,10 +56,18 @@ class Bench:
             sys.exit("lavapipe is not installed: apt-get install mesa-vulkan-drivers")
         self.environment = os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0],
                                          "CANDELA_CACHE_DIR": str(folder / "cache")}
-        if subprocess.run(["git", "status", "--porcelain", "-uno"], cwd=self.checkout, capture_output=True, check=True).stdout:
-            sys.exit(f"{self.checkout} has uncommitted changes: faults are planted in a clean checkout only")
-        self.build()
+        self.require_clean_checkout()
+        if not self.build():
+            sys.exit(f"{self.checkout}/build/release: candela does not build; configure it with cmake --preset release")
         self.make_scenes()
+
+    def require_clean_checkout(self):
+        status = subprocess.run(["git", "status", "--porcelain", "-uno"], cwd=self.checkout, capture_output=True, text=True,
+                                check=False)
+        if status.returncode:
+            sys.exit(f"--checkout {self.checkout}: {status.stderr.strip()}")
+        if status.stdout:
+            sys.exit(f"{self.checkout} has uncommitted changes: faults are planted in a clean checkout only")
 
     def build(self):
         command = ["cmake", "--build", "build/release", "-j", "1", "--target", "candela"]

@@ -6,7 +6,8 @@
 
 The device renders the scene with all albedos multiplied by 1 + error, and the reference without. Verdicts are appended to
 --work, and those that it has are not repeated. Each distinct pair of --bias and --time-limit is a curve of its own, so that
-several calls fill one file. Times are processor times, which other programs on the machine do not change.
+several calls fill one file. Times are processor times, which other programs on the machine change little; --time-limit is
+elapsed time.
 """
 import argparse
 import json
@@ -26,9 +27,10 @@ def measured(options, known):
     """Appends the verdicts that are missing."""
     icd = {"VK_DRIVER_FILES": options.icd, "VK_ICD_FILENAMES": options.icd} if options.icd else {}
     program = options.build / "tests/verify/measure_power"
+    done_before = {(one["seed"], one["error"], one["bias"], one["limit"]) for one in known}
     for seed in range(1, options.seeds + 1):
         for error in options.errors:
-            if any((v["seed"], v["error"], v["bias"], v["limit"]) == (seed, error, options.bias, options.time_limit) for v in known):
+            if (seed, error, options.bias, options.time_limit) in done_before:
                 continue
             words = [program, ROOT / options.scene, options.side, seed, options.bias, options.time_limit, error]
             done = subprocess.run([str(word) for word in words], env=os.environ | icd, capture_output=True, text=True, check=True)
@@ -57,7 +59,8 @@ def name_of(setting):
 
 
 def print_table(settings):
-    print("| options | albedo error | verdicts | found by question 1 | by question 2 | by either | samples per pixel | processor time |")
+    print("| options | albedo error | verdicts | found by question 1 | by question 2 | by either | samples per pixel "
+          "| processor time |")
     print("|---|---:|---:|---:|---:|---:|---:|---:|")
     for setting, errors in settings.items():
         for error, verdicts in errors.items():
@@ -78,24 +81,28 @@ def svg(settings):
     def y(share):
         return TOP + HEIGHT * (1 - share)
 
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{LEFT + WIDTH + 30}" height="{TOP + HEIGHT + 60}" '
+    height = TOP + HEIGHT + 55 + 18 * len(settings)
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{LEFT + WIDTH + 30}" height="{height}" '
              'font-family="sans-serif" font-size="12">', '<rect width="100%" height="100%" fill="white"/>']
     for share in (0, 0.25, 0.5, 0.75, 1):
         parts.append(f'<line x1="{LEFT}" x2="{LEFT + WIDTH}" y1="{y(share)}" y2="{y(share)}" stroke="#ddd"/>'
                      f'<text x="{LEFT - 8}" y="{y(share) + 4}" text-anchor="end">{100 * share:.0f} %</text>')
     for error in errors:
         parts.append(f'<line x1="{x(error):.1f}" x2="{x(error):.1f}" y1="{TOP}" y2="{TOP + HEIGHT}" stroke="#eee"/>'
-                     f'<text x="{x(error):.1f}" y="{TOP + HEIGHT + 16}" text-anchor="middle">{100 * error:.4g} %</text>')
+                     f'<text x="{x(error):.1f}" y="{TOP + HEIGHT + 16}" text-anchor="middle" font-size="10">'
+                     f'{100 * error:.4g} %</text>')
     for index, (setting, curve) in enumerate(settings.items()):
         colour = COLOURS[index % len(COLOURS)]
-        points = [(x(error), y(rate(verdicts, "foundByPaths", "foundByLight"))) for error, verdicts in curve.items() if error > 0]
-        parts.append(f'<polyline fill="none" stroke="{colour}" stroke-width="2" points="' +
-                     " ".join(f"{a:.1f},{b:.1f}" for a, b in points) + '"/>')
-        parts += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3.5" fill="{colour}"/>' for a, b in points]
+        for questions, dash in ((("foundByPaths", "foundByLight"), ""), (("foundByPaths",), ' stroke-dasharray="5 4"')):
+            points = [(x(error), y(rate(verdicts, *questions))) for error, verdicts in curve.items() if error > 0]
+            parts.append(f'<polyline fill="none" stroke="{colour}" stroke-width="2"{dash} points="' +
+                         " ".join(f"{a:.1f},{b:.1f}" for a, b in points) + '"/>')
+            parts += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3.5" fill="{colour}"/>' for a, b in points]
         seconds = statistics.median(verdict["processorSeconds"] for verdicts in curve.values() for verdict in verdicts)
-        parts.append(f'<text x="{LEFT + WIDTH - 8}" y="{y(0.12) - 18 * index}" text-anchor="end" fill="{colour}">{name_of(setting)}: '
-                     f'median {seconds:.0f} s of processor time</text>')
-    parts.append(f'<text x="{LEFT + WIDTH / 2}" y="{TOP + HEIGHT + 40}" text-anchor="middle">error of all albedos of the device</text></svg>')
+        parts.append(f'<text x="{LEFT + WIDTH / 2}" y="{y(0) + 58 + 18 * index}" text-anchor="middle" '
+                     f'fill="{colour}">{name_of(setting)} (dashed: question 1 alone), {seconds:.0f} s of processor time</text>')
+    parts.append(f'<text x="{LEFT + WIDTH / 2}" y="{TOP + HEIGHT + 40}" text-anchor="middle">'
+                 'error of all albedos of the device</text></svg>')
     return "\n".join(parts) + "\n"
 
 
