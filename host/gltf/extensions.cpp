@@ -32,6 +32,10 @@ constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "KHR_texture_transform"};
 constexpr std::array kPartly{"KHR_materials_dispersion", "KHR_materials_unlit", "KHR_materials_variants"};
 
+bool isMeshopt(std::string_view extension) {
+  return extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression";
+}
+
 void checkVersion(const Value& root) {
   const Value version = root.require("asset").require("version");
   if (!version.text().starts_with("2.")) {
@@ -45,7 +49,7 @@ void checkVersion(const Value& root) {
 
 std::string reasonFor(std::string_view extension) {
   if (extension == "KHR_draco_mesh_compression") return "this program was built without Draco";
-  if (extension == "EXT_meshopt_compression") return "this program was built without meshoptimizer";
+  if (isMeshopt(extension)) return "this program was built without meshoptimizer";
   return "it is not supported";
 }
 
@@ -70,7 +74,8 @@ void checkRequired(const Value& root, bool lenient, scene::DiagnosticLog& log) {
 
 Support supportOf(std::string_view extension) {
   if (extension == "KHR_draco_mesh_compression") return canDecodeDraco() ? Support::complete : Support::none;
-  if (extension == "EXT_meshopt_compression") return canDecodeMeshopt() ? Support::complete : Support::none;
+  if (isMeshopt(extension) && !canDecodeMeshopt()) return Support::none;
+  if (isMeshopt(extension)) return extension.starts_with("EXT_") ? Support::complete : Support::partly;
   if (std::ranges::count(kComplete, extension) > 0) return Support::complete;
   return std::ranges::count(kPartly, extension) > 0 ? Support::partly : Support::none;
 }
