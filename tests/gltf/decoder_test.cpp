@@ -100,7 +100,7 @@ TEST_CASE("KHR_meshopt_compression is decoded where it equals the older extensio
   }
 }
 
-TEST_CASE("what meshoptimizer would not survive is refused first") {
+TEST_CASE("data that would crash meshoptimizer is refused first") {
   if (!canDecodeMeshopt()) return;
   const std::string place = "/bufferViews/0/extensions/EXT_meshopt_compression";
   const std::vector<std::tuple<const char*, json, std::string>> changes{
