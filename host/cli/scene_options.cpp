@@ -75,7 +75,7 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag({"--lenient", kReadingScenes, kGroup, "skip unknown statements and complete short ones, with warnings"},
+    flag({"--lenient", kReadingScenes, kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF, leave out images that cannot be read"},
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),

@@ -28,8 +28,13 @@ constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "KHR_materials_transmission",
                                "KHR_materials_volume",
                                "KHR_mesh_quantization",
+                               "KHR_node_visibility",
                                "KHR_texture_transform"};
 constexpr std::array kPartly{"KHR_materials_dispersion", "KHR_materials_unlit", "KHR_materials_variants"};
+
+bool isMeshopt(std::string_view extension) {
+  return extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression";
+}
 
 void checkVersion(const Value& root) {
   const Value version = root.require("asset").require("version");
@@ -44,16 +49,24 @@ void checkVersion(const Value& root) {
 
 std::string reasonFor(std::string_view extension) {
   if (extension == "KHR_draco_mesh_compression") return "this program was built without Draco";
-  if (extension == "EXT_meshopt_compression") return "this program was built without meshoptimizer";
+  if (isMeshopt(extension)) return "this program was built without meshoptimizer";
   return "it is not supported";
 }
 
-void checkRequired(const Value& root) {
+void refuse(const Value& name, bool lenient, scene::DiagnosticLog& log) {
+  const std::string message = fmt::format("the file requires the extension {}; {}", scene::quote(name.text()),
+                                          reasonFor(name.text()));
+  const bool isCompression = name.text().ends_with("_compression");
+  if (!lenient) name.fail(message + (isCompression ? "" : ", and --lenient reads the file without it"));
+  if (isCompression) name.fail(message);
+  log.warn("required", {}, fmt::format("{}: {}, so that the picture may be wrong", name.pointer(), message));
+}
+
+void checkRequired(const Value& root, bool lenient, scene::DiagnosticLog& log) {
   const std::optional<Value> required = root.find("extensionsRequired");
   for (std::size_t i = 0; required && i < required->size(); ++i) {
     const Value name = (*required)[i];
-    if (supportOf(name.text()) != Support::none) continue;
-    name.fail(fmt::format("the file requires the extension {}; {}", scene::quote(name.text()), reasonFor(name.text())));
+    if (supportOf(name.text()) == Support::none) refuse(name, lenient, log);
   }
 }
 
@@ -61,14 +74,15 @@ void checkRequired(const Value& root) {
 
 Support supportOf(std::string_view extension) {
   if (extension == "KHR_draco_mesh_compression") return canDecodeDraco() ? Support::complete : Support::none;
-  if (extension == "EXT_meshopt_compression") return canDecodeMeshopt() ? Support::complete : Support::none;
+  if (isMeshopt(extension) && !canDecodeMeshopt()) return Support::none;
+  if (isMeshopt(extension)) return extension.starts_with("EXT_") ? Support::complete : Support::partly;
   if (std::ranges::count(kComplete, extension) > 0) return Support::complete;
   return std::ranges::count(kPartly, extension) > 0 ? Support::partly : Support::none;
 }
 
-UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log) {
+UsedExtensions checkAsset(const Value& root, bool lenient, scene::DiagnosticLog& log) {
   checkVersion(root);
-  checkRequired(root);
+  checkRequired(root, lenient, log);
   UsedExtensions used;
   const std::optional<Value> list = root.find("extensionsUsed");
   for (std::size_t i = 0; list && i < list->size(); ++i) {

@@ -23,7 +23,7 @@ struct UsedExtensions {
 };
 
 /// Throws PlaceError unless asset.version is 2.x and every required extension is supported. Warns of optional ones that
-/// are not.
-UsedExtensions checkAsset(const Value& root, scene::DiagnosticLog& log);
+/// are not; with `lenient` also of required ones, unless the geometry cannot be read without them.
+UsedExtensions checkAsset(const Value& root, bool lenient, scene::DiagnosticLog& log);
 
 }  // namespace candela::gltf

@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
+#include "host/gltf/default_light.h"
 #include "host/gltf/extensions.h"
 #include "host/gltf/scene_assembly.h"
 #include "host/scene/hash.h"
@@ -30,35 +29,6 @@ void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
   for (scene::PunctualLight& light : scene.punctualLights) light.reach = reach;
 }
 
-/// Returns whether the file has lights. Emission with a texture, as of headlights and displays, does not count.
-bool statesLight(const scene::Scene& scene) {
-  const auto shines = [&](const scene::Primitive& primitive) {
-    const scene::Material& material = scene.materials[primitive.material];
-    return isEmissive(material) && !textureOf(material, scene::TextureSlot::emission);
-  };
-  return !scene.punctualLights.empty() || std::ranges::any_of(scene.primitives, shines);
-}
-
-/// A file without light gets a grey background and a light from above the camera's left shoulder. Together they show a
-/// white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
-std::string lightUp(scene::Scene& scene, const scene::LoadOptions& options) {
-  if (statesLight(scene)) return "as in the file";
-  if (options.hasEnvironment()) return "none in the file";
-  constexpr float kBackground = 0.25f;
-  constexpr float kIrradiance = 2.25f;
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
-  const glm::dvec3 up = glm::cross(right, forward);
-  scene.background = glm::vec3(kBackground);
-  scene::PunctualLight light;
-  light.kind = scene::PunctualLight::Kind::directional;
-  light.direction = glm::vec3(glm::normalize(2.0 * forward + right - up));
-  light.intensity = glm::vec3(kIrradiance);
-  scene.punctualLights.push_back(light);
-  return fmt::format("none in the file: a background of {} and a directional light of {} from the camera's upper left",
-                     kBackground, kIrradiance);
-}
-
 scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, const std::string& light) {
   const auto listOf = [](const std::vector<std::string>& names) {
     return names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", "));
@@ -73,15 +43,15 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
                             scene::DiagnosticLog& log) {
   const Container container = readContainer(file);
   const Value root(container.json, "");
-  const UsedExtensions used = checkAsset(root, log);
+  const UsedExtensions used = checkAsset(root, options.lenient, log);
   Buffers buffers(root, container.binary, file, options);
   Accessors accessors(root, buffers);
   if (options.time && root.sizeOf("animations") == 0) {
     log.warn("time", {}, "--time has no effect: the file has no animation");
   }
   const Pose pose = options.time ? poseAt(root, *options.time, accessors) : Pose{};
-  const NodeTree nodes(root, pose);
-  SceneAssembly assembly(root, nodes, pose, accessors, buffers, log);
+  const NodeTree nodes(root, pose, options.lenient, log);
+  SceneAssembly assembly(root, nodes, pose, accessors, buffers, options.lenient, log);
   assembly.addMaterials();
   assembly.addNodes();
   assembly.dropUselessOpacity();
@@ -90,7 +60,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   scene::Scene& scene = assembly.scene();
   const View view = chooseView(root, nodes, options.camera, assembly.bounds());
   scene.camera = view.camera;
-  const std::string light = lightUp(scene, options);
+  const std::string light = lightUp(scene, assembly.bounds(), options);
   setReach(assembly.bounds(), scene);
   checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();

@@ -53,7 +53,7 @@ void noteTexture(const Value& object, const char* key, const char* name, GltfMat
 std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
                                                  const TextureReader& readTexture) {
   const std::optional<Value> info = object.find(key);
-  return info ? std::optional(readTexture(*info)) : std::nullopt;
+  return info ? readTexture(*info) : std::nullopt;
 }
 
 void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, GltfMaterial& result) {

@@ -63,8 +63,8 @@ struct GltfMaterial {
   std::set<std::string> unread;
 };
 
-/// Reads a `textureInfo`, as Textures::read() does.
-using TextureReader = std::function<scene::TextureReference(const Value&)>;
+/// Reads a `textureInfo`, as Textures::read() does; nothing: the texture is left out.
+using TextureReader = std::function<std::optional<scene::TextureReference>(const Value&)>;
 
 /// Throws PlaceError where a factor is missing or out of range, and the exceptions of `readTexture`.
 GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);

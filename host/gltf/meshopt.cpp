@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "host/scene/quote.h"
@@ -38,18 +40,33 @@ void requireStride(const Value& extension, const Layout& layout) {
   if (!isAttributes && layout.filter != "NONE") extension.require("filter").fail("only attributes have a filter");
 }
 
-Layout layoutOf(const Value& extension, std::size_t sourceSize) {
+/// KHR_meshopt_compression has another filter and another version of the stream of attributes, which
+/// EXT_meshopt_compression lacks. Most files of either extension use neither.
+void requireKnownFormat(const Value& extension, const Layout& layout, std::span<const std::byte> source) {
+  constexpr std::byte kAttributesVersion1{0xa1};
+  constexpr std::array kFilters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+  if (std::ranges::count(kFilters, layout.filter) == 0) {
+    extension.require("filter").fail(scene::quote(layout.filter) +
+                                     " is not NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL");
+  }
+  if (layout.mode == "ATTRIBUTES" && !source.empty() && source.front() == kAttributesVersion1) {
+    extension.fail("attributes in version 1 of the compressed format are not supported; compress them in version 0");
+  }
+}
+
+Layout layoutOf(const Value& extension, std::span<const std::byte> source) {
   const Layout layout{extension.require("count").whole(), extension.require("byteStride").whole(),
                       extension.require("mode").text(), extension.textOr("filter", "NONE")};
   if (layout.mode != "ATTRIBUTES" && layout.mode != "TRIANGLES" && layout.mode != "INDICES") {
     extension.require("mode").fail(scene::quote(layout.mode) + " is not ATTRIBUTES, TRIANGLES or INDICES");
   }
+  requireKnownFormat(extension, layout, source);
   requireStride(extension, layout);
   if (layout.mode == "TRIANGLES" && layout.count % 3 != 0) {
     extension.require("count").fail("triangles need a multiple of 3 indices");
   }
-  if (layout.count > sourceSize * kMaxRatio) {
-    extension.require("count").fail(fmt::format("{} elements cannot be in {} bytes", layout.count, sourceSize));
+  if (layout.count > source.size() * kMaxRatio) {
+    extension.require("count").fail(fmt::format("{} elements cannot be in {} bytes", layout.count, source.size()));
   }
   return layout;
 }
@@ -76,7 +93,7 @@ void applyFilter(const Layout& layout, std::vector<std::byte>& result) {
 bool canDecodeMeshopt() { return true; }
 
 std::vector<std::byte> decodeMeshopt(const Value& extension, std::span<const std::byte> source) {
-  const Layout layout = layoutOf(extension, source.size());
+  const Layout layout = layoutOf(extension, source);
   std::vector<std::byte> result(static_cast<std::size_t>(layout.count * layout.stride));
   if (layout.count == 0) return result;
   if (decode(layout, source, result) != 0) extension.fail("the compressed data is damaged");

@@ -1,4 +1,4 @@
-// EXT_meshopt_compression: buffer views that meshoptimizer has compressed.
+// EXT_meshopt_compression and KHR_meshopt_compression: buffer views that meshoptimizer has compressed.
 #pragma once
 #include <cstddef>
 #include <span>

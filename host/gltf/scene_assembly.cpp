@@ -51,14 +51,14 @@ Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector&
 }  // namespace
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
-                             Buffers& buffers, scene::DiagnosticLog& log)
+                             Buffers& buffers, bool lenient, scene::DiagnosticLog& log)
     : root_(root),
       nodes_(nodes),
       pose_(pose),
       accessors_(accessors),
       buffers_(buffers),
       log_(log),
-      textures_(root, buffers) {}
+      textures_(root, buffers, lenient, log) {}
 
 template <class Action>
 void SceneAssembly::attempt(const Action& action) {
@@ -99,6 +99,7 @@ void SceneAssembly::addNode(std::size_t index) {
   ++counts_["node"];
   if (node.find("camera")) ++counts_["camera"];
   const std::size_t first = scene_.primitives.size();
+  if (nodes_.isHidden(index)) return;
   if (node.find("mesh")) addMesh(node, index);
   addObject(node, index, first);
   if (node.extension("KHR_lights_punctual")) addLight(node, index);

@@ -18,9 +18,9 @@ namespace candela::gltf {
 /// Adds materials, meshes and lights to a scene. Errors are collected in the log, each with its place.
 class SceneAssembly {
  public:
-  /// All must outlive this object.
+  /// All must outlive this object. `lenient` is that of the options.
   SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors, Buffers& buffers,
-                scene::DiagnosticLog& log);
+                bool lenient, scene::DiagnosticLog& log);
 
   void addMaterials();
   /// Adds the meshes and lights of the visible nodes, in the order of NodeTree::visible(). Call addMaterials() first.

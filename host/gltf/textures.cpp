@@ -49,10 +49,12 @@ void readTransform(const Value& transform, scene::TextureReference& reference) {
   reference.rowT = glm::vec3(glm::dvec3(-s * scale.x, c * scale.y, offset.y));
 }
 
-std::uint8_t texCoordSetOf(const Value& object, std::uint8_t absent) {
-  const std::uint64_t set = object.wholeOr("texCoord", absent);
-  if (set > 1) object.require("texCoord").fail(fmt::format("set {}; sets 0 and 1 are read", set));
-  return static_cast<std::uint8_t>(set);
+constexpr std::uint64_t kMaxSet = 1;
+
+/// The set of texture coordinates, which KHR_texture_transform may override.
+std::uint64_t texCoordSetOf(const Value& info, const std::optional<Value>& transform) {
+  const std::uint64_t set = info.wholeOr("texCoord", 0);
+  return transform ? transform->wholeOr("texCoord", set) : set;
 }
 
 std::string nameOf(const Value& image) {
@@ -63,34 +65,57 @@ std::string nameOf(const Value& image) {
 
 }  // namespace
 
-scene::TextureReference Textures::read(const Value& info) {
+std::optional<scene::TextureReference> Textures::read(const Value& info) {
   const Value list = root_.require("textures");
   const Value texture = list[info.require("index").indexInto("textures", list.size())];
   scene::TextureReference reference;
-  reference.texCoordSet = texCoordSetOf(info, 0);
-  if (const std::optional<Value> transform = info.extension("KHR_texture_transform")) {
-    readTransform(*transform, reference);
-    reference.texCoordSet = texCoordSetOf(*transform, reference.texCoordSet);
+  const std::optional<Value> transform = info.extension("KHR_texture_transform");
+  if (transform) readTransform(*transform, reference);
+  const std::uint64_t set = texCoordSetOf(info, transform);
+  if (set > kMaxSet) {
+    log_.warn(
+        "set", {},
+        fmt::format("{}: the texture is left out, since it has texture coordinates of set {}; sets 0 and 1 are read",
+                    info.pointer(), set));
+    return std::nullopt;
   }
+  reference.texCoordSet = static_cast<std::uint8_t>(set);
   if (const std::optional<Value> index = texture.find("sampler")) {
     readSampler(root_.require("samplers")[index->indexInto("samplers", root_.sizeOf("samplers"))], reference);
   }
-  reference.image = imageOf(texture);
+  const std::optional<std::uint32_t> image = imageOf(texture);
+  if (!image) return std::nullopt;
+  reference.image = *image;
   return reference;
 }
 
-std::uint32_t Textures::imageOf(const Value& texture) {
+std::optional<std::uint32_t> Textures::imageOf(const Value& texture) {
   const std::optional<Value> webp = texture.extension("EXT_texture_webp");
-  const Value source = (webp ? *webp : texture).require("source");
-  const std::size_t index = source.indexInto("images", root_.sizeOf("images"));
+  const std::optional<Value> source = (webp ? *webp : texture).find("source");
+  if (!source) {
+    log_.warn("source", {}, texture.pointer() + ": the texture is left out, since it names no PNG, JPEG or WebP image");
+    return std::nullopt;
+  }
+  const std::size_t index = source->indexInto("images", root_.sizeOf("images"));
   if (const auto known = indices_.find(index); known != indices_.end()) return known->second;
-  images_.push_back(readImage(root_.require("images")[index]));
+  return indices_[index] = loadImage(index);
+}
+
+std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
+  const Value image = root_.require("images")[index];
+  try {
+    images_.push_back(readImage(image));
+  } catch (const PlaceError& error) {
+    if (!isLenient_) throw PlaceError(error, "; --lenient leaves out textures whose image cannot be read");
+    log_.warn("image", {}, std::string(error.what()) + "; its textures are left out");
+    return std::nullopt;
+  }
   byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t);
   if (byteCount_ > memoryBudget()) {
     throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that they may have",
-                                       source.pointer(), memoryBudget() >> 20));
+                                       image.pointer(), memoryBudget() >> 20));
   }
-  return indices_[index] = static_cast<std::uint32_t>(images_.size() - 1);
+  return static_cast<std::uint32_t>(images_.size() - 1);
 }
 
 scene::TextureImage Textures::readImage(const Value& image) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/gltf/buffers.h"
+#include "host/scene/diagnostic_log.h"
 #include "host/scene/texture.h"
 
 namespace candela::gltf {
@@ -11,12 +12,14 @@ namespace candela::gltf {
 /// Reads the images that materials use, each once.
 class Textures {
  public:
-  /// Both must outlive this object.
-  Textures(const Value& root, Buffers& buffers) : root_(root), buffers_(buffers) {}
+  /// All must outlive this object. With `lenient`, images that cannot be read cause warnings instead of errors.
+  Textures(const Value& root, Buffers& buffers, bool lenient, scene::DiagnosticLog& log)
+      : root_(root), buffers_(buffers), isLenient_(lenient), log_(log) {}
 
-  /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless it has
-  /// been read before. Throws PlaceError, at the place of the error.
-  scene::TextureReference read(const Value& info);
+  /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless it was
+  /// read before. Returns nothing, with a warning, if the texture has no image, or coordinates that are not read.
+  /// Throws PlaceError, at the place of the error.
+  std::optional<scene::TextureReference> read(const Value& info);
 
   /// The images that were read, in the order of their first use, to which the references refer.
   std::vector<scene::TextureImage> takeImages() { return std::move(images_); }
@@ -24,14 +27,19 @@ class Textures {
   std::uint64_t hashFiles(std::uint64_t hash) const;
 
  private:
-  std::uint32_t imageOf(const Value& texture);
+  std::optional<std::uint32_t> imageOf(const Value& texture);
+  /// Returns the index in images_ of an image of the file; nothing, with a warning, if it cannot be read.
+  std::optional<std::uint32_t> loadImage(std::size_t index);
   scene::TextureImage decode(const Value& image, Bytes bytes) const;
   scene::TextureImage readImage(const Value& image);
 
   Value root_;
   Buffers& buffers_;
+  bool isLenient_;
+  scene::DiagnosticLog& log_;
   std::vector<scene::TextureImage> images_{};
-  std::map<std::size_t, std::uint32_t> indices_{};  ///< into images_, by index in the file
+  /// Into images_, by index in the file; nothing for images that cannot be read.
+  std::map<std::size_t, std::optional<std::uint32_t>> indices_{};
   std::vector<std::uint64_t> fileHashes_{};
   std::uint64_t byteCount_ = 0;  ///< of images_
 };

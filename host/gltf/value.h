@@ -15,6 +15,8 @@ namespace candela::gltf {
 struct PlaceError : FileError {
   PlaceError(const std::string& pointer, const std::string& message)
       : FileError((pointer.empty() ? "the root" : pointer) + ": " + message) {}
+  /// The same error with a hint at its end.
+  PlaceError(const PlaceError& error, const std::string& hint) : FileError(error.what() + hint) {}
 };
 
 /// Every function except the first three throws PlaceError if the value does not have the required type. Numbers

@@ -81,6 +81,25 @@ TEST_CASE("a view compressed by meshoptimizer is decoded") {
   CHECK(sceneOf(meshoptFile()).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
 }
 
+TEST_CASE("KHR_meshopt_compression is decoded where it equals the older extension, else refused with the reason") {
+  if (!canDecodeMeshopt()) return;
+  GltfFile file = meshoptFile();
+  const json compression = file.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"];
+  json& renamed = file.root["bufferViews"][0]["extensions"];
+  renamed = {{"KHR_meshopt_compression", compression}};
+  file.root["extensionsRequired"] = {"KHR_meshopt_compression"};
+  CHECK(sceneOf(file).meshes.at(0).positions[2] == glm::vec3(0, 1, 0));
+  const std::string place = "/bufferViews/0/extensions/KHR_meshopt_compression";
+  SECTION("its filter") {
+    renamed["KHR_meshopt_compression"]["filter"] = "COLOR";
+    CHECK(errorsOf(file.text()).find(place + "/filter: \"COLOR\" is not NONE") != std::string::npos);
+  }
+  SECTION("its version of the stream") {
+    file.binary[0] = static_cast<char>(0xa1);
+    CHECK(errorsOf(file.text()).find(place + ": attributes in version 1") != std::string::npos);
+  }
+}
+
 TEST_CASE("data that would crash meshoptimizer is refused first") {
   if (!canDecodeMeshopt()) return;
   const std::string place = "/bufferViews/0/extensions/EXT_meshopt_compression";
@@ -91,7 +110,7 @@ TEST_CASE("data that would crash meshoptimizer is refused first") {
       {"mode", "POINTS", "/mode: \"POINTS\" is not"},
       {"mode", "TRIANGLES", "/byteStride: 12 does not fit mode"},
       {"filter", "OCTAHEDRAL", "/byteStride: 12 does not fit"},
-      {"filter", "SHARPEN", "/byteStride: 12 does not fit"},
+      {"filter", "SHARPEN", "/filter: \"SHARPEN\" is not NONE"},
       {"byteLength", 9, ": the compressed data is damaged"},
       {"byteLength", 1u << 31, ": bytes 0 to 2147483648 of a buffer of"}};
   for (const auto& [key, value, message] : changes) {

@@ -23,7 +23,18 @@ TEST_CASE("an unknown required extension is an error with its name, an unknown o
   CHECK(fact(loaded, "unsupported") == "ACME_cloth");
   file.root["extensionsRequired"] = {"KHR_mesh_quantization", "ACME_cloth"};
   CHECK(errorsOf(file.text()) ==
-        "test.gltf: /extensionsRequired/1: the file requires the extension \"ACME_cloth\"; it is not supported");
+        "test.gltf: /extensionsRequired/1: the file requires the extension \"ACME_cloth\"; it is not supported, and "
+        "--lenient reads the file without it");
+}
+
+TEST_CASE("lenient reading ignores required extensions, except those that compress the geometry") {
+  GltfFile file = triangleFile();
+  file.root["extensionsRequired"] = {"ACME_cloth"};
+  CHECK(warns(load(file, {.lenient = true}), "/extensionsRequired/0: the file requires the extension \"ACME_cloth\""));
+  file.root["extensionsRequired"] = {"ACME_mesh_compression"};
+  CHECK(errorsOf(file.text(), {.lenient = true}) ==
+        "test.gltf: /extensionsRequired/0: the file requires the extension \"ACME_mesh_compression\"; it is not "
+        "supported");
 }
 
 TEST_CASE("only glTF 2 is read") {

@@ -53,4 +53,18 @@ TEST_CASE("a file without light gets one, and says so, and an emitter is a light
   CHECK(sceneOf(bright).punctualLights.empty());
 }
 
+TEST_CASE("emission that is too faint or too small to see the model by does not replace the default light") {
+  GltfFile file = triangleFile();
+  file.root["materials"] = {{{"emissiveFactor", {0, 1, 0}}}};
+  const std::size_t small = file.positions({0, 0, 0, 0.1f, 0, 0, 0, 0.1f, 0});
+  const auto lightWith = [&](double strength) {
+    file.root["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+    return load(file).facts.at(1).second;
+  };
+  file.addMesh({{"attributes", {{"POSITION", small}}}, {"material", 0}});
+  // The radius is sqrt(1/2), so that the mean radiance is 0.005 strength / (2 pi): 0.001 at 1.2566.
+  CHECK(lightWith(1.25).starts_with("too faint in the file: a background of 0.25"));
+  CHECK(lightWith(1.26) == "as in the file");
+}
+
 }  // namespace candela::gltf

@@ -152,7 +152,12 @@ const std::vector<Malformed> kMalformed{
     {set("/scene", 3), "/scene: index 3 into \"scenes\", which has 1 elements"},
     {set("/scenes/0/nodes", {0, 0}), "/scenes/0/nodes/1: node 0 is in the scene twice"},
     {set("/scenes/0/nodes", {9}), "/scenes/0/nodes/0: index 9 into \"nodes\""},
-    {[](GltfFile& file) { file.root["nodes"][1]["children"] = {0}; }, "/scenes/0/nodes/0: node 0 is not a root"},
+    {[](GltfFile& file) {
+       file.root["nodes"][1]["children"] = {0};
+       file.root["nodes"][1]["translation"] = {1, 0, 0};
+       file.root["scenes"][0]["nodes"] = {0};
+     },
+     "/scenes/0/nodes/0: node 0 is no root, and its ancestors have transforms"},
     // Instances and skins
     {set("/nodes/0/extensions/EXT_mesh_gpu_instancing", json::object()),
      "/nodes/0/extensions/EXT_mesh_gpu_instancing: the property \"attributes\""},

@@ -42,6 +42,49 @@ TEST_CASE("only the default scene is visible, and without scenes, all nodes are"
   CHECK(sceneOf(file).primitives.size() == 2);
 }
 
+TEST_CASE("a scene may list a node below a node that does not move it, with a warning") {
+  GltfFile file = triangleFile();
+  file.root["nodes"].push_back({{"children", {0}}, {"rotation", {0, 0, 0, 1}}});
+  const scene::LoadedScene loaded = load(file);
+  CHECK(warns(loaded, "/scenes/0/nodes/0: node 0 is no root"));
+  CHECK(loaded.scene.primitives.size() == 1);
+  file.root["scenes"][0]["nodes"] = {0, 1};
+  const scene::LoadedScene both = load(file);
+  CHECK(warns(both, "/scenes/0/nodes: nodes that are below other nodes of the list are shown once"));
+  CHECK(both.scene.primitives.size() == 1);
+}
+
+TEST_CASE("lenient reading ignores the transforms above a node that the scene lists") {
+  GltfFile file = triangleFile();
+  file.root["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 3}}});
+  file.root["nodes"][0].update({{"translation", {1, 0, 0}}, {"children", {1}}});
+  file.root["nodes"].push_back({{"children", {0}}, {"translation", {0, 5, 0}}});
+  CHECK(errorsOf(file.text()).find("/scenes/0/nodes/0: node 0 is no root, and its ancestors have transforms") !=
+        std::string::npos);
+  const scene::LoadedScene loaded = load(file, {.lenient = true});
+  CHECK(warns(loaded, "the transforms of its ancestors are ignored"));
+  CHECK(loaded.scene.meshes.at(0).positions[0] == glm::vec3(1, 0, 0));
+  CHECK(loaded.scene.meshes.at(1).positions[0] == glm::vec3(1, 0, 3));
+}
+
+TEST_CASE("KHR_node_visibility hides meshes and lights of a node and of those below it, but no camera") {
+  GltfFile file = triangleFile();
+  file.root["extensionsRequired"] = {"KHR_node_visibility"};
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+  json hidden{{"mesh", 0}, {"children", {2}}};
+  hidden["extensions"]["KHR_node_visibility"]["visible"] = false;
+  file.root["nodes"].push_back(hidden);
+  json below{{"mesh", 0}, {"camera", 0}, {"translation", {0, 0, 7}}};
+  below["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}, {"KHR_node_visibility", {{"visible", true}}}};
+  file.root["nodes"].push_back(below);
+  file.root["scenes"][0]["nodes"] = {0, 1};
+  const scene::LoadedScene loaded = load(file);
+  CHECK(loaded.scene.primitives.size() == 1);
+  CHECK(loaded.scene.camera->from == glm::vec3(0, 0, 7));
+  CHECK(loaded.facts.at(1).second.starts_with("none in the file"));
+}
+
 TEST_CASE("a long chain of nodes is followed to its end") {
   GltfFile file = triangleFile();
   constexpr std::size_t kLength = 20000;

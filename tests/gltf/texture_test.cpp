@@ -92,6 +92,42 @@ TEST_CASE("images come from data URIs and permitted files, and the scene's hash 
   CHECK_THROWS_WITH(loadText(file.text(), {}, folder.path()), Catch::Contains("/images/0/uri"));
 }
 
+TEST_CASE("textures without an image, or with a third set of coordinates, are left out with a warning") {
+  GltfFile file = texturedFile();
+  const auto warnsAndLeavesOut = [&](const char* warning) {
+    const scene::LoadedScene loaded = load(file);
+    return warns(loaded, warning) && !textureOf(loaded.scene.materials[0], scene::TextureSlot::baseColour);
+  };
+  SECTION("no source, as where an extension names an image of another format") {
+    file.root["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
+    CHECK(warnsAndLeavesOut("/textures/0: the texture is left out"));
+  }
+  SECTION("texCoord 2") {
+    infoOf(file)["texCoord"] = 2;
+    CHECK(warnsAndLeavesOut("/materials/0/pbrMetallicRoughness/baseColorTexture: the texture is left out"));
+  }
+  SECTION("texCoord 2 of a texture transform") {
+    infoOf(file)["extensions"]["KHR_texture_transform"]["texCoord"] = 2;
+    CHECK(warnsAndLeavesOut("coordinates of set 2"));
+  }
+}
+
+TEST_CASE("lenient reading leaves out the textures of images that are damaged, missing or forbidden") {
+  GltfFile file = texturedFile(std::vector<std::byte>(40));
+  const auto shared = file.root["materials"][0];
+  file.root["materials"].push_back(shared);
+  SECTION("not an image") {}
+  SECTION("a file that does not exist") { file.root["images"][0] = {{"uri", "missing.png"}}; }
+  SECTION("a file outside the scene's folder") { file.root["images"][0] = {{"uri", "../outside.png"}}; }
+  CHECK(errorsOf(file.text()).find("--lenient leaves out textures") != std::string::npos);
+  const scene::LoadedScene loaded = load(file, {.lenient = true});
+  CHECK(warns(loaded, "its textures are left out"));
+  CHECK(loaded.scene.images.empty());
+  for (const scene::Material& material : loaded.scene.materials) {
+    CHECK(!textureOf(material, scene::TextureSlot::baseColour));
+  }
+}
+
 TEST_CASE("damaged textures are errors with their place") {
   GltfFile file = texturedFile();
   SECTION("an index beyond the list") {
@@ -102,10 +138,6 @@ TEST_CASE("damaged textures are errors with their place") {
     file.root["samplers"] = {{{"wrapT", 5}}};
     file.root["textures"][0]["sampler"] = 0;
     CHECK_THROWS_WITH(load(file), Catch::Contains("/samplers/0/wrapT: 5 is not a wrapping mode"));
-  }
-  SECTION("a third set of coordinates") {
-    infoOf(file)["texCoord"] = 2;
-    CHECK_THROWS_WITH(load(file), Catch::Contains("baseColorTexture/texCoord: set 2"));
   }
   SECTION("bytes that are no image") {
     const GltfFile bad = texturedFile(std::vector<std::byte>(40));

@@ -223,3 +223,20 @@ TEST_CASE("an exception of a progress callback ends the render") {
   settings.execution.threads = 2;
   CHECK_THROWS_WITH(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control), "enough");
 }
+
+TEST_CASE("a scene of many primitives that prefers no structure gets none, and a sentence about the cost") {
+  SceneBuilder builder;
+  builder.material(diffuseMaterial(vec3(0.5f)));
+  for (int i = 0; i < 9999; ++i) builder.sphere({0, 0, -5}, 1);
+  render::RenderSettings settings = settingsOf(1, 1, 1);
+  settings.structure.accel = render::AccelKind::none;
+  settings.structure.accelIsPreference = true;
+  CHECK(renderScene(builder.scene, settings).statistics.warnings.empty());
+  builder.sphere({0, 0, -5}, 1);
+  const render::RenderStatistics statistics = renderScene(builder.scene, settings).statistics;
+  CHECK(statistics.structure == render::AccelKind::none);
+  REQUIRE(statistics.warnings.size() == 1);
+  CHECK(statistics.warnings.front().find("every ray tests 10000 primitives: --accel bvh") != std::string::npos);
+  settings.structure.accelIsPreference = false;
+  CHECK(renderScene(builder.scene, settings).statistics.warnings.empty());
+}

@@ -1,0 +1,69 @@
+// Decides whether a file has light, and adds the default light.
+#include "host/gltf/default_light.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace candela::gltf {
+namespace {
+
+/// Both together show a white surface that faces the light as 0.25 + 2.25 / pi, just below 1.
+constexpr float kBackground = 0.25f;
+constexpr float kIrradiance = 2.25f;
+
+/// Emission below this mean radiance would leave the model black in an 8-bit picture: 0.001 is displayed as 3 of 255.
+constexpr double kFaintRadiance = 0.001;
+
+double areaOf(const scene::Triangle& triangle) {
+  const glm::dvec3 a(triangle.p[0]);
+  return glm::length(glm::cross(glm::dvec3(triangle.p[1]) - a, glm::dvec3(triangle.p[2]) - a)) / 2;
+}
+
+/// The brightest channel times area, over all triangles that emit. Emission that a texture shapes, as of headlights and
+/// displays, does not count.
+double emissionOf(const scene::Scene& scene) {
+  double sum = 0;
+  for (const scene::Primitive& primitive : scene.primitives) {
+    const scene::Material& material = scene.materials[primitive.material];
+    if (!isEmissive(material) || textureOf(material, scene::TextureSlot::emission)) continue;
+    const glm::vec3 emission = material.emission;
+    sum += std::max({emission.x, emission.y, emission.z}) * areaOf(triangleOf(scene, primitive));
+  }
+  return sum;
+}
+
+/// The radiance of a white sphere around the model that receives all of its emission: the emitted power is pi times
+/// emissionOf(), one side of each triangle taken, and a white surface has the radiance irradiance / pi.
+double meanRadiance(const scene::Scene& scene, const std::optional<Box>& bounds) {
+  if (!bounds) return 0;
+  const double radius = glm::length(bounds->max - bounds->min) / 2;
+  const double emission = emissionOf(scene);
+  return emission > 0 ? emission / (4 * std::numbers::pi * radius * radius) : 0;
+}
+
+void addDefaultLight(scene::Scene& scene) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  scene.background = glm::vec3(kBackground);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.direction = glm::vec3(glm::normalize(2.0 * forward + right - up));
+  light.intensity = glm::vec3(kIrradiance);
+  scene.punctualLights.push_back(light);
+}
+
+}  // namespace
+
+std::string lightUp(scene::Scene& scene, const std::optional<Box>& bounds, const scene::LoadOptions& options) {
+  const double radiance = meanRadiance(scene, bounds);
+  if (!scene.punctualLights.empty() || radiance >= kFaintRadiance) return "as in the file";
+  const std::string own = radiance > 0 ? "too faint in the file" : "none in the file";
+  if (options.hasEnvironment()) return own;
+  addDefaultLight(scene);
+  return fmt::format("{}: a background of {} and a directional light of {} from the camera's upper left", own,
+                     kBackground, kIrradiance);
+}
+
+}  // namespace candela::gltf
