@@ -19,6 +19,7 @@ GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
     extensions["KHR_materials_volume"]["attenuationColor"] = {left.x, left.y, left.z};
     extensions["KHR_materials_volume"]["attenuationDistance"] = factors.attenuationDistance;
   }
+  if (factors.dispersion > 0) extensions["KHR_materials_dispersion"] = {{"dispersion", factors.dispersion}};
   if (factors.clearcoat > 0) {
     extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", factors.clearcoat},
                                              {"clearcoatRoughnessFactor", factors.clearcoatRoughness}};
