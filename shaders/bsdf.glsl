@@ -61,7 +61,7 @@ void addGlossy(Material m, vec3 wo, vec3 wi, inout vec3 f, inout float pdf) {
 // direction of the sphere. Each lobe adds to both on the side of the surface to which it scatters. The integrator
 // multiplies f by |wi.z|.
 vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
-  if (kHasSurfaces && m.isSurface) return evaluateSurface(m.lobes, wo, wi, pdf);
+  if (kHasSurfaces && m.isSurface) return evaluateSurfaceMaterial(m, wo, wi, pdf);
   vec3 f = vec3(0.0);
   pdf = 0.0;
   addDiffuse(m, wo, wi, f, pdf);
@@ -72,7 +72,10 @@ vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
 // Computes the members that depend on wo. Must be called before a material is evaluated or sampled. `outside`: wo is on the side to
 // which the primitive's own normal points.
 void prepareLobes(inout Material m, vec3 wo, bool outside) {
-  if (kHasSurfaces && m.isSurface) m.lobes = lobesAt(m.surface, wo, outside);
+  if (!kHasSurfaces || !m.isSurface) return;
+  m.outside = outside;
+  bool disperses = kHasDispersion && m.surface.transmissionDispersionScale > 0.0;
+  m.lobes = lobesAt(disperses ? inChannel(m.surface, m.channel) : m.surface, wo, outside);
 }
 
 BsdfSample sampleSmoothLobes(Material m, vec3 wo, bool diffuseLobe, vec2 u) {
@@ -116,7 +119,7 @@ BsdfSample sampleDielectric(Material m, vec3 wo, bool outside, float u) {
 
 // Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
 BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
-  if (kHasSurfaces && m.isSurface) return sampleSurface(m.lobes, wo, numbers);
+  if (kHasSurfaces && m.isSurface) return sampleSurfaceMaterial(m, wo, numbers);
   if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);
   if (total <= 0.0) return kAbsorbed;

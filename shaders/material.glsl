@@ -16,6 +16,7 @@ struct SurfaceParameters {
   vec2 rotation;     // cosine and sine
   float ior;
   float transmissionWeight;
+  float transmissionDispersionScale;
   bool isThinWalled;
   float coatWeight;
   float coatRoughness;
@@ -68,7 +69,10 @@ struct Material {
   bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
   SurfaceParameters surface;
   uint volume;         // number of the volume that the surface bounds; 0: none
-  SurfaceLobes lobes;  // computed by prepareLobes()
+  SurfaceLobes lobes;  // computed by prepareLobes(); with dispersion, those of `channel`
+  bool outside;        // argument of prepareLobes()
+  uint channel;        // of the index of refraction by which a direction is sampled
+  vec3 channelShares;  // probabilities of the channels
   vec3 diffuse;
   float diffuseWeight;
   vec3 glossy;
@@ -94,9 +98,10 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   vec4 sheen = kHasSheen ? sceneRowFloat(row + 5u) : vec4(0.0);
   vec4 film = kHasFilm ? sceneRowFloat(row + 6u) : vec4(0.0);
   vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
-  vec3 kappa = kHasConductors ? sceneRowFloat(row + 8u).xyz : vec3(0.0);
-  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, grain.x, grain.yz, shape.y, shape.z, volume == 0u, coat,
-                           shape.w, false, sheen.xyz, sheen.w, film.x, film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa);
+  vec4 kappa = kHasConductors || kHasDispersion ? sceneRowFloat(row + 8u) : vec4(0.0);
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, grain.x, grain.yz, shape.y, shape.z, kappa.w,
+                           volume == 0u, coat, shape.w, false, sheen.xyz, sheen.w, film.x, film.y, film.z, film.w, eta.w != 0.0, eta.xyz,
+                           kappa.xyz);
 }
 
 // Loads a material by its index in the scene.
@@ -105,6 +110,9 @@ Material loadMaterial(uint index) {
   Material material;
   material.isSurface = false;
   material.volume = 0u;
+  material.outside = true;
+  material.channel = 1u;
+  material.channelShares = vec3(0.0, 1.0, 0.0);
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;

@@ -196,6 +196,9 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
+  if (kHasDispersion && material.isSurface && material.surface.transmissionDispersionScale > 0.0) {
+    chooseChannel(material, path.throughput, channelNumber(key, path.depth));
+  }
   prepareLobes(material, shading.wo, shading.outside);
   float lobeNumber = 0.0;
   if (kHasLights || kHasMixtures) {

@@ -1,4 +1,4 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.12. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.13. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
@@ -128,8 +128,36 @@ vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   return f * ((1.0 - lobes.coatShare) * (kHasSheen ? lobes.belowSheen : 1.0));
 }
 
-// Samples a direction. numbers.x chooses the lobe, numbers.yz the direction.
-BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
+// The surface's parameters with the index of refraction of a channel: section 5.13.
+SurfaceParameters inChannel(SurfaceParameters s, uint channel) {
+  float halfSpread = (s.ior - 1.0) * 0.025 * s.transmissionDispersionScale;
+  s.ior = max(1.0, s.ior + (float(channel) - 1.0) * halfSpread);
+  return s;
+}
+
+// Chooses the channel by whose index of refraction the next direction is sampled.
+void chooseChannel(inout Material m, vec3 throughput, float number) {
+  float sum = throughput.x + throughput.y + throughput.z;
+  if (sum > 0.0) m.channelShares = throughput / sum;
+  precise float greenEnd = m.channelShares.x + m.channelShares.y;
+  m.channel = number < m.channelShares.x ? 0u : number < greenEnd || m.channelShares.z == 0.0 ? 1u : 2u;
+}
+
+// Each channel's f is that of its own index of refraction; the pdf is that of choosing a channel and sampling by it.
+vec3 evaluateChannels(Material m, vec3 wo, vec3 wi, out float pdf) {
+  vec3 f = vec3(0.0);
+  pdf = 0.0;
+  for (uint channel = 0u; channel < 3u; ++channel) {
+    float channelPdf;
+    SurfaceLobes lobes = lobesAt(inChannel(m.surface, channel), wo, m.outside);
+    f[channel] = evaluateSurface(lobes, wo, wi, channelPdf)[channel];
+    pdf += m.channelShares[channel] * channelPdf;
+  }
+  return f;
+}
+
+// Chooses a lobe by numbers.x, and its direction by numbers.yz. Pdf and weight remain to be computed.
+BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   BsdfSample result = kAbsorbed;
   precise float sheenEnd = lobes.coatShare + lobes.sheenShare;
   precise float diffuseEnd = sheenEnd + lobes.diffuseShare;
@@ -152,14 +180,26 @@ BsdfSample sampleSurface(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
     }
   }
   if ((result.wi.z < 0.0) != transmitted) return kAbsorbed;
-  vec3 f = evaluateSurface(lobes, wo, result.wi, result.pdf);
-  if (result.pdf <= 0.0) return kAbsorbed;
-  result.weight = f * (abs(result.wi.z) / result.pdf);
   result.lobe = transmitted ? kLobeRefract
                 : isSheen   ? kLobeSheen
                 : isDiffuse ? kLobeDiffuse
                 : coated    ? kLobeCoat
                             : kLobeGlossy;
+  return result;
+}
+
+// Returns f and the pdf of a material with surface parameters.
+vec3 evaluateSurfaceMaterial(Material m, vec3 wo, vec3 wi, out float pdf) {
+  if (kHasDispersion && m.surface.transmissionDispersionScale > 0.0) return evaluateChannels(m, wo, wi, pdf);
+  return evaluateSurface(m.lobes, wo, wi, pdf);
+}
+
+BsdfSample sampleSurfaceMaterial(Material m, vec3 wo, vec3 numbers) {
+  BsdfSample result = sampleLobes(m.lobes, wo, numbers);
+  if (result.lobe == kLobeNone) return kAbsorbed;
+  vec3 f = evaluateSurfaceMaterial(m, wo, result.wi, result.pdf);
+  if (result.pdf <= 0.0) return kAbsorbed;
+  result.weight = f * (abs(result.wi.z) / result.pdf);
   return result;
 }
 

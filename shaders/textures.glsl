@@ -10,6 +10,9 @@ vec4 textureJitter(SampleKey key, uint depth) { return toUnit(sampleGroup(key, v
 // Returns the numbers that choose a facet of a normal-mapped surface, a layer, and a facet of the coat.
 vec4 facetNumbers(SampleKey key, uint depth) { return toUnit(sampleGroup(key, vertexGroup(depth, kDimensionFacet))); }
 
+// Returns the number that chooses the channel of a surface with dispersion.
+float channelNumber(SampleKey key, uint depth) { return facetNumbers(key, depth).w; }
+
 // Reduces a texture coordinate to one period of its wrap mode, or to 0 to 1, so that indices of texels are small.
 float reducedCoordinate(float s, uint wrap) {
   float bounded = abs(s) < 8388608.0 ? s : 0.0;

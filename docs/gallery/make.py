@@ -49,6 +49,9 @@ PICTURES_OF_PAGE = [
     Picture("materials", "A table of materials",
             "Six roughnesses from left to right: gold, copper, plastics, rough glass, coats.",
             "material-table --size 48", 48, size="400x480", options=["--env", "sun:40,200,4"]),
+    Picture("brilliants", "Brilliants between lamps",
+            "Three stones of a diamond's index of refraction: without dispersion, with that of diamond, with that of rutile.",
+            "brilliants", 128, size="480x200", display=["--exposure", "-1", "--tonemap", "agx"]),
     Picture("mountain", "Glass balls on a mountain",
             "131,072 triangles and four dielectric spheres.",
             "mount --size 8", 32, options=["--env", "sun:25,60,3", "--background", "colour"]),
@@ -75,7 +78,7 @@ def is_generated(picture):
 
 
 def suffix_of(picture):
-    return ".gltf" if picture.scene.startswith(("material", "still")) else ".p3f"
+    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants")) else ".p3f"
 
 
 def run(words):

@@ -15,8 +15,8 @@ constexpr std::uint32_t kRings = 8;
 constexpr double kRadius = 1;
 constexpr std::uint32_t kTextureSide = 8;
 
-const std::array<MaterialScene, 10>& materialTable() {
-  static const std::array<MaterialScene, 10> table{{
+const std::array<MaterialScene, 11>& materialTable() {
+  static const std::array<MaterialScene, 11> table{{
       {.name = "plastic", .factors = {.colour = {0.75, 0.1, 0.1}, .roughness = 0.4}},
       {.name = "metal", .factors = {.colour = {1, 0.77, 0.34}, .metalness = 1, .roughness = 0.3}},
       {.name = "conductor",
@@ -28,6 +28,8 @@ const std::array<MaterialScene, 10>& materialTable() {
                    .thickness = 2,
                    .attenuation = {0.5, 0.9, 0.7},
                    .attenuationDistance = 1}},
+      {.name = "dispersion",
+       .factors = {.roughness = 0.1, .transmission = 1, .ior = 1.8, .thickness = 2, .dispersion = 2}},
       {.name = "coat",
        .factors = {.colour = {0.1, 0.2, 0.6}, .roughness = 0.6, .clearcoat = 1, .clearcoatRoughness = 0.1}},
       {.name = "sheen",

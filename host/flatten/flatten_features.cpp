@@ -37,6 +37,7 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.volumes |= surface.hasVolume();
   features.coats |= surface.coatWeight > 0;
   features.films |= surface.filmWeight > 0;
+  features.dispersion |= surface.disperses();
   features.conductors |= surface.conductor && surface.metalness > 0;
   features.anisotropy |= surface.anisotropy > 0;
   features.sheens |= surface.sheenColour != glm::vec3(0);

@@ -72,7 +72,7 @@ void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows
   rows.push_back(row(glm::dvec3(s.filmWeight, s.filmIor, s.filmThickness), double{s.filmThicknessMinimum}));
   const scene::Conductor conductor = s.conductor.value_or(scene::Conductor{});
   rows.push_back(row(glm::dvec3(conductor.ior), s.conductor ? 1.0 : 0.0));
-  rows.push_back(row(glm::dvec3(conductor.extinction), 0.0));
+  rows.push_back(row(glm::dvec3(conductor.extinction), s.disperses() ? double{s.transmissionDispersionScale} : 0.0));
 }
 
 }  // namespace

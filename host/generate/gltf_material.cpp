@@ -13,12 +13,14 @@ GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
   if (factors.transmission > 0) {
     extensions["KHR_materials_transmission"] = {{"transmissionFactor", factors.transmission}};
   }
+  if (factors.ior != 1.5) extensions["KHR_materials_ior"] = {{"ior", factors.ior}};
   if (factors.thickness > 0) extensions["KHR_materials_volume"] = {{"thicknessFactor", factors.thickness}};
   if (factors.thickness > 0 && factors.attenuationDistance > 0) {
     const glm::dvec3& left = factors.attenuation;
     extensions["KHR_materials_volume"]["attenuationColor"] = {left.x, left.y, left.z};
     extensions["KHR_materials_volume"]["attenuationDistance"] = factors.attenuationDistance;
   }
+  if (factors.dispersion > 0) extensions["KHR_materials_dispersion"] = {{"dispersion", factors.dispersion}};
   if (factors.clearcoat > 0) {
     extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", factors.clearcoat},
                                              {"clearcoatRoughnessFactor", factors.clearcoatRoughness}};

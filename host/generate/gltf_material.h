@@ -10,7 +10,9 @@ struct MaterialFactors {
   double metalness = 0;
   double roughness = 0.5;
   double transmission = 0;
-  double thickness = 0;  ///< of the body that transmits; 0: a thin wall
+  double ior = 1.5;
+  double thickness = 0;   ///< of the body that transmits; 0: a thin wall
+  double dispersion = 0;  ///< of the volume, 20 / Abbe number
   double clearcoat = 0;
   double clearcoatRoughness = 0;
   glm::dvec3 sheen{0};

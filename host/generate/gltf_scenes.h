@@ -19,6 +19,11 @@ void writeMaterialFurnace(NffWriter& out, std::uint32_t size);
 std::uint64_t brushedTablePrimitives(std::uint32_t size);
 void writeBrushedTable(NffWriter& out, std::uint32_t size);
 
+/// Three round brilliants with as many bezels as the size says, at least 6, between lamps: without dispersion, and with
+/// that of diamond and of rutile.
+std::uint64_t brilliantsPrimitives(std::uint32_t size);
+void writeBrilliants(NffWriter& out, std::uint32_t size);
+
 /// A glazed vase, a tumbler, a bowl and balls of glass, gold, copper and plastic on tiles.
 std::uint64_t stillLifePrimitives(std::uint32_t size);
 void writeStillLife(NffWriter& out, std::uint32_t size);

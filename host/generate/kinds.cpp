@@ -17,7 +17,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 18> table{{
+  static constexpr std::array<Kind, 19> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -38,6 +38,8 @@ std::span<const Kind> kindTable() {
        writeMaterialFurnace},
       {"brushed-table", "glTF: balls of six roughnesses, with anisotropic highlights", 8, 32, brushedTablePrimitives,
        writeBrushedTable},
+      {"brilliants", "glTF: three diamonds of growing dispersion between lamps", 6, 8, brilliantsPrimitives,
+       writeBrilliants},
       {"still-life", "glTF: a vase, glasses, a bowl and balls on tiles, for --env", 8, 64, stillLifePrimitives,
        writeStillLife},
   }};

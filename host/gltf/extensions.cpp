@@ -20,6 +20,7 @@ constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "KHR_lights_punctual",
                                "KHR_materials_anisotropy",
                                "KHR_materials_clearcoat",
+                               "KHR_materials_dispersion",
                                "KHR_materials_emissive_strength",
                                "KHR_materials_ior",
                                "KHR_materials_iridescence",
@@ -30,7 +31,7 @@ constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "KHR_mesh_quantization",
                                "KHR_node_visibility",
                                "KHR_texture_transform"};
-constexpr std::array kPartly{"KHR_materials_dispersion", "KHR_materials_unlit", "KHR_materials_variants"};
+constexpr std::array kPartly{"KHR_materials_unlit", "KHR_materials_variants"};
 
 bool isMeshopt(std::string_view extension) {
   return extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression";

@@ -12,10 +12,10 @@ namespace candela::gltf {
 namespace {
 
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{
-    "KHR_materials_emissive_strength", "KHR_materials_unlit",      "KHR_materials_ior",
-    "KHR_materials_specular",          "KHR_materials_clearcoat",  "KHR_materials_sheen",
-    "KHR_materials_iridescence",       "KHR_materials_anisotropy", "CANDELA_materials_conductor"};
+constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit",      "KHR_materials_ior",
+                           "KHR_materials_specular",          "KHR_materials_clearcoat",  "KHR_materials_sheen",
+                           "KHR_materials_iridescence",       "KHR_materials_anisotropy", "KHR_materials_dispersion",
+                           "CANDELA_materials_conductor"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -114,6 +114,11 @@ void readTransmission(const Value& material, const TextureReader& readTexture, G
   if (result.attenuationDistance == 0) volume->require("attenuationDistance").fail("0 is not positive");
 }
 
+void readDispersion(const Value& material, GltfMaterial& result) {
+  const std::optional<Value> dispersion = material.extension("KHR_materials_dispersion");
+  if (dispersion) result.dispersion = atLeastZero(*dispersion, "dispersion", 0);
+}
+
 void readClearcoat(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   const std::optional<Value> coat = material.extension("KHR_materials_clearcoat");
   if (!coat) return;
@@ -187,6 +192,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   readEmission(material, readTexture, result);
   readSpecular(material, readTexture, result);
   readTransmission(material, readTexture, result);
+  readDispersion(material, result);
   readClearcoat(material, readTexture, result);
   readNormalMap(material, readTexture, result);
   readSheen(material, readTexture, result);

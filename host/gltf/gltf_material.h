@@ -47,6 +47,7 @@ struct GltfMaterial {
   double thickness = 0;                  ///< KHR_materials_volume; 0: a thin wall
   glm::vec3 attenuationColour{1, 1, 1};  ///< KHR_materials_volume
   double attenuationDistance = 0;        ///< KHR_materials_volume; 0: infinite
+  double dispersion = 0;                 ///< KHR_materials_dispersion; 20 / Abbe number
   double clearcoat = 0;                  ///< KHR_materials_clearcoat
   double clearcoatRoughness = 0;         ///< KHR_materials_clearcoat
   glm::vec3 sheenColour{0, 0, 0};        ///< KHR_materials_sheen
@@ -59,7 +60,7 @@ struct GltfMaterial {
   double anisotropyRotation = 0;         ///< KHR_materials_anisotropy; in radians
   /// CANDELA_materials_conductor, docs/gltf.md
   std::optional<scene::Conductor> conductor{};
-  /// Properties of the material that are not in this structure: "base colour texture", "KHR_materials_dispersion".
+  /// Properties of the material that are not in this structure: "occlusion texture", "EXT_example".
   std::set<std::string> unread;
 };
 

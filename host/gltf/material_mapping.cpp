@@ -26,6 +26,7 @@ scene::SurfaceParameters surfaceOf(const GltfMaterial& source) {
   surface.ior = static_cast<float>(source.ior);
   if (source.ior > 0) surface.transmissionWeight = static_cast<float>(source.transmission);  // ior 0 reflects all light
   surface.isThinWalled = source.thickness == 0 || surface.transmissionWeight == 0;
+  surface.transmissionDispersionScale = static_cast<float>(source.dispersion);
   surface.absorption = absorptionOf(source);
   surface.coatWeight = static_cast<float>(source.clearcoat);
   surface.coatRoughness = static_cast<float>(source.clearcoatRoughness);

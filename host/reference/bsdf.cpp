@@ -52,6 +52,7 @@ render::Lobe Bsdf::chooseLobe(double u) const {
 }
 
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
+  if (dispersive_) return dispersive_->evaluate(wi);
   if (surface_) return surface_->evaluate(wi);
   BsdfValue value;
   addDiffuse(wo, wi, value);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host/reference/bsdf_value.h"
+#include "host/reference/dispersion.h"
 #include "host/reference/surface_bsdf.h"
 #include "host/render/path_record.h"
 #include "host/scene/scene.h"
@@ -37,6 +38,13 @@ class Bsdf {
     surface_.emplace(surface, wo, outside, isCoatAlone);
   }
 
+  /// Does the same for a surface that disperses light.
+  void setDispersiveSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone,
+                            const ChannelChoice& choice) {
+    dispersive_.emplace(surface, wo, outside, isCoatAlone, choice);
+    surface_ = dispersive_->chosen();
+  }
+
   bool isMirror() const { return mirror_; }
   bool isBlack() const { return !surface_ && !mirror_ && weightSum() == 0; }
   /// Multiplies the colours of the lobes by that of a texture.
@@ -58,6 +66,7 @@ class Bsdf {
   /// Samples a direction from lobe `diffuse` or `glossy`. It may be on a side to which the lobe does not scatter; its
   /// density is then 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
+  /// With dispersion, the surface by which directions are sampled.
   const std::optional<SurfaceBsdf>& surface() const { return surface_; }
 
   DeltaSample sampleMirror(const dvec3& wo) const;
@@ -70,6 +79,7 @@ class Bsdf {
   void addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
 
   std::optional<SurfaceBsdf> surface_;
+  std::optional<DispersiveBsdf> dispersive_;
   double diffuse_ = 0;
   double glossy_ = 0;
   double dielectric_ = 0;

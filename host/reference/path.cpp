@@ -55,6 +55,7 @@ struct PathTracer::VertexNumbers {
   double facet() const { return numbers.unit(block + kDimensionFacet); }
   double layer() const { return numbers.unit(block + kDimensionLayer); }
   double coatFacet() const { return numbers.unit(block + kDimensionCoatFacet); }
+  double channel() const { return numbers.unit(block + kDimensionChannel); }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
 };
 
@@ -62,9 +63,14 @@ struct PathTracer::Vertex : ShadingFrame {
   const Surface& surface;
   Bsdf bsdf;
 
-  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection, Rounding& rounding)
+  /// `choice`: nothing if the surface does not disperse light.
+  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection,
+         const std::optional<ChannelChoice>& choice, Rounding& rounding)
       : ShadingFrame(at, rayDirection, rounding), surface(at), bsdf(material.bsdf) {
-    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone);
+    if (choice)
+      bsdf.setDispersiveSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone, *choice);
+    else if (material.surface)
+      bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone);
   }
 
   /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
@@ -159,7 +165,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     notes.scattered(depth - 1, radiance);
     if (depth == settings_.image.maxDepth) return radiance;
 
-    const Vertex vertex(surface, material, ray.direction, rounding);
+    const Vertex vertex(surface, material, ray.direction, channelAt(surface, beta, u, rounding), rounding);
     if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
       radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
     }
@@ -206,6 +212,15 @@ void PathTracer::mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& s
   }
   applyNormalMap(scene(), scene::TextureSlot::normal, surface, rounding);
   surface.facetNumber = u.facet();
+}
+
+std::optional<ChannelChoice> PathTracer::channelAt(const Surface& surface, const dvec3& throughput, VertexNumbers u,
+                                                   Rounding& rounding) const {
+  const auto& parameters = scene().materials[surface.material].surface;
+  if (!parameters || !parameters->disperses()) return std::nullopt;
+  const ChannelChoice choice = chooseChannel(throughput, rounding.absolute(u.channel(), kRoundingBounds.choice));
+  rounding.decide(choice.channel);
+  return choice;
 }
 
 dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {

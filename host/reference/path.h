@@ -46,6 +46,9 @@ class PathTracer final : public PixelTracer {
   /// is chosen, and `material` becomes this layer.
   void mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,
                 Rounding& rounding) const;
+  /// Chooses the channel by which a direction is sampled; nothing if the surface does not disperse light.
+  std::optional<ChannelChoice> channelAt(const Surface& surface, const dvec3& throughput, VertexNumbers u,
+                                         Rounding& rounding) const;
   /// Returns the radiance of a ray that hits nothing, times its weight; `pdf` is that of the ray's direction. Camera
   /// rays see the backdrop.
   dvec3 background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const;

@@ -24,8 +24,9 @@ struct SurfaceParameters {
   float roughness = 1;                ///< perceptual: alpha is its square
   float ior = 1.5f;                   ///< of the inside relative to the outside, at least 1; or 0: reflects everything
   float transmissionWeight = 0;       ///< fraction of the diffuse reflection that is replaced by transmission
-  bool isThinWalled = true;           ///< the surface bounds no volume, and light passes it without refraction
-  glm::vec3 absorption{0, 0, 0};      ///< coefficient of the volume, per unit of length in the scene, >= 0
+  float transmissionDispersionScale = 0;  ///< of a volume whose Abbe number is 20 divided by it; 0: no dispersion
+  bool isThinWalled = true;               ///< the surface bounds no volume, and light passes it without refraction
+  glm::vec3 absorption{0, 0, 0};          ///< coefficient of the volume, per unit of length in the scene, >= 0
   float coatWeight = 0;
   glm::vec3 sheenColour{0, 0, 0};  ///< albedo of the fibres on the surface, relative to that of white ones
   float sheenRoughness = 0;
@@ -40,6 +41,9 @@ struct SurfaceParameters {
 
   /// The surface bounds a volume, which light enters and leaves by refraction.
   bool hasVolume() const { return !isThinWalled && transmissionWeight > 0; }
+
+  /// The index of refraction differs between red, green and blue.
+  bool disperses() const { return hasVolume() && transmissionDispersionScale > 0 && ior > 1; }
 
   bool operator==(const SurfaceParameters&) const = default;
 };

@@ -34,6 +34,7 @@ CANDELA_DIMENSION kVertexDimensionCount = 8u;
 CANDELA_DIMENSION kDimensionFacet = 0x80000000u;  // of normal-mapped surfaces
 CANDELA_DIMENSION kDimensionLayer = 0x80000001u;
 CANDELA_DIMENSION kDimensionCoatFacet = 0x80000002u;
+CANDELA_DIMENSION kDimensionChannel = 0x80000003u;  // of surfaces with dispersion
 CANDELA_DIMENSION kDimensionTextureU = 0x80000004u;
 CANDELA_DIMENSION kDimensionTextureV = 0x80000005u;
 CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled point of a light

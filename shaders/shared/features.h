@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids 86 to 89 are free.
+// use are compiled out. Other ids are in specialization.h; ids 87 to 89 are free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \
@@ -44,6 +44,7 @@
   X(sheens, kHasSheen, 82)              /* some surface has a sheen */                           \
   X(films, kHasFilm, 85)                /* some surface has a thin film */                       \
   X(conductors, kHasConductors, 84)     /* some metal has a complex index */                     \
-  X(anisotropy, kHasAnisotropy, 83)     /* some surface is rougher in one direction */
+  X(anisotropy, kHasAnisotropy, 83)     /* some surface is rougher in one direction */           \
+  X(dispersion, kHasDispersion, 86)     /* some volume has an index for each channel */
 
 #endif

@@ -66,8 +66,8 @@ CANDELA_CONST uint kMaterialRows = 5u;
 // Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
 // transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as
 // a word, strength of the anisotropy, cosine and sine of its rotation) (sheen colour, sheen roughness) (film weight,
-// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, 0). The surfaces that
-// bound volumes come first; the number of a volume is the index of its surface + 1.
+// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, dispersion or 0 if there is
+// none). The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
 CANDELA_CONST uint kSurfaceRows = 9u;
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
 

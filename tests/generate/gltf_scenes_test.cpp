@@ -1,11 +1,16 @@
 // The parts of generated glTF: textures that are stored as PNG, and closed, smooth surfaces of revolution.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "host/generate/lathe.h"
 #include "host/generate/stored_png.h"
 #include "host/image/image.h"
+#include "tests/generate/generated_text.h"
+#include "tests/scene/triangles.h"
 
 namespace candela::generate {
 
@@ -45,6 +50,42 @@ TEST_CASE("a profile that turns sharply has an edge there") {
   for (const glm::vec3& normal : cylinder.normals) {
     const bool isFlat = std::abs(normal.y) > 0.999f, isAround = std::abs(normal.y) < 1e-3f;
     CHECK((isFlat || isAround));
+  }
+}
+
+TEST_CASE("brilliants are closed and convex, with plane facets") {
+  for (const std::uint32_t size : {6u, 8u, 31u}) {
+    const scene::LoadedScene loaded = generatedScene("brilliants", size);
+    std::vector<scene::Triangle> stone = trianglesOf(loaded.scene);
+    stone.resize(14 * size - 2);
+    const auto key = [](const glm::vec3& v) { return std::array{v.x, v.y, v.z}; };
+    std::map<std::array<std::array<float, 3>, 2>, int> edges;  // how often in this direction minus in the other
+    double volume = 0;
+    for (const scene::Triangle& t : stone) {
+      const glm::dvec3 a(t.p[0]), b(t.p[1]), c(t.p[2]), normal = normalize(cross(b - a, c - a));
+      volume += dot(a, cross(b, c)) / 6;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto from = key(t.p[k]), to = key(t.p[(k + 1) % 3]);
+        edges[from < to ? std::array{from, to} : std::array{to, from}] += from < to ? 1 : -1;
+        for (const scene::Triangle& other : stone) {
+          CHECK(dot(normal, glm::dvec3(other.p[k]) - a) < 1e-5);
+          CHECK(other.p[k].y > 0);
+        }
+      }
+    }
+    CHECK(std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; }));
+    CHECK(edges.size() == 3 * stone.size() / 2);
+    CHECK(volume == Approx(1.677).epsilon(5e-3));
+  }
+}
+
+TEST_CASE("the three brilliants disperse by 0, 0.36 and 2.04") {
+  const scene::LoadedScene loaded = generatedScene("brilliants", 8);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const scene::SurfaceParameters& stone = *loaded.scene.materials[i].surface;
+    CHECK(stone.ior == 2.417f);
+    CHECK(stone.transmissionDispersionScale == std::array{0.0f, 0.36f, 2.04f}[i]);
+    CHECK(stone.disperses() == (i > 0));
   }
 }
 

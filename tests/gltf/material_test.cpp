@@ -179,6 +179,24 @@ TEST_CASE("iridescence is a thin film") {
   CHECK_THROWS_AS(mapped(material), PlaceError);
 }
 
+TEST_CASE("dispersion belongs to volumes whose index of refraction exceeds 1") {
+  json material;
+  json& extensions = material["extensions"];
+  extensions["KHR_materials_dispersion"] = {{"dispersion", 0.36}};
+  extensions["KHR_materials_transmission"] = {{"transmissionFactor", 1}};
+  CHECK(mapped(material).surface->transmissionDispersionScale == 0.36f);
+  CHECK_FALSE(mapped(material).surface->disperses());
+  extensions["KHR_materials_volume"] = {{"thicknessFactor", 1}};
+  CHECK(mapped(material).surface->disperses());
+  extensions["KHR_materials_ior"] = {{"ior", 1}};
+  CHECK_FALSE(mapped(material).surface->disperses());
+  extensions.erase("KHR_materials_ior");
+  extensions["KHR_materials_dispersion"] = json::object();
+  CHECK_FALSE(mapped(material).surface->disperses());
+  extensions["KHR_materials_dispersion"] = {{"dispersion", -0.1}};
+  CHECK_THROWS_AS(mapped(material), PlaceError);
+}
+
 TEST_CASE("a conductor has a complex index of refraction") {
   json material;
   json& conductor = material["extensions"]["CANDELA_materials_conductor"];
@@ -223,9 +241,9 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
 TEST_CASE("one warning lists the features that are not rendered") {
   GltfFile file = triangleFile();
   json material{{"occlusionTexture", {{"index", 0}}}};
-  material["extensions"]["KHR_materials_dispersion"] = json::object();
+  material["extensions"]["EXT_example"] = json::object();
   file.root["materials"] = {material};
-  CHECK(warns(load(file), "not rendered yet: KHR_materials_dispersion, occlusion texture"));
+  CHECK(warns(load(file), "not rendered yet: EXT_example, occlusion texture"));
 }
 
 }  // namespace candela::gltf

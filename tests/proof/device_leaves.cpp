@@ -74,8 +74,9 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
   for (const ScatterQuery& query : queries) {
     inputs.emplace_back(vec3(query.wo), number(query.material));
     inputs.emplace_back(query.numbers, query.outside ? 1.0f : 0.0f);
+    inputs.emplace_back(query.dispersion.throughput, query.dispersion.number);
   }
-  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), queries.size(), 0);
+  const auto rows = side_->leaf.run<vec4>(inputs, 2 * queries.size(), queries.size(), 0);
   std::vector<Scattered> samples(queries.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto lobe = static_cast<render::Lobe>(rows[2 * i + 1].w);
@@ -89,8 +90,9 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
   for (const DirectionPair& pair : pairs) {
     inputs.emplace_back(vec3(pair.wo), number(pair.material));
     inputs.emplace_back(vec3(pair.wi), pair.outside ? 1.0f : 0.0f);
+    inputs.emplace_back(pair.dispersion.throughput, pair.dispersion.number);
   }
-  const auto rows = side_->leaf.run<vec4>(inputs, inputs.size(), pairs.size(), 1);
+  const auto rows = side_->leaf.run<vec4>(inputs, 2 * pairs.size(), pairs.size(), 1);
   std::vector<ScatterValue> values;
   for (std::size_t i = 0; i < pairs.size(); ++i) values.push_back({vec3(rows[2 * i]), rows[2 * i].w});
   return values;

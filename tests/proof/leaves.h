@@ -30,12 +30,20 @@ struct WarpValues {
 };
 WarpValues warps(std::span<const glm::vec3> numbers, float capHeight);
 
+/// What chooses the channel at a surface with dispersion.
+struct ChannelQuery {
+  glm::vec3 throughput{1};
+  float number = 0.5f;
+
+  bool operator==(const ChannelQuery&) const = default;
+};
 /// Scattering at a point of a material, in the local frame of the normal.
 struct ScatterQuery {
   std::uint32_t material = 0;
   dvec3 wo{0, 0, 1};
   glm::vec3 numbers{0};  ///< lobe, bsdf u, v
   bool outside = true;   ///< wo is on the side to which the surface is oriented
+  ChannelQuery dispersion{};
 };
 struct Scattered {
   render::Lobe lobe = render::Lobe::none;  ///< none: the path ends
@@ -48,6 +56,7 @@ struct DirectionPair {
   dvec3 wo{0, 0, 1};
   dvec3 wi{0, 0, 1};
   bool outside = true;
+  ChannelQuery dispersion{};
 };
 struct ScatterValue {
   dvec3 f{0};

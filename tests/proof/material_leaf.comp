@@ -1,5 +1,5 @@
-// Lobes under proof, in the local frame. Input, two rows: (wo, material) and, to sample, (numbers of lobe, u and v,
-// 1 if wo is outside), to evaluate, (wi, 1 if wo is outside). Output, two rows: (wi, pdf) (weight, lobe), or (f, pdf) (.).
+// Lobes under proof, in the local frame. Input, three rows: (wo, material); to sample, (numbers of lobe, u and v, 1 if wo
+// is outside), to evaluate, (wi, 1 if wo is outside); and (throughput, number of the channel). Output, two rows: (wi, pdf) (weight, lobe), or (f, pdf) (.).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bsdf.glsl"
@@ -12,9 +12,13 @@ layout(set = 0, binding = 2, std430) writeonly buffer Outputs { vec4 outputs[]; 
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= count) return;
-  vec4 first = inputs[2u * i];
-  vec4 second = inputs[2u * i + 1u];
+  vec4 first = inputs[3u * i];
+  vec4 second = inputs[3u * i + 1u];
+  vec4 third = inputs[3u * i + 2u];
   Material material = loadMaterial(uint(first.w));
+  if (kHasDispersion && material.isSurface && material.surface.transmissionDispersionScale > 0.0) {
+    chooseChannel(material, third.xyz, third.w);
+  }
   prepareLobes(material, first.xyz, second.w != 0.0);
   if (evaluates != 0u) {
     float pdf;

@@ -43,12 +43,19 @@ struct MaterialLeaves::Side {
    public:
     explicit Vertex(const Side& side) : side_(side) {}
 
-    const reference::Bsdf& bsdf(std::uint32_t material, const dvec3& wo, bool outside) {
-      if (bsdf_ && material == material_ && wo == wo_ && outside == outside_) return *bsdf_;
-      std::tie(material_, wo_, outside_) = std::tie(material, wo, outside);
-      const reference::SurfaceMaterial& description = side_.materials[material];
+    template <class Query>
+    const reference::Bsdf& bsdf(const Query& query) {
+      const auto key = std::tie(query.material, query.wo, query.outside, query.dispersion);
+      if (bsdf_ && key == std::tie(material_, wo_, outside_, dispersion_)) return *bsdf_;
+      std::tie(material_, wo_, outside_, dispersion_) = key;
+      const reference::SurfaceMaterial& description = side_.materials[material_];
       bsdf_ = description.bsdf;
-      if (description.surface) bsdf_->setSurface(*description.surface, wo, outside);
+      if (description.surface && description.surface->disperses()) {
+        const auto choice = reference::chooseChannel(dispersion_.throughput, dispersion_.number);
+        bsdf_->setDispersiveSurface(*description.surface, wo_, outside_, false, choice);
+      } else if (description.surface) {
+        bsdf_->setSurface(*description.surface, wo_, outside_);
+      }
       return *bsdf_;
     }
 
@@ -58,6 +65,7 @@ struct MaterialLeaves::Side {
     std::uint32_t material_ = 0;
     dvec3 wo_{0};
     bool outside_ = true;
+    ChannelQuery dispersion_;
   };
 
   // A path that continues from a vertex whose geometric and shading normals are equal.
@@ -93,7 +101,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
   std::vector<Scattered> samples;
   Side::Vertex vertex(*side_);
   for (const ScatterQuery& query : queries) {
-    samples.push_back(Side::sample(vertex.bsdf(query.material, query.wo, query.outside), query));
+    samples.push_back(Side::sample(vertex.bsdf(query), query));
   }
   return samples;
 }
@@ -102,7 +110,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
   std::vector<ScatterValue> values;
   Side::Vertex vertex(*side_);
   for (const DirectionPair& pair : pairs) {
-    const reference::Bsdf& bsdf = vertex.bsdf(pair.material, pair.wo, pair.outside);
+    const reference::Bsdf& bsdf = vertex.bsdf(pair);
     const reference::BsdfValue value = bsdf.evaluate(pair.wo, pair.wi);
     values.push_back({value.f, value.pdf});
   }

@@ -32,6 +32,7 @@ class _Material(TypedDict, total=False):
     thickness: float
     attenuation_colour: _Vector
     attenuation_distance: float
+    dispersion: float
     clearcoat: float
     clearcoat_roughness: float
     sheen_colour: _Vector

@@ -16,6 +16,7 @@ _ENTRIES = {
     "thickness": ("KHR_materials_volume", "thicknessFactor", 1),
     "attenuation_colour": ("KHR_materials_volume", "attenuationColor", 3),
     "attenuation_distance": ("KHR_materials_volume", "attenuationDistance", 1),
+    "dispersion": ("KHR_materials_dispersion", "dispersion", 1),
     "clearcoat": ("KHR_materials_clearcoat", "clearcoatFactor", 1),
     "clearcoat_roughness": ("KHR_materials_clearcoat", "clearcoatRoughnessFactor", 1),
     "sheen_colour": ("KHR_materials_sheen", "sheenColorFactor", 3),
