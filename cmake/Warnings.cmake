@@ -43,6 +43,8 @@ function(candela_library name)
 endfunction()
 
 # candela_quick_to_build(NAME): for a library whose speed hardly matters; with -O1 it compiles in two thirds of the time of -O3.
+# Batches of 40 files read the headers of libraries less often than the preset's batches of 16.
 function(candela_quick_to_build name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 40)
 endfunction()
