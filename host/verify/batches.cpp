@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/core/errors.h"
 
 namespace candela::verify {
@@ -36,6 +38,7 @@ Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scen
 
 // One session serves all batches of a look; a batch has other random numbers.
 bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control) {
+  samples = std::max(samples, minBatchSamples(settings_.image.integrator));
   settings_.image.sampleCount = samples;
   settings_.image.seed = batchSeed(runSeed_, side_, 0, look);
   const std::unique_ptr<render::Session> session = renderer_.prepare(scene_, settings_);

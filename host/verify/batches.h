@@ -19,14 +19,21 @@ enum class Side : std::uint32_t { device = 0, reference = 1 };
 /// 2014).
 std::uint32_t batchSeed(std::uint32_t runSeed, Side side, std::uint32_t batch, std::uint32_t look);
 
+/// Returns the minimum number of samples per pixel with which batches differ: most integrators do not jitter a single
+/// sample, so that it would be the same with every seed.
+constexpr std::uint32_t minBatchSamples(render::Integrator integrator) {
+  return integrator == render::Integrator::path ? 1 : 2;
+}
+
 class Batches {
  public:
   /// The arguments that are references must outlive the object.
   Batches(Side side, render::Renderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings,
           std::span<const Region> regions);
 
-  /// Adds `samples` samples per pixel to every batch. Returns false if `control` stopped it; the batches are then
-  /// unequal and useless. Throws the exceptions of Renderer::render, and InternalError if work was truncated.
+  /// Adds `samples` samples per pixel, or minBatchSamples() if these are more, to every batch. Returns false if
+  /// `control` stopped it; the batches are then unequal and useless. Throws the exceptions of Renderer::render, and
+  /// InternalError if work was truncated.
   bool render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control);
 
   /// Returns the number of samples per pixel of each batch so far.

@@ -79,7 +79,8 @@ class PairedTest {
 
   // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
-    const std::uint64_t each = (samples - samples_ + batches_ - 1) / batches_;
+    const std::uint64_t each = std::max<std::uint64_t>((samples - samples_ + batches_ - 1) / batches_,
+                                                       minBatchSamples(settings_.image.integrator));
     render::RenderSettings settings = settings_;
     settings.image.sampleCount = static_cast<std::uint32_t>(each);
     settings.image.seed = batchSeed(settings_.image.seed, Side::device, 0, look);

@@ -89,6 +89,17 @@ TEST_CASE("images of few pixels have enough values by more batches") {
   CHECK(result.samplesPerPixel == 8192);
 }
 
+TEST_CASE("batches of integrators that do not jitter a single sample have two") {
+  PairedRenderer device(PairedRole::device, {}), reference(PairedRole::reference, {});
+  render::RenderSettings settings;
+  settings.image.size = {64, 64};
+  for (const auto& [integrator, samples] :
+       {std::pair{render::Integrator::path, 16u}, {render::Integrator::whitted, 32u}}) {
+    settings.image.integrator = integrator;
+    CHECK(testLightPaired(scene::Scene{}, settings, device, reference, {}, 1, {}).samplesPerPixel == samples);
+  }
+}
+
 TEST_CASE("black against black agrees") {
   const PairedOptions black{.rounding = 0, .factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   PairedRenderer device(PairedRole::device, black), same(PairedRole::device, black);
