@@ -19,8 +19,7 @@
 namespace candela::gltf {
 namespace {
 
-constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) -
-                                      1;  // the number that the acceleration structures can index
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // acceleration structures index no more
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);

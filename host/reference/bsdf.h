@@ -34,26 +34,24 @@ class Bsdf {
   explicit Bsdf(const scene::Material& material);
 
   /// Replaces the lobes by those of a surface as seen from `wo`. `outside`: wo is on the side to which it is oriented.
-  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false) {
-    surface_.emplace(surface, wo, outside, isCoatAlone);
-  }
-
-  /// Does the same for a surface that disperses light.
-  void setDispersiveSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone,
-                            const ChannelChoice& choice) {
-    dispersive_.emplace(surface, wo, outside, isCoatAlone, choice);
-    surface_ = dispersive_->chosen();
+  /// `choice`: nothing if the surface does not disperse light.
+  void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false,
+                  const std::optional<ChannelChoice>& choice = std::nullopt) {
+    if (choice)
+      dispersive_.emplace(surface, wo, outside, isCoatAlone, *choice);
+    else
+      surface_.emplace(surface, wo, outside, isCoatAlone);
   }
 
   bool isMirror() const { return mirror_; }
-  bool isBlack() const { return !surface_ && !mirror_ && weightSum() == 0; }
+  bool isBlack() const { return !surface() && !mirror_ && weightSum() == 0; }
   /// Multiplies the colours of the lobes by that of a texture.
   void scaleBaseColour(const dvec3& scale);
   /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
   /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
   bool scattersTo(Side side) const {
-    if (surface_) return side == Side::reflection || surface_->transmits();
+    if (surface()) return side == Side::reflection || surface()->transmits();
     return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0);
   }
   bool hasSmoothLobe() const { return scattersTo(Side::reflection) || scattersTo(Side::transmission); }
@@ -66,8 +64,11 @@ class Bsdf {
   /// Samples a direction from lobe `diffuse` or `glossy`. It may be on a side to which the lobe does not scatter; its
   /// density is then 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;
-  /// With dispersion, the surface by which directions are sampled.
-  const std::optional<SurfaceBsdf>& surface() const { return surface_; }
+  /// Returns the surface by which directions are sampled: with dispersion, that of the chosen channel; or null.
+  const SurfaceBsdf* surface() const {
+    if (dispersive_) return &dispersive_->chosen();
+    return surface_ ? &*surface_ : nullptr;
+  }
 
   DeltaSample sampleMirror(const dvec3& wo) const;
   /// `into`: the ray arrived on the side to which the surface is oriented. The weight includes the choice of the lobe.
@@ -79,7 +80,7 @@ class Bsdf {
   void addGlossy(const dvec3& wo, const dvec3& wi, BsdfValue& value) const;
 
   std::optional<SurfaceBsdf> surface_;
-  std::optional<DispersiveBsdf> dispersive_;
+  std::optional<DispersiveBsdf> dispersive_;  ///< instead of `surface_`
   double diffuse_ = 0;
   double glossy_ = 0;
   double dielectric_ = 0;

@@ -67,10 +67,7 @@ struct PathTracer::Vertex : ShadingFrame {
   Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection,
          const std::optional<ChannelChoice>& choice, Rounding& rounding)
       : ShadingFrame(at, rayDirection, rounding), surface(at), bsdf(material.bsdf) {
-    if (choice)
-      bsdf.setDispersiveSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone, *choice);
-    else if (material.surface)
-      bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone);
+    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone, choice);
   }
 
   /// Returns f times the cosine for `wi`, which is in the local frame and on this side.

@@ -53,6 +53,22 @@ def misplaced_edits(mutants):
     return problems
 
 
+def lavapipe_environment(folder: Path):
+    """The environment of programs that run on lavapipe alone, with their cache in `folder`."""
+    drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
+    if not drivers:
+        sys.exit("lavapipe is not installed: apt-get install mesa-vulkan-drivers")
+    return os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0],
+                         "CANDELA_CACHE_DIR": str(folder / "cache")}
+
+
+def plant(mutant, tree: Path):
+    """Makes the edits of a fault in a copy of the tree."""
+    for edit in mutant["edits"]:
+        path = tree / edit["file"]
+        path.write_text(path.read_text().replace(edit["find"], edit["replace"]))
+
+
 class Workshop:
     """A copy of the tracked files, and its build."""
 
@@ -60,11 +76,7 @@ class Workshop:
         self.source = folder / "source"
         self.build = folder / "build"
         self.layers = layers
-        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
-        if not drivers:
-            sys.exit("lavapipe is not installed: apt-get install mesa-vulkan-drivers")
-        self.environment = os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0],
-                                         "CANDELA_VALIDATION": "1", "CANDELA_CACHE_DIR": str(folder / "cache")}
+        self.environment = lavapipe_environment(folder) | {"CANDELA_VALIDATION": "1"}
 
     def prepare(self):
         shutil.rmtree(self.source, ignore_errors=True)
@@ -76,11 +88,6 @@ class Workshop:
                 shutil.copy2(ROOT / name, target)
         subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
                        check=True, stdout=subprocess.DEVNULL)
-
-    def plant(self, mutant):
-        for edit in mutant["edits"]:
-            path = self.source / edit["file"]
-            path.write_text(path.read_text().replace(edit["find"], edit["replace"]))
 
     def restore(self, mutant):
         for edit in mutant["edits"]:
@@ -143,7 +150,7 @@ def scene_of(mutant):
 def examine(workshop: Workshop, mutant, means):
     outcome = Outcome(mutant)
     start = time.monotonic()
-    workshop.plant(mutant)
+    plant(mutant, workshop.source)
     try:
         for layer in mutant["layers"]:
             outcome.by = workshop.find_fault(layer)

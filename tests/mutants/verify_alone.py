@@ -9,9 +9,7 @@ show the material are verified at 64 x 64 until one differs; at last the first s
 Khronos' sample models of glTF. Exit code: 0 at least four in five were found, 3 fewer, 1 usage.
 """
 import argparse
-import glob
 import json
-import os
 import random
 import re
 import subprocess
@@ -20,7 +18,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from run import REQUIRED_SHARE, ROOT, read_list
+from run import REQUIRED_SHARE, ROOT, lavapipe_environment, plant, read_list
 from verify_scenes import GENERATED, SCENES, TOUCHING, lamps, scenes_of
 
 RUN_SECONDS = 300  # a fault may make a loop endless
@@ -51,11 +49,7 @@ class Bench:
     def __init__(self, options, folder: Path):
         self.checkout, self.models, self.folder = options.checkout, options.models, folder
         self.program = self.checkout / "build/release/candela"
-        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
-        if not drivers:
-            sys.exit("lavapipe is not installed: apt-get install mesa-vulkan-drivers")
-        self.environment = os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0],
-                                         "CANDELA_CACHE_DIR": str(folder / "cache")}
+        self.environment = lavapipe_environment(folder)
         self.require_clean_checkout()
         if not self.build():
             sys.exit(f"{self.checkout}/build/release: candela does not build; configure it with cmake --preset release")
@@ -122,12 +116,9 @@ def attempts(mutant):
 
 def examine(bench: Bench, mutant):
     outcome = Outcome(mutant)
-    files = {bench.checkout / edit["file"]: None for edit in mutant["edits"]}
-    saved = {file: file.read_text() for file in files}
+    saved = {file: file.read_text() for file in {bench.checkout / edit["file"] for edit in mutant["edits"]}}
     try:
-        for edit in mutant["edits"]:
-            file = bench.checkout / edit["file"]
-            file.write_text(file.read_text().replace(edit["find"], edit["replace"]))
+        plant(mutant, bench.checkout)
         if not bench.build():
             raise RuntimeError(f"{mutant['name']}: does not compile")
         for scene, words in attempts(mutant):

@@ -30,7 +30,7 @@ struct WarpValues {
 };
 WarpValues warps(std::span<const glm::vec3> numbers, float capHeight);
 
-/// What chooses the channel at a surface with dispersion.
+/// The throughput and the random number that choose the channel at a surface with dispersion.
 struct ChannelQuery {
   glm::vec3 throughput{1};
   float number = 0.5f;

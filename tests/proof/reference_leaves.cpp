@@ -50,12 +50,11 @@ struct MaterialLeaves::Side {
       std::tie(material_, wo_, outside_, dispersion_) = key;
       const reference::SurfaceMaterial& description = side_.materials[material_];
       bsdf_ = description.bsdf;
-      if (description.surface && description.surface->disperses()) {
-        const auto choice = reference::chooseChannel(dispersion_.throughput, dispersion_.number);
-        bsdf_->setDispersiveSurface(*description.surface, wo_, outside_, false, choice);
-      } else if (description.surface) {
-        bsdf_->setSurface(*description.surface, wo_, outside_);
-      }
+      if (!description.surface) return *bsdf_;
+      std::optional<reference::ChannelChoice> choice;
+      if (description.surface->disperses())
+        choice = reference::chooseChannel(dispersion_.throughput, dispersion_.number);
+      bsdf_->setSurface(*description.surface, wo_, outside_, false, choice);
       return *bsdf_;
     }
 

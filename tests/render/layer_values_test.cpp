@@ -99,7 +99,7 @@ TEST_CASE("normals, distances and positions of a ball have their closed form") {
 }
 
 TEST_CASE("at a silhouette, normals and albedo are means over all samples, distances and positions over the hits") {
-  // Of each pixel, the left half shows a wall at y = 4, whose normal faces the eye, and the right half nothing.
+  // The left half of each pixel shows a wall at y = 4, whose normal faces the eye, and the right half shows nothing.
   const scene::Scene scene = sceneFromText(
       "v\nfrom 0 0 0\nat 0 1 0\nup 0 0 1\nangle 1\nhither 0\nresolution 1 1\n"
       "f .8 .5 .25 1 0 0 0 0 1 0 1 0 0 0\np 4\n-9 4 -9\n0 4 -9\n0 4 9\n-9 4 9\n");
