@@ -7,7 +7,7 @@
 namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
-  constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
   static const std::array<CommandInfo, 18> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1,
        runRender},
@@ -16,7 +16,7 @@ std::span<const CommandInfo> commandTable() {
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0, runDevices},
       {Command::doctor, "doctor", "doctor",
        "check whether this machine can render, and report what is wrong and how to fix it", "", 0, 0, runDoctor},
-      {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1, kAnyNumber,
+      {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1, kUnlimited,
        runCheck},
       {Command::compare, "compare", "compare A B | SCENE",
        "compare two images, or a device's image of a scene with that of the reference tracer", "image or scene", 1, 2,
@@ -39,17 +39,17 @@ std::span<const CommandInfo> commandTable() {
       {Command::film, "film", "film FILE", "describe a film file, or make pictures of it without rendering",
        "film file", 1, 1, runFilm},
       {Command::denoise, "denoise", "denoise FILE -o FILE", "denoise a film file", "film file", 1, 1, runDenoise},
-      {Command::merge, "merge", "merge FILM... -o FILE", "merge films of parts of a render", "film file", 1, kAnyNumber,
+      {Command::merge, "merge", "merge FILM... -o FILE", "merge films of parts of a render", "film file", 1, kUnlimited,
        runMerge},
       {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
        "time renders of scenes, acceleration structures (table1: on the built-in scenes mirror and balls) or rays "
        "alone, or compare two of the resulting reports",
-       "benchmark", 1, kAnyNumber, runBench},
+       "benchmark", 1, kUnlimited, runBench},
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,
-       kAnyNumber, runTune},
+       kUnlimited, runTune},
       {Command::report, "report", "report RESULTS.json...",
-       "compare devices by the results that the kit measured on them", "results file", 1, kAnyNumber, runReport},
+       "compare devices by the results that the kit measured on them", "results file", 1, kUnlimited, runReport},
   }};
   return table;
 }

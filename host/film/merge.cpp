@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <new>
-#include <ranges>
+#include <span>
 
 #include "host/core/errors.h"
 #include "host/film/film_memory.h"
@@ -86,13 +86,12 @@ render::Window unionOf(const render::Window& a, const render::Window& b) {
 template <class T>
 void sortIntoSet(std::vector<T>& items) {
   std::ranges::sort(items);
-  const auto repeated = std::ranges::unique(items);
-  items.erase(repeated.begin(), repeated.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 FilmHeader mergedHeader(const std::vector<Part>& parts) {
   FilmHeader merged = parts.front().header;
-  for (const Part& part : parts | std::views::drop(1)) {
+  for (const Part& part : std::span(parts).subspan(1)) {
     const FilmHeader& header = part.header;
     merged.window = unionOf(merged.window, header.window);
     merged.covered.insert(merged.covered.end(), header.covered.begin(), header.covered.end());

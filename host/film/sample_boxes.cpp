@@ -31,8 +31,7 @@ struct Band {
 
 std::vector<std::uint32_t> sortedEdges(std::vector<std::uint32_t> edges) {
   std::ranges::sort(edges);
-  const auto repeated = std::ranges::unique(edges);
-  edges.erase(repeated.begin(), repeated.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 

@@ -31,7 +31,7 @@ struct SharedSession {
     session->log().passOn();
   }
   void close() {
-    run([this](PythonSession&, const Watch&) {});
+    run([](PythonSession&, const Watch&) {});
     session.reset();
   }
 };

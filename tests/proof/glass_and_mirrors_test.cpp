@@ -43,24 +43,24 @@ struct Slab {
 TEST_CASE("the end of a corridor of two mirrors is attenuated once per reflection, as unfolding predicts") {
   // Mirrors at x = 0 and x = 1, one of them of triangles, and a glowing end at y = 8. The camera looks along y.
   constexpr double kStart = 0.375, kLength = 8;
-  constexpr std::uint32_t kWidth = 512, kHeight = 4;
+  constexpr std::uint32_t kColumns = 512, kRows = 4;
   SceneBuilder b;
   b.material(mirrorMaterial({0.9f, 0.7f, 0.5f}));
   b.plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1}).quad({1, -9, -9}, {1, 9, -9}, {1, 9, 9}, {1, -9, 9});
   b.material(diffuseMaterial(vec3(0), {1, 2, 3})).plane({0, kLength, 0}, {0, kLength, 1}, {1, kLength, 0});
   b.view({kStart, 0, 0}, {kStart, 1, 0}, {0, 0, 1}, 2.7f);
-  render::RenderSettings settings = longPaths(kWidth, kHeight, 1);
+  render::RenderSettings settings = longPaths(kColumns, kRows, 1);
   settings.image.nextEventEstimation = false;
   const render::RenderResult result = renderScene(b.scene, settings);
 
   // The position at which the straight ray through the image's column `x` ends, in the row of mirrored corridors of
   // width 1.
-  const double width = 2 * std::tan(b.scene.camera->angle * std::numbers::pi / 360) * kWidth / kHeight;
+  const double width = 2 * std::tan(b.scene.camera->angle * std::numbers::pi / 360) * kColumns / kRows;
   const auto corridorAt = [&](double x) {
-    return static_cast<int>(std::floor(kStart + kLength * width * (x / kWidth - 0.5)));
+    return static_cast<int>(std::floor(kStart + kLength * width * (x / kColumns - 0.5)));
   };
   int checked = 0, mostMirrors = 0;
-  for (std::uint32_t x = 0; x < kWidth; ++x) {
+  for (std::uint32_t x = 0; x < kColumns; ++x) {
     const int mirrors = std::abs(corridorAt(x));
     if (corridorAt(x) != corridorAt(x + 1)) continue;
     ++checked;

@@ -54,8 +54,10 @@ TEST_CASE("a plane shows diffuse, specular, ambient, emitted and mirrored light"
 }
 
 TEST_CASE("a light behind the surface, in its plane or behind an occluder contributes nothing") {
-  const auto [light, shadowRays] = GENERATE(
+  const auto lightAndRays = GENERATE(
       table<std::string, std::uint64_t>({{"l 1 2 -3\n", 0}, {"l 7 0 0\n", 0}, {"l 1 1 2\n", 16}, {"l 1 1 0.5\n", 16}}));
+  const std::string& light = std::get<0>(lightAndRays);
+  const std::uint64_t shadowRays = std::get<1>(lightAndRays);
   const bool visible = light == "l 1 1 0.5\n";  // in front of the obstacle at half the distance of the third
   const scene::Scene scene = sceneFromText(view("0 -3 4") + light + "f 1 1 1 1 0 0 0 0 1 0 1\npl 0 0 0 1 0 0 0 1 0\n" +
                                            "f 1 1 1 0 1 1 1 0 1 1 1.5\ns 0.5 0.5 1 0.2\n");
