@@ -172,6 +172,11 @@ void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surfac
   uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
   parameters.roughness *= greenOf(metallicRoughness);
   parameters.metalness *= blueOf(metallicRoughness);
+  uint glossiness = textureOf(index, kSlotGlossiness);
+  if (glossiness != 0u) {
+    float alpha = alphaOf(textureTexel(glossiness, surface.texCoords, surface.jitter.xy));
+    parameters.roughness = 1.0 - (1.0 - parameters.roughness) * alpha;
+  }
   parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
   if (kHasTransmission) parameters.transmissionWeight *= redOf(texelOf(index, kSlotTransmission, surface, white));
   if (kHasCoat) {

@@ -25,6 +25,7 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenRoughness) == 
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::anisotropy) == gpu::kSlotAnisotropy);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::film) == gpu::kSlotFilm);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::filmThickness) == gpu::kSlotFilmThickness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::glossiness) == gpu::kSlotGlossiness);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);

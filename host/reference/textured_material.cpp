@@ -51,6 +51,10 @@ void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters)
     parameters.roughness *= greenOf(*texel);
     parameters.metalness *= static_cast<float>(*texel / 65536 % 256) / 255;
   }
+  if (const auto texel = texels.of(scene::TextureSlot::glossiness)) {
+    const double glossiness = (1 - double{parameters.roughness}) * alphaOf(*texel);
+    parameters.roughness = static_cast<float>(1 - glossiness);
+  }
   if (const auto texel = texels.of(scene::TextureSlot::specular)) {
     parameters.specularWeight *= static_cast<float>(alphaOf(*texel));
   }

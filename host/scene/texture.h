@@ -50,8 +50,9 @@ enum class TextureSlot : std::uint8_t {
   sheenRoughness,     ///< alpha
   anisotropy,         ///< strength: blue; its direction in the tangent frame: red and green
   film,               ///< weight: red
-  filmThickness       ///< green
+  filmThickness,      ///< green
+  glossiness          ///< alpha, a factor of 1 - roughness
 };
-inline constexpr std::size_t kTextureSlotCount = 15;
+inline constexpr std::size_t kTextureSlotCount = 16;
 
 }  // namespace candela::scene

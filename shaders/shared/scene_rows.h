@@ -158,6 +158,7 @@ CANDELA_CONST uint kSlotSheenRoughness = 11u;
 CANDELA_CONST uint kSlotAnisotropy = 12u;
 CANDELA_CONST uint kSlotFilm = 13u;
 CANDELA_CONST uint kSlotFilmThickness = 14u;
+CANDELA_CONST uint kSlotGlossiness = 15u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.

@@ -77,7 +77,7 @@ def base():
     target = {"POSITION": file.floats([0, 0, 1] * 3, "VEC3", 3)}
     root["meshes"] = [{"primitives": [{"attributes": attributes, "indices": indices, "material": 0,
                                        "targets": [target]}], "weights": [0.5]},
-                      {"primitives": [{"attributes": {"POSITION": sparse(file)}}]}]
+                      {"primitives": [{"attributes": {"POSITION": sparse(file)}, "material": 1}]}]
     root["skins"] = [{"joints": [2], "inverseBindMatrices": file.floats(identity(), "MAT4", 16)}]
     moves = {"TRANSLATION": file.floats([0, 0, 0, 2, 0, 0], "VEC3", 3),
              "ROTATION": file.floats([0, 0, 0, 1] * 2, "VEC4", 4), "SCALE": file.floats([1] * 6, "VEC3", 3)}
@@ -93,7 +93,8 @@ def base():
                        {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 10}}]
     root["extensions"] = {"KHR_lights_punctual": {"lights": [
         {"type": "spot", "color": [1, 1, 1], "intensity": 5, "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.5}}]}}
-    root["extensionsUsed"] = ["KHR_lights_punctual", "EXT_mesh_gpu_instancing", "KHR_texture_transform"]
+    root["extensionsUsed"] = ["KHR_lights_punctual", "EXT_mesh_gpu_instancing", "KHR_texture_transform",
+                              "KHR_materials_pbrSpecularGlossiness"]
     root["animations"] = [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}],
                            "samplers": [{"input": file.floats([0, 1], "SCALAR", 1), "interpolation": "LINEAR",
                                          "output": file.floats([0, 0, 0, 1, 1, 1], "VEC3", 3)}]}]
@@ -134,4 +135,8 @@ def add_material(file):
                        "KHR_materials_transmission": {"transmissionFactor": 0.5},
                        "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 2,
                                                 "attenuationColor": [1, 1, 1]},
-                       "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}}}]
+                       "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}}},
+        {"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+            "diffuseFactor": [1, 1, 1, 1], "specularFactor": [0.5, 0.5, 0.5], "glossinessFactor": 0.5,
+            "diffuseTexture": {"index": 0, "texCoord": 0, "extensions": transform},
+            "specularGlossinessTexture": {"index": 1}}}}]
