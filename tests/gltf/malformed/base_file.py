@@ -9,12 +9,12 @@ FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT = 5126, 5121, 5123
 GLB_JSON, GLB_BINARY = 0x4E4F534A, 0x004E4942
 
 
-def png(width, height, pixels=None):
+def png(width, height, pixels=None, bits=8):
     """Returns a PNG file of RGBA pixels; `pixels` (default: all pixels of the size) may be shorter than the size requires."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-    rows = b"".join(b"\0" + b"\xff" * (4 * width) for _ in range(height)) if pixels is None else pixels
-    header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    rows = b"".join(b"\0" + b"\xff" * (bits // 2 * width) for _ in range(height)) if pixels is None else pixels
+    header = struct.pack(">IIBBBBB", width, height, bits, 6, 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
