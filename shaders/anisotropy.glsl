@@ -18,7 +18,7 @@ void alignGrain(inout Surface surface, inout Material material) {
                        ? textureOf(surface.kind >> kMaterialShift, kSlotAnisotropy)
                        : 0u;
   if (reference != 0u) {
-    uint texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
+    uvec2 texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
     vec2 turn = 2.0 * vec2(redOf(texel), greenOf(texel)) - 1.0;
     direction = mat2(turn, -turn.y, turn.x) * direction;
     material.surface.anisotropy *= blueOf(texel);

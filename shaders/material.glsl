@@ -156,7 +156,7 @@ void scaleBaseColour(inout Material material, vec3 scale) {
 }
 
 // Returns the texel of a slot, or `absent` if the material has no such texture.
-uint texelOf(uint material, uint slot, Surface surface, uint absent) {
+uvec2 texelOf(uint material, uint slot, Surface surface, uvec2 absent) {
   uint reference = textureOf(material, slot);
   return reference == 0u ? absent : textureTexel(reference, surface.texCoords, surface.jitter.xy);
 }
@@ -168,10 +168,15 @@ void scaleColour(inout vec3 colour, uint material, uint slot, Surface surface) {
 }
 
 void scaleSurface(inout SurfaceParameters parameters, uint index, Surface surface) {
-  const uint white = 0xffffffffu;
-  uint metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
+  const uvec2 white = uvec2(0xffffffffu);
+  uvec2 metallicRoughness = texelOf(index, kSlotMetallicRoughness, surface, white);
   parameters.roughness *= greenOf(metallicRoughness);
   parameters.metalness *= blueOf(metallicRoughness);
+  uint glossiness = textureOf(index, kSlotGlossiness);
+  if (glossiness != 0u) {
+    float alpha = alphaOf(textureTexel(glossiness, surface.texCoords, surface.jitter.xy));
+    parameters.roughness = 1.0 - (1.0 - parameters.roughness) * alpha;
+  }
   parameters.specularWeight *= alphaOf(texelOf(index, kSlotSpecular, surface, white));
   if (kHasTransmission) parameters.transmissionWeight *= redOf(texelOf(index, kSlotTransmission, surface, white));
   if (kHasCoat) {

@@ -24,7 +24,7 @@ bool hasTangents(Surface surface) {
 // Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.
 void mapNormal(inout Surface surface, uint reference, float scale) {
   if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
-  uint texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
+  uvec2 texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
   vec3 direction = 2.0 * vec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0;
   vec3 bitangent = surface.tangent.w * cross(surface.shading, surface.tangent.xyz);
   vec3 sum = scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;

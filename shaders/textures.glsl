@@ -39,10 +39,12 @@ uint texelIndex(float s, uint count, uint wrap, float displacement) {
 
 // Returns the first of a material's records: see shared/scene_rows.h.
 uint materialTextureRow(uint material) {
-  return constants.firstTextureRow + kSrgbTableRows + material * kMaterialTextureRows;
+  uint tableRows = kHasDeepTexels ? kDeepSrgbTableRows : kSrgbTableRows;
+  return constants.firstTextureRow + tableRows + material * kMaterialTextureRows;
 }
 
-// Returns the first record of a material's reference, counted from the beginning of the textures, or 0 for none.
+// Returns the word that refers to a material's reference: its first record, counted from the beginning of the textures,
+// with kDeepReference if the image has channels of 16 bits; or 0 for none.
 uint textureOf(uint material, uint slot) {
   if ((kTextureSlots & (1u << slot)) == 0u) return 0u;
   return sceneRow(materialTextureRow(material) + (slot >> 2))[slot & 3u];
@@ -55,37 +57,59 @@ struct Lookup {
   uvec2 wrap;       // kWrap...
   uint firstRow;    // of the image
   bool nearest;
+  bool deep;        // channels have 16 bits
 };
 
 Lookup lookupAt(uint reference, vec4 texCoords) {
-  uvec4 first = sceneRow(constants.firstTextureRow + reference);
-  uvec4 second = sceneRow(constants.firstTextureRow + reference + 1u);
+  uint row = constants.firstTextureRow + (kHasDeepTexels ? reference & ~kDeepReference : reference);
+  uvec4 first = sceneRow(row);
+  uvec4 second = sceneRow(row + 1u);
   vec2 uv = (first.w & kTextureSecondSet) != 0u ? texCoords.zw : texCoords.xy;
   precise float s = uintBitsToFloat(first.x) * uv.x + uintBitsToFloat(first.y) * uv.y + uintBitsToFloat(first.z);
   precise float t = uintBitsToFloat(second.x) * uv.x + uintBitsToFloat(second.y) * uv.y + uintBitsToFloat(second.z);
   uvec2 wrap = (uvec2(first.w) >> uvec2(kTextureWrapShiftS, kTextureWrapShiftT)) & kTextureWrapMask;
   return Lookup(vec2(s, t), uvec2(second.w & 0xffffu, second.w >> 16), wrap,
-                constants.firstTextureRow + (first.w >> kTextureRowShift), (first.w & kTextureNearest) != 0u);
+                constants.firstTextureRow + (first.w >> kTextureRowShift), (first.w & kTextureNearest) != 0u,
+                kHasDeepTexels && (reference & kDeepReference) != 0u);
 }
 
-// Returns the texel, four packed bytes, that is displaced by fractions of a texel.
-uint texelAt(Lookup at, vec2 displacement) {
+// Returns a texel of 8 bits per channel as one of 16 bits: 257 b / 65535 is b / 255.
+uvec2 deepTexel(uint texel) {
+  return (uvec2(texel, texel >> 16) & 255u | (uvec2(texel, texel >> 16) & 0xff00u) << 8) * 257u;
+}
+
+// Returns the texel that is displaced by fractions of a texel: four packed bytes in x, or in scenes with images of 16
+// bits per channel, red and green in x, blue and alpha in y.
+uvec2 texelAt(Lookup at, vec2 displacement) {
   uint x = texelIndex(at.st.x, at.size.x, at.wrap.x, displacement.x);
   uint y = texelIndex(at.st.y, at.size.y, at.wrap.y, displacement.y);
   uint texel = y * at.size.x + x;
-  return sceneRow(at.firstRow + (texel >> 2))[texel & 3u];
+  if (kHasDeepTexels && at.deep) {
+    uvec4 pair = sceneRow(at.firstRow + (texel >> 1));
+    return (texel & 1u) == 0u ? pair.xy : pair.zw;
+  }
+  uint packed = sceneRow(at.firstRow + (texel >> 2))[texel & 3u];
+  return kHasDeepTexels ? deepTexel(packed) : uvec2(packed, 0u);
 }
 
 // Returns the texel that a reference selects with one pair of numbers.
-uint textureTexel(uint reference, vec4 texCoords, vec2 jitter) {
+uvec2 textureTexel(uint reference, vec4 texCoords, vec2 jitter) {
   Lookup at = lookupAt(reference, texCoords);
   return texelAt(at, at.nearest ? vec2(0.0) : jitter - 0.5);
 }
 
-float redOf(uint texel) { return float(texel & 255u) * (1.0 / 255.0); }
-float greenOf(uint texel) { return float((texel >> 8) & 255u) * (1.0 / 255.0); }
-float blueOf(uint texel) { return float((texel >> 16) & 255u) * (1.0 / 255.0); }
-float alphaOf(uint texel) { return float(texel >> 24) * (1.0 / 255.0); }
+// Returns the stored integers of a texel's channels.
+uvec4 channelsOf(uvec2 texel) {
+  if (kHasDeepTexels) return uvec4(texel.x & 65535u, texel.x >> 16, texel.y & 65535u, texel.y >> 16);
+  return uvec4(texel.x & 255u, (texel.x >> 8) & 255u, (texel.x >> 16) & 255u, texel.x >> 24);
+}
+
+float channelValue(uint channel) { return float(channel) * (kHasDeepTexels ? 1.0 / 65535.0 : 1.0 / 255.0); }
+
+float redOf(uvec2 texel) { return channelValue(channelsOf(texel).x); }
+float greenOf(uvec2 texel) { return channelValue(channelsOf(texel).y); }
+float blueOf(uvec2 texel) { return channelValue(channelsOf(texel).z); }
+float alphaOf(uvec2 texel) { return channelValue(channelsOf(texel).w); }
 
 // Returns the alpha of a reference, interpolated among four texels unless its filter is `nearest`.
 float filteredAlpha(uint reference, vec4 texCoords) {
@@ -101,8 +125,9 @@ float filteredAlpha(uint reference, vec4 texCoords) {
 float linearFromSrgb(uint value) { return sceneRowFloat(constants.firstTextureRow + (value >> 2))[value & 3u]; }
 
 // Returns the linear colour of a texel whose colour is encoded in sRGB.
-vec3 linearColour(uint texel) {
-  return vec3(linearFromSrgb(texel & 255u), linearFromSrgb((texel >> 8) & 255u), linearFromSrgb((texel >> 16) & 255u));
+vec3 linearColour(uvec2 texel) {
+  uvec4 channels = channelsOf(texel);
+  return vec3(linearFromSrgb(channels.x), linearFromSrgb(channels.y), linearFromSrgb(channels.z));
 }
 
 #endif

@@ -131,6 +131,7 @@ ordered_json toJson(const RenderReport& report) {
   json["sceneBytes"] = memory.total;
   json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
   json["textureBytes"] = memory.textures;
+  json["deepTextureBytes"] = memory.deepTextures;
   json["samples"] = statistics.samples;
   if (const auto plan = planOf(report.job.arguments)) {
     json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings.image.sampleCount);

@@ -24,9 +24,15 @@ glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureRefere
   const glm::dvec3 place(uv, 1);
   const std::uint32_t x = texelAlong(glm::dot(glm::dvec3(reference.rowS), place), image.width, reference.wrapS);
   const std::uint32_t y = texelAlong(glm::dot(glm::dvec3(reference.rowT), place), image.height, reference.wrapT);
-  const std::uint32_t texel = image.texels[std::size_t{y} * image.width + x];
-  const auto linear = [](std::uint32_t byte) { return double{static_cast<float>(image::srgbDecode(byte / 255.0))}; };
-  return {linear(texel & 255u), linear(texel >> 8 & 255u), linear(texel >> 16 & 255u)};
+  const std::size_t index = std::size_t{y} * image.width + x;
+  const int bits = image.isDeep() ? 16 : 8;
+  const std::uint64_t texel = image.isDeep() ? image.deepTexels[index] : image.texels[index];
+  const std::uint64_t largest = (1u << bits) - 1;
+  const auto linear = [&](int channel) {
+    const auto stored = static_cast<double>(texel >> bits * channel & largest);
+    return double{static_cast<float>(image::srgbDecode(stored / static_cast<double>(largest)))};
+  };
+  return {linear(0), linear(1), linear(2)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "host/flatten/flat_scene.h"
+#include "host/flatten/flatten_sections.h"
 #include "host/flatten/lobes.h"
 
 namespace candela::flatten {
@@ -69,6 +70,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) noteMaterial(scene.materials[i], integrator, features);
   }
+  features.deepTexels = features.textures && hasDeepTexels(scene);
   features.sky = scene.sky.has_value();
   features.environment = scene.environment.has_value();
   features.orthographic = scene.camera && scene.camera->orthographicHeight;

@@ -43,8 +43,11 @@ Rows srgbTableRows();
 /// Returns a bit for each scene::TextureSlot that some material uses.
 std::uint32_t textureSlotsOf(const scene::Scene& scene);
 
-/// Returns the table of srgbTableRows(), the references of materials to images, and the images. Throws FileError beyond
-/// kMaxTextureRows records.
+/// Returns whether some image has channels of 16 bits.
+bool hasDeepTexels(const scene::Scene& scene);
+
+/// Returns the table of linear values of sRGB, the references of materials to images, and the images. Throws FileError
+/// beyond kMaxTextureRows records.
 Rows textureRows(const scene::Scene& scene);
 
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.

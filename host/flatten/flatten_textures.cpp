@@ -1,6 +1,7 @@
 // Stores images, and the references of materials to them, as 16-byte records.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "host/core/errors.h"
@@ -25,12 +26,15 @@ static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenRoughness) == 
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::anisotropy) == gpu::kSlotAnisotropy);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::film) == gpu::kSlotFilm);
 static_assert(static_cast<std::uint32_t>(scene::TextureSlot::filmThickness) == gpu::kSlotFilmThickness);
+static_assert(static_cast<std::uint32_t>(scene::TextureSlot::glossiness) == gpu::kSlotGlossiness);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
 static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
 static_assert(scene::kTextureSlotCount <= 4 * gpu::kOpacityRow);
 
-std::uint64_t texelRows(const scene::TextureImage& image) { return (image.texels.size() + 3) / 4; }
+std::uint64_t texelRows(const scene::TextureImage& image) {
+  return (image.texels.size() + 3) / 4 + (image.deepTexels.size() + 1) / 2;
+}
 
 std::size_t countReferences(const scene::Scene& scene) {
   std::size_t count = 0;
@@ -76,15 +80,29 @@ void appendTexels(const scene::TextureImage& image, Rows& rows) {
     for (std::size_t k = 0; k < 4 && i + k < image.texels.size(); ++k) four[static_cast<int>(k)] = image.texels[i + k];
     rows.push_back(four);
   }
+  for (std::size_t i = 0; i < image.deepTexels.size(); i += 2) {
+    const std::uint64_t first = image.deepTexels[i];
+    const std::uint64_t second = i + 1 < image.deepTexels.size() ? image.deepTexels[i + 1] : 0;
+    rows.push_back(gpu::uvec4(first, first >> 32, second, second >> 32));
+  }
+}
+
+// Returns the linear values of the sRGB signals 0 to `largest`, divided by `largest`.
+Rows srgbRows(double largest) {
+  const auto linear = [&](std::uint32_t value) { return floatBits(image::srgbDecode(value / largest)); };
+  Rows rows;
+  for (std::uint32_t i = 0; i < largest; i += 4) {
+    rows.push_back({linear(i), linear(i + 1), linear(i + 2), linear(i + 3)});
+  }
+  return rows;
 }
 
 }  // namespace
 
-Rows srgbTableRows() {
-  const auto linear = [](std::uint32_t byte) { return floatBits(image::srgbDecode(byte / 255.0)); };
-  Rows rows;
-  for (std::uint32_t i = 0; i < 256; i += 4) rows.push_back({linear(i), linear(i + 1), linear(i + 2), linear(i + 3)});
-  return rows;
+Rows srgbTableRows() { return srgbRows(255); }
+
+bool hasDeepTexels(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.images, &scene::TextureImage::isDeep);
 }
 
 std::uint32_t textureSlotsOf(const scene::Scene& scene) {
@@ -98,17 +116,17 @@ std::uint32_t textureSlotsOf(const scene::Scene& scene) {
 }
 
 Rows textureRows(const scene::Scene& scene) {
-  Rows rows = srgbTableRows();
+  Rows rows = hasDeepTexels(scene) ? srgbRows(65535) : srgbTableRows();
   const std::size_t firstReference = rows.size() + scene.materials.size() * gpu::kMaterialTextureRows;
   const std::size_t end = firstReference + countReferences(scene) * gpu::kReferenceRows;
   const std::vector<std::uint32_t> imageRows = firstRowsOfImages(scene, end);
   Rows references;
-  // Appends a reference, and returns its first record; 0 if there is none.
+  // Appends a reference, and returns the word that refers to it; 0 if there is none.
   const auto add = [&](const std::optional<scene::TextureReference>& reference) {
     if (!reference) return std::uint32_t{0};
     const auto first = static_cast<std::uint32_t>(firstReference + references.size());
     appendReference(scene, *reference, imageRows, references);
-    return first;
+    return scene.images[reference->image].isDeep() ? first | gpu::kDeepReference : first;
   };
   for (const scene::Material& material : scene.materials) {
     std::array<gpu::uvec4, gpu::kOpacityRow> slots{};

@@ -11,11 +11,17 @@
 namespace candela::gltf {
 namespace {
 
+constexpr const char* kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness";
+
 /// Extensions whose values GltfMaterial has, all of them or some.
-constexpr std::array kRead{"KHR_materials_emissive_strength", "KHR_materials_unlit",      "KHR_materials_ior",
-                           "KHR_materials_specular",          "KHR_materials_clearcoat",  "KHR_materials_sheen",
-                           "KHR_materials_iridescence",       "KHR_materials_anisotropy", "KHR_materials_dispersion",
-                           "CANDELA_materials_conductor"};
+constexpr std::array kRead{
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",      "KHR_materials_clearcoat", "KHR_materials_sheen",
+    "KHR_materials_iridescence",       "KHR_materials_anisotropy", kSpecularGlossiness};
+
+/// Extensions of pbrMetallicRoughness, which count unless the material has KHR_materials_pbrSpecularGlossiness.
+constexpr std::array kOfMetallicRoughness{"KHR_materials_ior",          "KHR_materials_specular",
+                                          "KHR_materials_transmission", "KHR_materials_volume",
+                                          "KHR_materials_dispersion",   "CANDELA_materials_conductor"};
 
 double fraction(const Value& object, const char* key, double absent) {
   const double value = object.numberOr(key, absent);
@@ -171,15 +177,44 @@ void readConductor(const Value& material, GltfMaterial& result) {
   result.conductor = conductor;
 }
 
+/// The parameters of pbrMetallicRoughness and of the extensions that change its dielectric or its metal.
+void readMetallicRoughnessModel(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
+  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
+    readMetallicRoughness(*pbr, readTexture, result);
+  readSpecular(material, readTexture, result);
+  readTransmission(material, readTexture, result);
+  readDispersion(material, result);
+  readConductor(material, result);
+}
+
+/// A dielectric with the reflectance `specularFactor` at normal incidence. `pbrMetallicRoughness` is not read: it is
+/// what programs without the extension show.
+void readSpecularGlossiness(const Value& extension, const TextureReader& readTexture, GltfMaterial& result) {
+  result.baseColour = fractions(extension, "diffuseFactor", glm::vec4(1));
+  result.metallic = 0;
+  result.ior = 0;
+  result.specularColour = fractions(extension, "specularFactor", glm::vec3(1));
+  result.roughness = 1 - fraction(extension, "glossinessFactor", 1);
+  result.baseColourTexture = textureIn(extension, "diffuseTexture", readTexture);
+  result.specularColourTexture = textureIn(extension, "specularGlossinessTexture", readTexture);
+  result.glossinessTexture = result.specularColourTexture;
+}
+
+/// Returns the extension by which the surface is described; nothing: by pbrMetallicRoughness. An unlit material emits
+/// the base colour of pbrMetallicRoughness.
+std::optional<Value> specularGlossinessOf(const Value& material) {
+  if (material.extension("KHR_materials_unlit")) return std::nullopt;
+  return material.extension(kSpecularGlossiness);
+}
+
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
 
 void noteExtensions(const Value& material, GltfMaterial& result) {
   const std::optional<Value> extensions = material.find("extensions");
   if (!extensions || !extensions->json().is_object()) return;
   for (const auto& [name, value] : extensions->json().items()) {
-    const bool isTransmission = name == "KHR_materials_transmission" || name == "KHR_materials_volume";
-    if (!isTransmission && std::ranges::count(kRead, name) == 0)
-      result.unread.insert(withoutQuotes(scene::quote(name)));
+    const bool isOfModel = !specularGlossinessOf(material) && std::ranges::count(kOfMetallicRoughness, name) > 0;
+    if (!isOfModel && std::ranges::count(kRead, name) == 0) result.unread.insert(withoutQuotes(scene::quote(name)));
   }
 }
 
@@ -187,18 +222,17 @@ void noteExtensions(const Value& material, GltfMaterial& result) {
 
 GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture) {
   GltfMaterial result;
-  if (const std::optional<Value> pbr = material.find("pbrMetallicRoughness"))
-    readMetallicRoughness(*pbr, readTexture, result);
+  if (const std::optional<Value> extension = specularGlossinessOf(material)) {
+    readSpecularGlossiness(*extension, readTexture, result);
+  } else {
+    readMetallicRoughnessModel(material, readTexture, result);
+  }
   readEmission(material, readTexture, result);
-  readSpecular(material, readTexture, result);
-  readTransmission(material, readTexture, result);
-  readDispersion(material, result);
   readClearcoat(material, readTexture, result);
   readNormalMap(material, readTexture, result);
   readSheen(material, readTexture, result);
   readIridescence(material, readTexture, result);
   readAnisotropy(material, readTexture, result);
-  readConductor(material, result);
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);

@@ -22,6 +22,7 @@ struct GltfMaterial {
   std::optional<scene::TextureReference> baseColourTexture{};
   std::optional<scene::TextureReference> emissionTexture{};
   std::optional<scene::TextureReference> metallicRoughnessTexture{};
+  std::optional<scene::TextureReference> glossinessTexture{};  ///< KHR_materials_pbrSpecularGlossiness
   std::optional<scene::TextureReference> specularTexture{};
   std::optional<scene::TextureReference> specularColourTexture{};
   std::optional<scene::TextureReference> normalTexture{};

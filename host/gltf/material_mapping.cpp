@@ -51,6 +51,7 @@ void addTextures(const GltfMaterial& source, scene::Material& material) {
   if (isEmissive(material)) set(scene::TextureSlot::emission, source.emissionTexture);
   if (!material.surface) return;
   set(scene::TextureSlot::metallicRoughness, source.metallicRoughnessTexture);
+  set(scene::TextureSlot::glossiness, source.glossinessTexture);
   set(scene::TextureSlot::specular, source.specularTexture);
   set(scene::TextureSlot::specularColour, source.specularColourTexture);
   set(scene::TextureSlot::normal, source.normalTexture);

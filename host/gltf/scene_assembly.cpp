@@ -31,8 +31,10 @@ std::uint64_t bytesOf(const scene::Mesh& mesh) {
 
 float leastAlphaOf(const scene::TextureImage& image) {
   std::uint32_t least = 255;
+  std::uint64_t deepLeast = 65535;
   for (const std::uint32_t texel : image.texels) least = std::min(least, texel >> 24);
-  return static_cast<float>(least) / 255;
+  for (const std::uint64_t texel : image.deepTexels) deepLeast = std::min(deepLeast, texel >> 48);
+  return std::min(static_cast<float>(least) / 255, static_cast<float>(deepLeast) / 65535);
 }
 
 // A name that is not a string is ignored: other readers report it.

@@ -110,7 +110,8 @@ std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
     log_.warn("image", {}, std::string(error.what()) + "; its textures are left out");
     return std::nullopt;
   }
-  byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t);
+  byteCount_ += images_.back().texels.size() * sizeof(std::uint32_t) +
+                images_.back().deepTexels.size() * sizeof(std::uint64_t);
   if (byteCount_ > memoryBudget()) {
     throw OutOfMemoryError(fmt::format("{}: the images need more than the {} MiB of memory that they may have",
                                        image.pointer(), memoryBudget() >> 20));
@@ -128,7 +129,7 @@ scene::TextureImage Textures::readImage(const Value& image) {
 scene::TextureImage Textures::decode(const Value& image, Bytes bytes) const {
   try {
     image::Texels texels = image::decodeTexels(bytes);
-    return {nameOf(image), texels.width, texels.height, std::move(texels.rgba)};
+    return {nameOf(image), texels.width, texels.height, std::move(texels.rgba), std::move(texels.deepRgba)};
   } catch (const FileError& error) {
     image.fail(error.what());
   }

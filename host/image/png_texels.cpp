@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
@@ -14,7 +15,9 @@
 namespace candela::image {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "bytes R G B A are the word of a texel");
+static_assert(std::endian::native == std::endian::little, "channels R G B A are the word of a texel");
+
+constexpr std::uint64_t kEachChannel = 0x0001000100010001;  // 1 in each of four channels of 16 bits
 
 class PngTexelReader {
  public:
@@ -30,8 +33,11 @@ class PngTexelReader {
   std::uint32_t width() const { return png_get_image_width(png_, info_); }
   std::uint32_t height() const { return png_get_image_height(png_, info_); }
 
-  void read(std::uint32_t* rgba) {
-    if (!decode(rgba)) fail();
+  bool isDeep() const { return png_get_bit_depth(png_, info_) == 16; }
+
+  /// Reads 4 or, if isDeep(), 8 bytes for each pixel.
+  void read(void* rgba) {
+    if (!decode(static_cast<png_bytep>(rgba))) fail();
   }
 
  private:
@@ -57,20 +63,21 @@ class PngTexelReader {
     return true;
   }
 
-  bool decode(std::uint32_t* rgba) {
+  bool decode(png_bytep rgba) {
     if (setjmp(jump_)) return false;
+    const std::size_t pixelBytes = isDeep() ? 8 : 4;
     png_set_expand(png_);
-    png_set_scale_16(png_);
+    png_set_swap(png_);  // files have the more significant byte first
     png_set_gray_to_rgb(png_);
-    png_set_add_alpha(png_, 255, PNG_FILLER_AFTER);
+    png_set_add_alpha(png_, isDeep() ? 65535 : 255, PNG_FILLER_AFTER);
     const int passes = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     const std::uint32_t width = this->width();
     const std::uint32_t height = this->height();
-    if (png_get_rowbytes(png_, info_) != std::size_t{4} * width) png_error(png_, "unexpected size of rows");
+    if (png_get_rowbytes(png_, info_) != pixelBytes * width) png_error(png_, "unexpected size of rows");
     for (int pass = 0; pass < passes; ++pass) {
       for (std::uint32_t y = 0; y < height; ++y) {
-        png_read_row(png_, reinterpret_cast<png_bytep>(rgba + std::size_t{y} * width), nullptr);
+        png_read_row(png_, rgba + y * pixelBytes * width, nullptr);
       }
     }
     png_read_end(png_, nullptr);
@@ -90,6 +97,24 @@ class PngTexelReader {
   char message_[256] = "out of memory";
 };
 
+// Returns whether both bytes of each channel are equal, so that the channel is 257 times a value of 8 bits.
+bool isShallow(std::uint64_t texel) { return (texel & 255 * kEachChannel) * 257 == texel; }
+
+std::uint32_t shallow(std::uint64_t texel) {
+  std::uint32_t bytes = 0;
+  for (int c = 0; c < 4; ++c) bytes |= static_cast<std::uint32_t>(texel >> 16 * c & 255u) << 8 * c;
+  return bytes;
+}
+
+/// Many programs write 16 bits without having more than 8.
+Texels withoutNeedlessBits(Texels texels) {
+  if (!std::ranges::all_of(texels.deepRgba, isShallow)) return texels;
+  texels.rgba.resize(texels.deepRgba.size());
+  std::ranges::transform(texels.deepRgba, texels.rgba.begin(), shallow);
+  texels.deepRgba = {};
+  return texels;
+}
+
 }  // namespace
 
 Texels decodePngTexels(ByteView file) {
@@ -97,7 +122,13 @@ Texels decodePngTexels(ByteView file) {
   checkImageSize(reader.width(), reader.height());
   const std::uint64_t pixelCount = std::uint64_t{reader.width()} * reader.height();
   checkPngPlausible(pixelCount, file.size());
-  Texels texels{reader.width(), reader.height(), std::vector<std::uint32_t>(pixelCount)};
+  Texels texels{reader.width(), reader.height(), {}};
+  if (reader.isDeep()) {
+    texels.deepRgba.resize(pixelCount);
+    reader.read(texels.deepRgba.data());
+    return withoutNeedlessBits(std::move(texels));
+  }
+  texels.rgba.resize(pixelCount);
   reader.read(texels.rgba.data());
   return texels;
 }

@@ -7,17 +7,19 @@
 
 namespace candela::image {
 
-/// 8-bit RGBA, row by row from the top.
+/// RGBA of 8 or 16 bits per channel, row by row from the top. One of the two arrays is empty.
 struct Texels {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint32_t> rgba;  ///< red | green << 8 | blue << 16 | alpha << 24
+  std::vector<std::uint32_t> rgba;           ///< red | green << 8 | blue << 16 | alpha << 24
+  std::vector<std::uint64_t> deepRgba = {};  ///< red | green << 16 | blue << 32 | alpha << 48
 };
 
 /// Decodes a PNG, JPEG or WebP file, distinguished by its first bytes. Grey becomes equal channels, palettes are
-/// resolved, 16 bits are rounded to 8, and alpha is 255 where the file has none. What the file states about its colour
-/// space is ignored, as glTF 2.0 requires (section 3.8.3). Accepts any bytes; throws FileError if they are not such a
-/// file, or one beyond the limits of checkImageSize().
+/// resolved, and alpha is the largest value where the file has none. PNG files of 16 bits keep them, unless all values
+/// are 257 times one of 8 bits, which means the same. What the file states about its colour space is ignored, as
+/// glTF 2.0 requires (section 3.8.3). Accepts any bytes; throws FileError if they are not such a file, or one beyond
+/// the limits of checkImageSize().
 Texels decodeTexels(std::span<const std::byte> file);
 
 }  // namespace candela::image

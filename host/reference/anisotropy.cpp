@@ -16,8 +16,8 @@ void alignGrain(const scene::Scene& scene, Surface& surface, SurfaceMaterial& ma
   }
   std::complex<double> direction = std::polar(1.0, double{material.surface->anisotropyRotation});
   if (const auto texel = texelOf(scene, surface, scene::TextureSlot::anisotropy, rounding)) {
-    direction *= std::complex<double>(*texel % 256 / 127.5 - 1, *texel / 256 % 256 / 127.5 - 1);
-    material.surface->anisotropy *= static_cast<float>(*texel / 65536 % 256) / 255;
+    direction *= std::complex<double>(2 * redOf(*texel) - 1, 2 * greenOf(*texel) - 1);
+    material.surface->anisotropy *= static_cast<float>(blueOf(*texel));
   }
   const dvec3 grain = direction.real() * attributes.tangent + direction.imag() * attributes.bitangent;
   surface.grain = rounding.turned(normalize(grain), kRoundingBounds.frame);

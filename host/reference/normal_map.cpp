@@ -9,16 +9,13 @@ namespace candela::reference {
 namespace {
 
 // The components of a direction that a texel encodes in red, green and blue.
-dvec3 directionOf(std::uint32_t texel) {
-  const dvec3 bytes(texel % 256, texel / 256 % 256, texel / 65536 % 256);
-  return bytes / 127.5 - 1.0;
-}
+dvec3 directionOf(Texel texel) { return 2.0 * dvec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0; }
 
 }  // namespace
 
 void applyNormalMap(const scene::Scene& scene, scene::TextureSlot slot, Surface& surface, Rounding& rounding) {
   const MeshAttributes& attributes = surface.attributes;
-  const std::optional<std::uint32_t> texel = texelOf(scene, surface, slot, rounding);
+  const std::optional<Texel> texel = texelOf(scene, surface, slot, rounding);
   if (!texel || attributes.tangent == dvec3(0)) return;
   const scene::Material& material = scene.materials[surface.material];
   const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;

@@ -2,8 +2,8 @@
 #include "host/reference/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "host/reference/rounding.h"
 
@@ -13,17 +13,25 @@ namespace {
 constexpr double kLimit = 0x1p23;  // of texture coordinates
 
 // IEC 61966-2-1, rounded to single precision as the specification of the lookup has it.
-std::array<double, 256> makeSrgbTable() {
-  std::array<double, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double signal = static_cast<double>(i) / 255;
+std::vector<float> makeSrgbTable() {
+  std::vector<float> table;
+  table.reserve(65536);
+  for (int i = 0; i < 65536; ++i) {
+    const double signal = i / 65535.0;
     const double linear = signal > 0.04045 ? std::exp(2.4 * std::log((signal + 0.055) / 1.055)) : signal / 12.92;
-    table[i] = static_cast<float>(linear);
+    table.push_back(static_cast<float>(linear));
   }
   return table;
 }
 
-const std::array<double, 256> kSrgbTable = makeSrgbTable();
+unsigned channel(Texel texel, int index) { return texel >> 16 * index & 0xffff; }
+
+// Returns the texel of an image of 8 bits.
+Texel widened(std::uint32_t texel) {
+  Texel channels = 0;
+  for (int c = 3; c >= 0; --c) channels = channels << 16 | (texel >> 8 * c & 0xff);
+  return channels * 257;
+}
 
 double coordinateError(const glm::vec3& row, const dvec2& scale) {
   const dvec3 terms = glm::abs(dvec3(row)) * dvec3(scale, 1);
@@ -51,12 +59,13 @@ std::uint32_t texelIndex(double s, std::uint32_t count, scene::TextureWrap wrap,
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(x, 0, n - 1));
 }
 
-std::uint32_t texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
-                      const dvec2& jitter) {
+Texel texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
+              const dvec2& jitter) {
   const dvec2 displacement = reference.filter == scene::TextureFilter::linear ? jitter - 0.5 : dvec2(0);
   const std::uint32_t x = texelIndex(st.x, image.width, reference.wrapS, displacement.x);
   const std::uint32_t y = texelIndex(st.y, image.height, reference.wrapT, displacement.y);
-  return image.texels[std::size_t{y} * image.width + x];
+  const std::size_t index = std::size_t{y} * image.width + x;
+  return image.isDeep() ? image.deepTexels[index] : widened(image.texels[index]);
 }
 
 dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes) {
@@ -69,7 +78,10 @@ dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttri
   return {coordinateError(reference.rowS, scale), coordinateError(reference.rowT, scale)};
 }
 
-double alphaOf(std::uint32_t texel) { return (texel >> 24) / 255.0; }
+double redOf(Texel texel) { return channel(texel, 0) / 65535.0; }
+double greenOf(Texel texel) { return channel(texel, 1) / 65535.0; }
+double blueOf(Texel texel) { return channel(texel, 2) / 65535.0; }
+double alphaOf(Texel texel) { return channel(texel, 3) / 65535.0; }
 
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
   if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
@@ -84,8 +96,9 @@ double filteredAlpha(const scene::TextureImage& image, const scene::TextureRefer
   return alpha;
 }
 
-dvec3 linearColour(std::uint32_t texel) {
-  return {kSrgbTable[texel % 256], kSrgbTable[texel / 256 % 256], kSrgbTable[texel / 65536 % 256]};
+dvec3 linearColour(Texel texel) {
+  static const std::vector<float> kTable = makeSrgbTable();
+  return {kTable[channel(texel, 0)], kTable[channel(texel, 1)], kTable[channel(texel, 2)]};
 }
 
 }  // namespace candela::reference

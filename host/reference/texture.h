@@ -14,21 +14,28 @@ using glm::dvec2;
 /// for the filter `nearest`, else the jitter minus 1/2.
 std::uint32_t texelIndex(double s, std::uint32_t count, scene::TextureWrap wrap, double displacement);
 
-/// The texel, four packed bytes, that the jitter, two random numbers, selects at texture coordinates (s, t).
-std::uint32_t texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
-                      const dvec2& jitter);
+/// Four channels of 16 bits: red | green << 16 | blue << 32 | alpha << 48. Those of an image of 8 bits are multiplied
+/// by 257, so that their quotients with the largest value are the same.
+using Texel = std::uint64_t;
+
+/// The texel that the jitter, two random numbers, selects at texture coordinates (s, t).
+Texel texelAt(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st,
+              const dvec2& jitter);
 
 /// The coordinates (s, t) of a reference at a point with these attributes.
 dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes);
 /// The bounds of the errors of these coordinates in single precision.
 dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes);
 
-/// The alpha of a texel, 0 to 1.
-double alphaOf(std::uint32_t texel);
+/// The channels of a texel, 0 to 1.
+double redOf(Texel texel);
+double greenOf(Texel texel);
+double blueOf(Texel texel);
+double alphaOf(Texel texel);
 /// The alpha at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
 
 /// The linear colour of a texel whose colour is encoded in sRGB.
-dvec3 linearColour(std::uint32_t texel);
+dvec3 linearColour(Texel texel);
 
 }  // namespace candela::reference

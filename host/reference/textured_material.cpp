@@ -15,11 +15,11 @@ dvec2 randomSigns(Rounding& rounding) {
   return {rounding.absolute(0, 1 / kRoundoff), rounding.absolute(0, 1 / kRoundoff)};
 }
 
-std::uint32_t lookUp(const scene::Scene& scene, const scene::TextureReference& reference,
-                     const MeshAttributes& attributes, const dvec2& jitter, Rounding& rounding) {
+Texel lookUp(const scene::Scene& scene, const scene::TextureReference& reference, const MeshAttributes& attributes,
+             const dvec2& jitter, Rounding& rounding) {
   const dvec2 error = randomSigns(rounding) * coordinateErrors(reference, attributes);
   const dvec2 st = textureCoordinates(reference, attributes) + error;
-  const std::uint32_t texel = texelAt(scene.images[reference.image], reference, st, jitter);
+  const Texel texel = texelAt(scene.images[reference.image], reference, st, jitter);
   rounding.decide(texel);
   return texel;
 }
@@ -40,44 +40,49 @@ struct Texels {
   const Surface& surface;
   Rounding& rounding;
 
-  std::optional<std::uint32_t> of(scene::TextureSlot slot) const { return texelOf(scene, surface, slot, rounding); }
+  std::optional<Texel> of(scene::TextureSlot slot) const { return texelOf(scene, surface, slot, rounding); }
 };
 
-float redOf(std::uint32_t texel) { return static_cast<float>(texel % 256) / 255; }
-float greenOf(std::uint32_t texel) { return static_cast<float>(texel / 256 % 256) / 255; }
+void scale(float& parameter, double factor) { parameter *= static_cast<float>(factor); }
 
 void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters) {
   if (const auto texel = texels.of(scene::TextureSlot::metallicRoughness)) {
-    parameters.roughness *= greenOf(*texel);
-    parameters.metalness *= static_cast<float>(*texel / 65536 % 256) / 255;
+    scale(parameters.roughness, greenOf(*texel));
+    scale(parameters.metalness, blueOf(*texel));
+  }
+  if (const auto texel = texels.of(scene::TextureSlot::glossiness)) {
+    const double glossiness = (1 - double{parameters.roughness}) * alphaOf(*texel);
+    parameters.roughness = static_cast<float>(1 - glossiness);
   }
   if (const auto texel = texels.of(scene::TextureSlot::specular)) {
-    parameters.specularWeight *= static_cast<float>(alphaOf(*texel));
+    scale(parameters.specularWeight, alphaOf(*texel));
   }
   if (const auto texel = texels.of(scene::TextureSlot::specularColour)) {
     parameters.specularColour *= glm::vec3(linearColour(*texel));
   }
-  if (const auto texel = texels.of(scene::TextureSlot::transmission)) parameters.transmissionWeight *= redOf(*texel);
-  if (const auto texel = texels.of(scene::TextureSlot::coat)) parameters.coatWeight *= redOf(*texel);
-  if (const auto texel = texels.of(scene::TextureSlot::coatRoughness)) parameters.coatRoughness *= greenOf(*texel);
+  if (const auto texel = texels.of(scene::TextureSlot::transmission))
+    scale(parameters.transmissionWeight, redOf(*texel));
+  if (const auto texel = texels.of(scene::TextureSlot::coat)) scale(parameters.coatWeight, redOf(*texel));
+  if (const auto texel = texels.of(scene::TextureSlot::coatRoughness)) scale(parameters.coatRoughness, greenOf(*texel));
   if (const auto texel = texels.of(scene::TextureSlot::sheenColour)) {
     parameters.sheenColour *= glm::vec3(linearColour(*texel));
   }
   if (const auto texel = texels.of(scene::TextureSlot::sheenRoughness)) {
-    parameters.sheenRoughness *= static_cast<float>(alphaOf(*texel));
+    scale(parameters.sheenRoughness, alphaOf(*texel));
   }
   if (const auto texel = texels.of(scene::TextureSlot::film)) {
-    parameters.filmWeight *= redOf(*texel);
+    scale(parameters.filmWeight, redOf(*texel));
   }
   if (const auto texel = texels.of(scene::TextureSlot::filmThickness)) {
-    parameters.filmThickness = std::lerp(parameters.filmThicknessMinimum, parameters.filmThickness, greenOf(*texel));
+    parameters.filmThickness = std::lerp(parameters.filmThicknessMinimum, parameters.filmThickness,
+                                         static_cast<float>(greenOf(*texel)));
   }
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
-                                     Rounding& rounding) {
+std::optional<Texel> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
+                             Rounding& rounding) {
   const auto& reference = textureOf(scene.materials[surface.material], slot);
   if (!reference || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;
   return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
@@ -111,13 +116,14 @@ dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const 
   dvec3 factor(1);
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     const MeshAttributes attributes = attributesAt(scene, primitive, light.barycentrics, dvec3(0));
-    const auto texel = [&](scene::TextureSlot slot) -> std::optional<std::uint32_t> {
+    const auto texel = [&](scene::TextureSlot slot) -> std::optional<Texel> {
       const auto& texture = textureOf(material, slot);
       return texture ? std::optional(lookUp(scene, *texture, attributes, jitter, rounding)) : std::nullopt;
     };
     if (const auto emission = texel(scene::TextureSlot::emission)) factor = linearColour(*emission);
     if (coloursOfEmission(scene, primitive)) factor *= dvec3(attributes.colour);
-    if (const auto coat = coatWeight > 0 ? texel(scene::TextureSlot::coat) : std::nullopt) coatWeight *= redOf(*coat);
+    if (const auto coat = coatWeight > 0 ? texel(scene::TextureSlot::coat) : std::nullopt)
+      coatWeight *= static_cast<float>(redOf(*coat));
     if (isTransparent(scene, primitive)) {
       const double opacity = opacityAt(scene, primitive, attributes, jitter, randomSigns(rounding));
       rounding.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));

@@ -5,6 +5,7 @@
 #include "host/reference/rounding.h"
 #include "host/reference/surface.h"
 #include "host/reference/surface_material.h"
+#include "host/reference/texture.h"
 
 namespace candela::reference {
 
@@ -13,8 +14,8 @@ namespace candela::reference {
 void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding);
 
 /// Returns the texel of a slot at the surface point, which becomes a decision of `rounding`; nothing without a texture.
-std::optional<std::uint32_t> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
-                                     Rounding& rounding);
+std::optional<Texel> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
+                             Rounding& rounding);
 
 /// Dims the emission of a material with a coat, as it is seen by a ray of this direction.
 void dimEmission(const Surface& surface, const dvec3& rayDirection, SurfaceMaterial& material);

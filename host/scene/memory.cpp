@@ -36,7 +36,10 @@ SceneMemory memoryOf(const Scene& scene) {
                                             scene.planes, scene.pointLights, scene.punctualLights, scene.objectStarts,
                                             scene.objectNames, scene.materialNames);
   memory.triangles += memory.triangleCount * sizeof(Primitive);
-  for (const TextureImage& image : scene.images) memory.textures += sizeof(TextureImage) + bytesOf(image.texels);
+  for (const TextureImage& image : scene.images) {
+    memory.textures += sizeof(TextureImage) + bytesOf(image.texels, image.deepTexels);
+    memory.deepTextures += bytesOf(image.deepTexels);
+  }
   memory.total += memory.textures;
   if (scene.sky) {
     for (const SkyFace& face : scene.sky->faces) memory.total += face.rgb.size();

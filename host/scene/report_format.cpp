@@ -50,6 +50,7 @@ std::string memoryText(const SceneMemory& memory) {
   if (const auto perTriangle = memory.bytesPerTriangle())
     text += fmt::format("; {:.1f} bytes per triangle", *perTriangle);
   if (memory.textures > 0) text += fmt::format("; {} bytes of textures", memory.textures);
+  if (memory.deepTextures > 0) text += fmt::format(", {} of them for 16-bit channels", memory.deepTextures);
   return text;
 }
 
@@ -136,7 +137,8 @@ json toJson(const SceneReport& r) {
       {"memory",
        {{"bytes", r.memory.total},
         {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)},
-        {"textures", r.memory.textures}}},
+        {"textures", r.memory.textures},
+        {"deepTextures", r.memory.deepTextures}}},
       {"warnings", r.warnings},
   };
 }

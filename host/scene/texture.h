@@ -7,12 +7,16 @@
 
 namespace candela::scene {
 
-/// Four 8-bit channels for each texel, row by row from the top, as the image file has them: nothing is decoded.
+/// Four channels of 8 or 16 bits for each texel, row by row from the top, as the image file has them: nothing is
+/// decoded. One of the two arrays is empty.
 struct TextureImage {
   std::string name;  ///< for messages
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint32_t> texels;  ///< red | green << 8 | blue << 16 | alpha << 24
+  std::vector<std::uint32_t> texels;        ///< red | green << 8 | blue << 16 | alpha << 24
+  std::vector<std::uint64_t> deepTexels{};  ///< red | green << 16 | blue << 32 | alpha << 48
+
+  bool isDeep() const { return !deepTexels.empty(); }
 };
 
 /// The treatment of texture coordinates outside of 0 to 1.
@@ -50,8 +54,9 @@ enum class TextureSlot : std::uint8_t {
   sheenRoughness,     ///< alpha
   anisotropy,         ///< strength: blue; its direction in the tangent frame: red and green
   film,               ///< weight: red
-  filmThickness       ///< green
+  filmThickness,      ///< green
+  glossiness          ///< alpha, a factor of 1 - roughness
 };
-inline constexpr std::size_t kTextureSlotCount = 15;
+inline constexpr std::size_t kTextureSlotCount = 16;
 
 }  // namespace candela::scene

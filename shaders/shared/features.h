@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; ids 87 to 89 are free.
+// use are compiled out. Other ids are in specialization.h; ids 88 and 89 are free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \
@@ -32,6 +32,7 @@
   X(environmentLight, kHasEnvironmentLight, 34) /* it is in the light table */                   \
   X(mixtures, kHasMixtures, 25)                 /* some material has more than one lobe */       \
   X(textures, kHasTextures, 35)                                                                  \
+  X(deepTexels, kHasDeepTexels, 87)     /* some image has channels of 16 bits */                 \
   X(transparency, kHasTransparency, 36) /* some triangle may be passed */                        \
   X(colours, kHasColours, 37)           /* some triangle has vertex colours */                   \
   X(surfaces, kHasSurfaces, 30)         /* some material has surface parameters */               \

@@ -122,13 +122,17 @@ CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 // the edges of the square around the position that the light fills (edge, 0) (edge, 0).
 CANDELA_CONST uint kPointLightRows = 4u;
 
-// Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB; then for each material four
+// Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB, or, in scenes with an image of
+// 16 bits per channel, 16,384 records with the 65,536 linear values of 16-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
 // 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
-// four in a record, r | g << 8 | b << 16 | a << 24, each image beginning with a record. References have two records:
+// four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each image
+// beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have two records:
 // (rowS, flags and first record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
+CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
+CANDELA_CONST uint kDeepReference = 1u << 31;
 CANDELA_CONST uint kMaterialTextureRows = 6u;
 CANDELA_CONST uint kOpacityRow = 4u;  // of a material's records
 CANDELA_CONST uint kScaleRow = 5u;
@@ -158,6 +162,7 @@ CANDELA_CONST uint kSlotSheenRoughness = 11u;
 CANDELA_CONST uint kSlotAnisotropy = 12u;
 CANDELA_CONST uint kSlotFilm = 13u;
 CANDELA_CONST uint kSlotFilmThickness = 14u;
+CANDELA_CONST uint kSlotGlossiness = 15u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.

@@ -73,6 +73,26 @@ TEST_CASE("a texture transform scales, then rotates, then moves, and may name an
   CHECK(glm::dot(reference.rowT, uv) == Approx(0.3));
 }
 
+TEST_CASE("textures of specular-glossiness have transforms, and one image serves two slots") {
+  GltfFile file = texturedFile();
+  const auto infoWithScale = [](double scale) -> json {
+    return {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {scale, 1}}}}}}};
+  };
+  file.root["materials"][0] = {
+      {"extensions",
+       {{"KHR_materials_pbrSpecularGlossiness",
+         {{"diffuseTexture", infoWithScale(2)}, {"specularGlossinessTexture", infoWithScale(3)}}}}}};
+  file.root["extensionsRequired"] = {"KHR_materials_pbrSpecularGlossiness", "KHR_texture_transform"};
+  const scene::LoadedScene loaded = load(file);
+  CHECK(loaded.warnings.empty());
+  const scene::Scene& scene = loaded.scene;
+  CHECK(scene.images.size() == 1);
+  const auto scaleOf = [&](scene::TextureSlot slot) { return textureOf(scene.materials[0], slot)->rowS.x; };
+  CHECK(scaleOf(scene::TextureSlot::baseColour) == 2);
+  CHECK(scaleOf(scene::TextureSlot::specularColour) == 3);
+  CHECK(scaleOf(scene::TextureSlot::glossiness) == 3);
+}
+
 TEST_CASE("images come from data URIs and permitted files, and the scene's hash covers them") {
   const TemporaryFolder folder;
   const auto write = [&](const std::vector<std::byte>& bytes) {

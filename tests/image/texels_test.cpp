@@ -70,7 +70,7 @@ Bytes webpOf(std::uint32_t width, std::uint32_t height, const Words& rgba) {
 bool isRefused(const Bytes& file) {
   try {
     const Texels texels = decodeTexels(file);
-    REQUIRE(texels.rgba.size() == std::size_t{texels.width} * texels.height);
+    REQUIRE(texels.rgba.size() + texels.deepRgba.size() == std::size_t{texels.width} * texels.height);
     return false;
   } catch (const FileError&) {
     return true;
@@ -96,7 +96,7 @@ void attack(const Bytes& good) {
 
 }  // namespace
 
-TEST_CASE("PNG files keep their channels: colour, grey, alpha, palettes, 16 bits") {
+TEST_CASE("PNG files keep their channels: colour, grey, alpha, palettes") {
   CHECK(wordsOf(storedPng(2, 1, 8, 2, {0, 1, 2, 3, 4, 5, 6})) == Words{0xff030201u, 0xff060504u});
   CHECK(wordsOf(storedPng(1, 2, 8, 6, {0, 1, 2, 3, 0, 0, 4, 5, 6, 9})) == Words{0x00030201u, 0x09060504u});
   CHECK(wordsOf(storedPng(2, 1, 8, 0, {0, 7, 8})) == Words{0xff070707u, 0xff080808u});
@@ -104,9 +104,26 @@ TEST_CASE("PNG files keep their channels: colour, grey, alpha, palettes, 16 bits
   CHECK(wordsOf(storedPng(2, 1, 1, 0, {0, 0x40})) == Words{0xff000000u, 0xffffffffu});
   CHECK(wordsOf(storedPng(2, 1, 1, 3, {0, 0x40}, chunk("PLTE", {1, 2, 3, 4, 5, 6}) + chunk("tRNS", {9}))) ==
         Words{0x09030201u, 0xff060504u});
-  // 0x0180 / 257 is 1.49, 0x0181 / 257 is 1.498 and 0x0182 / 257 is 1.502.
-  const std::string rows{0, 1, static_cast<char>(0x80), 1, static_cast<char>(0x81), 1, static_cast<char>(0x82)};
-  CHECK(wordsOf(storedPng(1, 1, 16, 2, rows)) == Words{0xff020101u});
+}
+
+TEST_CASE("PNG files of 16 bits keep them") {
+  using DeepWords = std::vector<std::uint64_t>;
+  const auto deepOf = [](int colourType, const std::string& rows, const std::string& extra = "") {
+    const Texels texels = decodeTexels(storedPng(1, 1, 16, colourType, rows, extra));
+    CHECK(texels.rgba.empty());
+    return texels.deepRgba;
+  };
+  CHECK(deepOf(2, {0, 1, 2, 3, 4, 5, 6}) == DeepWords{0xffff050603040102u});
+  CHECK(deepOf(6, {0, 1, 2, 3, 4, 5, 6, 7, 8}) == DeepWords{0x0708050603040102u});
+  CHECK(deepOf(0, {0, 1, 2}) == DeepWords{0xffff010201020102u});
+  CHECK(deepOf(4, {0, 1, 2, 3, 4}) == DeepWords{0x0304010201020102u});
+  CHECK(deepOf(0, {0, 1, 2}, chunk("tRNS", {1, 2})) == DeepWords{0x0000010201020102u});
+}
+
+TEST_CASE("PNG files of 16 bits whose values have 8 are read as those of 8 bits") {
+  CHECK(wordsOf(storedPng(1, 1, 16, 2, {0, 1, 1, 3, 3, 5, 5})) == Words{0xff050301u});
+  CHECK(wordsOf(storedPng(1, 1, 16, 4, {0, 7, 7, 9, 9})) == Words{0x09070707u});
+  CHECK(wordsOf(storedPng(1, 2, 16, 0, {0, 1, 1, 0, 1, 2})).empty());
 }
 
 TEST_CASE("the colour space of a PNG file is ignored") {
@@ -126,6 +143,7 @@ TEST_CASE("WebP files keep four channels") {
 
 TEST_CASE("damaged files of textures are refused") {
   attack(storedPng(4, 3, 8, 2, std::string(39, 0)));
+  attack(storedPng(3, 2, 16, 2, std::string(19, 0) + std::string(19, 1)));
   attack(webpOf(3, 2, {1, 0x80302010u, 3, 4, 5, 6}));
   CHECK(isRefused(toBytes("RIFF\x10\0\0\0WEBPVP8 ")));
   CHECK(isRefused(toBytes("GIF89a")));

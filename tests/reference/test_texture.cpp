@@ -55,17 +55,33 @@ TEST_CASE("jitter averages to bilinear interpolation, and the filter nearest ign
   double sum = 0;
   for (int i = 0; i < kSteps * kSteps; ++i) {
     const glm::dvec2 jitter((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
-    sum += texelAt(image, reference, st, jitter);
+    sum += 255 * redOf(texelAt(image, reference, st, jitter));
   }
   CHECK(sum / (kSteps * kSteps) == Approx(0.3 * 0.3 * 10 + 0.7 * 0.3 * 20 + 0.3 * 0.7 * 40 + 0.7 * 0.7 * 50));
   reference.filter = TextureFilter::nearest;
-  for (const double jitter : {0.0, 0.4, 0.999}) CHECK(texelAt(image, reference, st, glm::dvec2(jitter)) == 50);
+  for (const double jitter : {0.0, 0.4, 0.999}) {
+    CHECK(redOf(texelAt(image, reference, st, glm::dvec2(jitter))) == 50 / 255.0);
+  }
 }
 
 TEST_CASE("colours are decoded from sRGB") {
-  const dvec3 colour = linearColour(0xff0bbc00u);  // red 0, green 188, blue 11
+  const scene::TextureImage image{"", 2, 1, {0x330bbc00u, 0x00ffffffu}};  // red 0, green 188, blue 11
+  const Texel first = texelAt(image, {.filter = TextureFilter::nearest}, {0.25, 0.5}, {});
+  const dvec3 colour = linearColour(first);
   CHECK(colour.x == 0);
   CHECK(colour.y == Approx(0.5028864580325687));
   CHECK(colour.z == Approx(0.003346535763899161));
-  CHECK(linearColour(0x00ffffffu) == dvec3(1));
+  CHECK(alphaOf(first) == 0.2);
+  CHECK(linearColour(texelAt(image, {.filter = TextureFilter::nearest}, {0.75, 0.5}, {})) == dvec3(1));
+}
+
+TEST_CASE("channels of 16 bits are not rounded") {
+  const scene::TextureImage image{"", 1, 2, {}, {0, 0x0001'ffff'bc3a'3039}};  // red 12345, green 48186, alpha 1
+  const Texel texel = texelAt(image, {.filter = TextureFilter::nearest}, {0.5, 0.75}, {});
+  CHECK(redOf(texel) == 12345 / 65535.0);
+  CHECK(greenOf(texel) == 48186 / 65535.0);
+  CHECK(blueOf(texel) == 1);
+  CHECK(alphaOf(texel) == 1 / 65535.0);
+  CHECK(linearColour(texel).x == Approx(std::pow((12345 / 65535.0 + 0.055) / 1.055, 2.4)).epsilon(1e-6));
+  CHECK(filteredAlpha(image, {}, {0.5, 0.5}) == Approx(0.5 / 65535));
 }

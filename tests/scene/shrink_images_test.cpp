@@ -26,3 +26,13 @@ TEST_CASE("images shrink to one texel each and no further") {
   CHECK(images[0].texels.size() == 1);
   CHECK(images[1].texels.size() == 1);
 }
+
+TEST_CASE("images of 16 bits per channel count twice, and keep their bits") {
+  std::vector<TextureImage> images{{"a", 2, 2, {}, {0x0001'0003'ffff'0000, 0x0002'0003'ffff'0000, 0, 0}},
+                                   {"b", 3, 2, {1, 2, 3, 4, 5, 6}}};
+  CHECK(shrinkImages(images, 14).empty());
+  CHECK(shrinkImages(images, 13).size() == 1);
+  CHECK(images[0].deepTexels == std::vector<std::uint64_t>{0x0001'0002'8000'0000});
+  CHECK(images[0].texels.empty());
+  CHECK(images[1].texels.size() == 6);
+}

@@ -9,12 +9,12 @@ FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT = 5126, 5121, 5123
 GLB_JSON, GLB_BINARY = 0x4E4F534A, 0x004E4942
 
 
-def png(width, height, pixels=None):
+def png(width, height, pixels=None, bits=8):
     """Returns a PNG file of RGBA pixels; `pixels` (default: all pixels of the size) may be shorter than the size requires."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-    rows = b"".join(b"\0" + b"\xff" * (4 * width) for _ in range(height)) if pixels is None else pixels
-    header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    rows = b"".join(b"\0" + b"\xff" * (bits // 2 * width) for _ in range(height)) if pixels is None else pixels
+    header = struct.pack(">IIBBBBB", width, height, bits, 6, 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
@@ -77,7 +77,7 @@ def base():
     target = {"POSITION": file.floats([0, 0, 1] * 3, "VEC3", 3)}
     root["meshes"] = [{"primitives": [{"attributes": attributes, "indices": indices, "material": 0,
                                        "targets": [target]}], "weights": [0.5]},
-                      {"primitives": [{"attributes": {"POSITION": sparse(file)}}]}]
+                      {"primitives": [{"attributes": {"POSITION": sparse(file)}, "material": 1}]}]
     root["skins"] = [{"joints": [2], "inverseBindMatrices": file.floats(identity(), "MAT4", 16)}]
     moves = {"TRANSLATION": file.floats([0, 0, 0, 2, 0, 0], "VEC3", 3),
              "ROTATION": file.floats([0, 0, 0, 1] * 2, "VEC4", 4), "SCALE": file.floats([1] * 6, "VEC3", 3)}
@@ -93,7 +93,8 @@ def base():
                        {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 10}}]
     root["extensions"] = {"KHR_lights_punctual": {"lights": [
         {"type": "spot", "color": [1, 1, 1], "intensity": 5, "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.5}}]}}
-    root["extensionsUsed"] = ["KHR_lights_punctual", "EXT_mesh_gpu_instancing", "KHR_texture_transform"]
+    root["extensionsUsed"] = ["KHR_lights_punctual", "EXT_mesh_gpu_instancing", "KHR_texture_transform",
+                              "KHR_materials_pbrSpecularGlossiness"]
     root["animations"] = [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}],
                            "samplers": [{"input": file.floats([0, 1], "SCALAR", 1), "interpolation": "LINEAR",
                                          "output": file.floats([0, 0, 0, 1, 1, 1], "VEC3", 3)}]}]
@@ -134,4 +135,8 @@ def add_material(file):
                        "KHR_materials_transmission": {"transmissionFactor": 0.5},
                        "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 2,
                                                 "attenuationColor": [1, 1, 1]},
-                       "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}}}]
+                       "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}}},
+        {"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+            "diffuseFactor": [1, 1, 1, 1], "specularFactor": [0.5, 0.5, 0.5], "glossinessFactor": 0.5,
+            "diffuseTexture": {"index": 0, "texCoord": 0, "extensions": transform},
+            "specularGlossinessTexture": {"index": 1}}}}]

@@ -223,6 +223,7 @@ def of_images():
     jpeg = b"\xff\xd8\xff\xc0\x00\x11\x08\xff\xff\xff\xff\x03\x01\x11\x00\x02\x11\x01\x03\x11\x01\xff\xd9"
     webp = b"RIFF\x1a\0\0\0WEBPVP8L\x0d\0\0\0\x2f\xff\xff\xff\x0f\0\0\0\0\0\0\0\0"
     for name, content in (("too-wide", png(60000, 60000, b"\0" * 9)), ("few-rows", png(64, 64, b"\0" * 50)),
+                          ("few-rows-of-16-bits", png(8, 8, b"\0" * (8 * 33), bits=16)), ("cut-16-bits", png(2, 2, bits=16)[:50]),
                           ("no-pixels", png(0, 0, b"")), ("beyond-limits", png(70000, 1, b"\0" * 99)),
                           ("cut", good[:40]), ("crc", good[:20] + b"\x09" + good[21:]), ("empty", b""),
                           ("text", b"no image"), ("jpeg-lies", jpeg), ("jpeg-cut", jpeg[:6]), ("webp-lies", webp),
