@@ -2,18 +2,17 @@
 """Writes the scenes and the list of frames of a turntable: a camera that circles around the marbles.
 
     docs/gallery/turntable.py FOLDER [--frames N] [-- OPTIONS OF candela render]
-    farm/slurm/candela-render --job FOLDER/job --frames FOLDER/frames.txt
-    img2webp -loop 0 -d 83 -lossy -q 75 FOLDER/*.png -o turntable.webp
 
-The second command renders the frames as an array of Slurm, and the third, of the package `webp`, makes the animation.
+docs/gallery.md has the commands that render the frames as a job array and make an animation of them.
 """
 import argparse
 import math
 import shlex
+import sys
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parent / "marbles.p3f"
-OPTIONS = ["--size", "240x150", "--spp", "96", "--tonemap", "agx", "--exposure", "1.2"]
+OPTIONS = ["--size", "240x150", "--spp", "64", "--tonemap", "agx", "--exposure", "1.2"]
 
 
 def scene_from(text, angle):
@@ -31,8 +30,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--frames", type=int, default=36)
-    parser.add_argument("options", nargs="*")
-    arguments = parser.parse_args()
+    words = sys.argv[1:]
+    end = words.index("--") if "--" in words else len(words)
+    arguments, options = parser.parse_args(words[:end]), words[end + 1:]
+    if arguments.frames < 1:
+        parser.error("--frames must be at least 1")
     folder = arguments.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     text = SCENE.read_text()
@@ -40,7 +42,7 @@ def main():
     for frame in range(arguments.frames):
         scene = folder / f"frame_{frame:03}.p3f"
         scene.write_text(scene_from(text, 2 * math.pi * frame / arguments.frames))
-        commands.append(shlex.join([str(scene), *OPTIONS, *arguments.options, "-o", str(scene.with_suffix(".png"))]))
+        commands.append(shlex.join([str(scene), *OPTIONS, *options, "-o", str(scene.with_suffix(".png"))]))
     (folder / "frames.txt").write_text("\n".join(commands) + "\n")
 
 

@@ -45,6 +45,7 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     if (isLate && value == (option.isFlag() ? "off" : option.defaultText)) continue;
     settings[option.name().substr(2)] = film::validText(value);
   }
+  if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;
   if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
   if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;

@@ -79,6 +79,7 @@ bool FilmHeader::isComplete() const {
 }
 
 std::uint32_t FilmHeader::format() const {
+  if (settings.contains(kStoppingRule)) return 6;
   if (hasMattes(layers)) return 5;
   if (settings.contains(kThresholdSetting)) return 4;
   if (!layers.isEmpty()) return 3;
@@ -97,9 +98,13 @@ std::optional<double> FilmHeader::noiseThreshold() const {
   throw FileError("the noise threshold of the film is not a number above 0");
 }
 
+bool FilmHeader::hasFirstStoppingRule() const {
+  return settings.contains(kThresholdSetting) && !settings.contains(kStoppingRule);
+}
+
 std::optional<render::AdaptivePlan> planOf(const FilmHeader& header) {
   const std::optional<double> threshold = header.noiseThreshold();
-  if (!threshold) return std::nullopt;
+  if (!threshold || header.hasFirstStoppingRule()) return std::nullopt;
   return render::AdaptivePlan(header.window, *threshold, header.samplesPerPixel);
 }
 

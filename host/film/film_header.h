@@ -13,6 +13,11 @@
 
 namespace candela::film {
 
+/// Name and value of the setting of adaptively sampled films that states the rule by which regions stop. Films of the
+/// first rule lack it: they can be read, but not be resumed or merged.
+inline constexpr const char* kStoppingRule = "stopping-rule";
+inline constexpr const char* kCurrentStoppingRule = "2";
+
 /// A program and a device that traced samples. Films of equal tracers and equal samples have equal bytes. Nothing here
 /// names one machine: devices of one kind are equal.
 struct Tracer {
@@ -47,17 +52,19 @@ struct FilmHeader {
   bool hasAlpha() const;
   /// Threshold of adaptive sampling, from the setting `noise-threshold`. Throws FileError if that is no number.
   std::optional<double> noiseThreshold() const;
+  /// Returns whether the film was sampled adaptively by the first rule.
+  bool hasFirstStoppingRule() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Returns whether every pixel of the image has all samples.
   bool isComplete() const;
-  /// Version of the format of its file: 5 with mattes, 4 with a noise threshold, 3 with other layers, 2 with alpha
-  /// only, else 1.
+  /// Version of the format of its file: 6 with a rule of stopping, 5 with mattes, 4 with a noise threshold and the
+  /// first rule, 3 with other layers, 2 with alpha only, else 1.
   std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };
 
-/// Returns the plan by which a film is sampled adaptively; nothing without a noise threshold. Throws as
-/// noiseThreshold() does.
+/// Returns the plan by which a film is sampled adaptively; nothing without a noise threshold, and for films of the
+/// first rule. Throws as noiseThreshold() does.
 std::optional<render::AdaptivePlan> planOf(const FilmHeader& header);
 
 /// Sets `covered` and `begun` of a film whose pixels hold consecutive samples from `first` on. An adaptively sampled

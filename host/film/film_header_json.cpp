@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint32_t kLastFormat = 5;
+constexpr std::uint32_t kLastFormat = 6;
 constexpr std::uint32_t kMaxSlots = 65536;
 constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 constexpr std::size_t kMaxBoxes = 10000;         // sets of boxes take time of the square of their number
@@ -200,6 +200,9 @@ void check(const FilmHeader& header) {
   }
   if (header.tracers.empty() || !isSortedSet(header.tracers)) refuse("tracers");
   if (!isSortedSet(header.mixed)) refuse("mixed");
+  const auto rule = header.settings.find(kStoppingRule);
+  const bool hasRule = rule != header.settings.end();
+  if (hasRule && (rule->second != kCurrentStoppingRule || !header.noiseThreshold())) refuse("settings");
   if (header.noiseThreshold() && header.samplesPerPixel <= render::pilotSamples(*header.noiseThreshold()))
     refuse("samplesPerPixel");
 }

@@ -59,6 +59,12 @@ std::vector<SampleBox> allBoxes(const FilmHeader& header) {
   return boxes;
 }
 
+void requireMergeable(const Part& part) {
+  if (!part.header.hasFirstStoppingRule()) return;
+  throw FileError(fmt::format("cannot merge: {} was sampled with --noise-threshold by an earlier rule; render it again",
+                              part.file.string()));
+}
+
 void requireDisjoint(const Part& a, const Part& b) {
   for (const SampleBox& x : allBoxes(a.header)) {
     for (const SampleBox& y : allBoxes(b.header)) {
@@ -70,6 +76,7 @@ void requireDisjoint(const Part& a, const Part& b) {
 }
 
 void requireFitting(const std::vector<Part>& parts, const MergeOptions& options) {
+  for (const Part& part : parts) requireMergeable(part);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     requireSameEstimate(parts[0], parts[i]);
     requireSameTracers(parts[0], parts[i], options);

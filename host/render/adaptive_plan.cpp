@@ -27,10 +27,15 @@ void forEachPixel(const image::Film& film, Use&& use) {
 
 std::uint32_t pilotSamples(double threshold) {
   constexpr std::uint32_t kMin = 16, kMax = 1u << 20;
-  constexpr double kNumerator = 0.64;
+  constexpr double kNumerator = 0.2;
   std::uint32_t samples = kMin;
-  while (samples < kMax && samples * threshold * threshold < kNumerator) samples *= 2;
+  while (samples < kMax && 2 * samples * threshold * threshold <= kNumerator) samples *= 2;
   return samples;
+}
+
+double neededSamples(double variance, double deviation, double threshold) {
+  constexpr double kProportion = 2.5;  // the best one in trials, with the pilot above
+  return std::max(variance, kProportion * deviation) / (threshold * threshold);
 }
 
 void requireAligned(const Window& window, const Extent& size) {
@@ -74,16 +79,16 @@ std::vector<AdaptivePlan::Block> AdaptivePlan::blocksOf(const image::Film& film)
   return blocks;
 }
 
-// Returns which half-regions of the blocks that are not pending continue.
+// Returns which half-regions of the blocks that are not pending need more samples.
 std::vector<bool> AdaptivePlan::decide(const image::Film& film, const std::vector<Block>& blocks) const {
   const std::vector<std::uint32_t> counts = regions_.countsOf(film);
-  const std::vector<double> errors = regions_.errorsOf(film, counts);
-  std::vector<bool> noisy(counts.size());
-  for (std::size_t i = 0; i < counts.size(); ++i) noisy[i] = errors[i] > threshold_;
-  std::vector<bool> goesOn = regions_.dilated(noisy);
+  const std::vector<double> variances = regions_.variancesOf(film);
+  const std::vector<double> deviations = regions_.smoothedDeviations(variances);
+  std::vector<bool> goesOn(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const Block& block = blocks[regions_.blockOfHalfRegion(i)];
-    goesOn[i] = goesOn[i] && !block.isPending && block.end < maxSamples_ && counts[i] == block.end;
+    const bool mayGoOn = !block.isPending && block.end < maxSamples_ && counts[i] == block.end;
+    goesOn[i] = mayGoOn && counts[i] < neededSamples(variances[i], deviations[i], threshold_);
   }
   return goesOn;
 }

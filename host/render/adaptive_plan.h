@@ -9,9 +9,14 @@
 
 namespace candela::render {
 
-/// Number of samples of every pixel before the first decision: the smallest power of two that is at least 16 and, for a
-/// threshold > 0, 0.64 / threshold^2; at most 2^20.
+/// Number of samples of every pixel before the first decision: the largest power of two that is at most
+/// 0.2 / threshold^2, but at least 16 and at most 2^20. `threshold` > 0.
 std::uint32_t pilotSamples(double threshold);
+
+/// Number of samples that a half-region needs: the larger one of the number that brings its relative error to the
+/// threshold, and one in proportion to its smoothed deviation, by which samples are best distributed.
+/// `variance` and `deviation` are results of AdaptiveRegions. Infinite if one of them is.
+double neededSamples(double variance, double deviation, double threshold);
 
 /// The next work on a film. No film may be stored, or continued by another session, before the pixels have their
 /// samples up to `indivisible`: only then do the numbers of samples show the decision that led to the step.

@@ -26,13 +26,29 @@ void addTo(HalfStatistics& half, const Cell& cell) {
   half.relativeVariance += cell.variance / (mean * mean + kDarkness);
 }
 
-bool areInOneBlock(std::uint32_t a, std::uint32_t b) { return a / kBlockRegions == b / kBlockRegions; }
+// The indices of regions, along one axis with `count` of them, that smoothing at `index` uses.
+struct IndexRange {
+  std::uint32_t first, end;
+};
+
+IndexRange smoothedRange(std::uint32_t index, std::uint32_t count) {
+  const std::uint32_t block = index - index % kBlockRegions;
+  return {std::max(block, index - std::min(index, kSmoothingReach)),
+          std::min({block + kBlockRegions, index + kSmoothingReach + 1, count})};
+}
+
+// Square roots are correctly rounded everywhere, unlike std::pow().
+double eighthRoot(double value) { return std::sqrt(std::sqrt(std::sqrt(value))); }
+
+double fourthPower(double value) {
+  const double square = value * value;
+  return square * square;
+}
 
 }  // namespace
 
-double HalfStatistics::relativeError(std::uint32_t samples) const {
-  if (pixels < kMinPixels) return std::numeric_limits<double>::infinity();
-  return std::sqrt(relativeVariance / pixels / samples);
+double HalfStatistics::meanVariance() const {
+  return pixels < kMinPixels ? std::numeric_limits<double>::infinity() : relativeVariance / pixels;
 }
 
 AdaptiveRegions::AdaptiveRegions(const Window& window)
@@ -71,29 +87,39 @@ std::vector<std::uint32_t> AdaptiveRegions::countsOf(const image::Film& film) co
   return counts;
 }
 
-std::vector<double> AdaptiveRegions::errorsOf(const image::Film& film, const std::vector<std::uint32_t>& counts) const {
+std::vector<double> AdaptiveRegions::variancesOf(const image::Film& film) const {
   const std::vector<HalfStatistics> statistics = statisticsOf(film);
-  std::vector<double> errors(counts.size());
-  for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = statistics[i ^ 1].relativeError(counts[i]);
-  return errors;
+  std::vector<double> variances(statistics.size());
+  for (std::size_t i = 0; i < variances.size(); ++i) variances[i] = statistics[i ^ 1].meanVariance();
+  return variances;
 }
 
-std::vector<bool> AdaptiveRegions::dilated(const std::vector<bool>& halfRegions) const {
-  std::vector<bool> result(halfRegions.size());
+double AdaptiveRegions::smoothedDeviation(const std::vector<double>& variances, std::uint32_t x, std::uint32_t y,
+                                          std::size_t half) const {
+  const IndexRange rows = smoothedRange(y, down_), columns = smoothedRange(x, across_);
+  double sum = 0, weights = 0;
+  for (std::uint32_t v = rows.first; v < rows.end; ++v) {
+    for (std::uint32_t u = columns.first; u < columns.end; ++u) {
+      const double variance = variances[2 * (std::size_t{v} * across_ + u) + half];
+      if (std::isinf(variance)) continue;
+      const double weight = u == x && v == y ? 1 : kNeighbourWeight;
+      sum += weight * eighthRoot(variance);
+      weights += weight;
+    }
+  }
+  return weights == 0 ? std::numeric_limits<double>::infinity() : fourthPower(sum / weights);
+}
+
+std::vector<double> AdaptiveRegions::smoothedDeviations(const std::vector<double>& variances) const {
+  std::vector<double> deviations(variances.size());
   for (std::uint32_t y = 0; y < down_; ++y) {
     for (std::uint32_t x = 0; x < across_; ++x) {
-      for (std::uint32_t v = y - (y > 0 ? 1 : 0); v <= std::min(y + 1, down_ - 1); ++v) {
-        for (std::uint32_t u = x - (x > 0 ? 1 : 0); u <= std::min(x + 1, across_ - 1); ++u) {
-          if (!areInOneBlock(x, u) || !areInOneBlock(y, v)) continue;
-          for (std::size_t half = 0; half < 2; ++half) {
-            const bool isSet = halfRegions[2 * (std::size_t{v} * across_ + u) + half];
-            if (isSet) result[2 * (std::size_t{y} * across_ + x) + half] = true;
-          }
-        }
+      for (std::size_t half = 0; half < 2; ++half) {
+        deviations[2 * (std::size_t{y} * across_ + x) + half] = smoothedDeviation(variances, x, y, half);
       }
     }
   }
-  return result;
+  return deviations;
 }
 
 }  // namespace candela::render

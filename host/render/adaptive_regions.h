@@ -14,6 +14,11 @@ inline constexpr std::uint32_t kRegionSide = 16;  ///< of a region in pixels
 inline constexpr std::uint32_t kCellSide = 4;     ///< of a cell, whose brightness is that to which errors are relative
 inline constexpr std::uint32_t kBlockSide = 64;   ///< of a block in pixels; crops consist of whole blocks
 
+/// A region's noise is smoothed over the regions of its block that are at most kSmoothingReach rows and columns away;
+/// they have this weight, and the region itself has the weight 1.
+inline constexpr double kNeighbourWeight = 0.25;
+inline constexpr std::uint32_t kSmoothingReach = 2;
+
 /// The half of its region to which a pixel of the full image belongs: the colour of its square on a chessboard.
 constexpr std::uint32_t halfOf(std::uint32_t x, std::uint32_t y) { return (x + y) % 2; }
 
@@ -24,9 +29,8 @@ struct HalfStatistics {
   /// luminance of the pixel's cell plus 0.01.
   double relativeVariance = 0;
 
-  /// Returns the relative error of the mean of `samples` samples: the root of the mean of the quotients above, divided
-  /// by `samples`. Infinite for fewer than kMinPixels.
-  double relativeError(std::uint32_t samples) const;
+  /// Returns the relative variance of one sample: the mean of the quotients above. Infinite for fewer than kMinPixels.
+  double meanVariance() const;
   static constexpr std::uint32_t kMinPixels = 32;
 };
 
@@ -57,15 +61,19 @@ class AdaptiveRegions {
   std::vector<HalfStatistics> statisticsOf(const image::Film& film) const;
   /// Number of samples of a pixel of each half-region: the maximum over its pixels.
   std::vector<std::uint32_t> countsOf(const image::Film& film) const;
-  /// Relative error of each half-region with `counts` samples per pixel, estimated from the other half of the region.
-  std::vector<double> errorsOf(const image::Film& film, const std::vector<std::uint32_t>& counts) const;
-  /// Sets each entry (of a half-region) to whether it, or the same half of a neighbouring region of its block, is set.
-  std::vector<bool> dilated(const std::vector<bool>& halfRegions) const;
+  /// Relative variance of one sample of each half-region, estimated from the other half of the region.
+  std::vector<double> variancesOf(const image::Film& film) const;
+  /// Relative standard deviation of one sample of each half-region: the weighted power mean, with the exponent 1/4, of
+  /// the roots of the variances of the same half of the regions around it. Infinite variances do not count; the result
+  /// is infinite where there are no others.
+  std::vector<double> smoothedDeviations(const std::vector<double>& variances) const;
 
  private:
   std::size_t regionAt(std::uint32_t x, std::uint32_t y) const {
     return std::size_t{y / kRegionSide} * across_ + x / kRegionSide;
   }
+  double smoothedDeviation(const std::vector<double>& variances, std::uint32_t x, std::uint32_t y,
+                           std::size_t half) const;
   void addCell(const image::Film& film, std::uint32_t left, std::uint32_t top,
                std::vector<HalfStatistics>& statistics) const;
 

@@ -7,13 +7,15 @@
 namespace candela::render {
 namespace {
 
-void addErrors(const std::vector<double>& errors, AdaptiveSummary& summary) {
+void addErrors(const std::vector<double>& variances, const std::vector<std::uint32_t>& counts,
+               AdaptiveSummary& summary) {
   double squares = 0;
   std::size_t count = 0;
-  for (const double error : errors) {
-    if (!std::isfinite(error)) continue;
-    squares += error * error;
-    summary.maxError = std::max(summary.maxError, error);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double square = variances[i] / counts[i];
+    if (!std::isfinite(square)) continue;
+    squares += square;
+    summary.maxError = std::max(summary.maxError, std::sqrt(square));
     ++count;
   }
   summary.meanError = count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
@@ -32,7 +34,7 @@ AdaptiveSummary summarise(const AdaptivePlan& plan, const image::Film& film) {
   AdaptiveSummary summary{sampleCountsOf(film), {}};
   const std::vector<std::uint32_t> counts = plan.regions().countsOf(film);
   for (const std::uint32_t count : counts) ++summary.halfRegions[count];
-  addErrors(plan.regions().errorsOf(film, counts), summary);
+  addErrors(plan.regions().variancesOf(film), counts, summary);
   return summary;
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("adaptive: options that exclude it are refused, and the message says w
   CHECK_THAT(message({"--checkpoint", film, "--samples", "0:32"}), Contains("--samples") && Contains("--crop"));
   CHECK_THAT(message({"--checkpoint", film, "--crop", "0,0,40,68"}), Contains("multiple of 64 pixels"));
   CHECK_THAT(message({"--checkpoint", film, "--spp", "16"}), Contains("set --spp, the maximum, above 16"));
-  CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0.01", "--spp", "4096"}), Contains("8192"));
+  CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0.004", "--spp", "4096"}), Contains("8192"));
   CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0"}), Contains("--noise-threshold"));
   for (const char* command : {"compare", "verify", "bench"}) {
     const ProgramResult result = runCandela({command, scene, "--noise-threshold", "0.1"});

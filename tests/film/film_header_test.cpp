@@ -89,9 +89,9 @@ TEST_CASE("every member of a description that is impossible is refused by name")
 
 TEST_CASE("another version of the format is refused by its number") {
   ordered_json json = ordered_json::parse(toJson(fullHeader()));
-  json["format"] = 6;
+  json["format"] = 7;
   CHECK_THROWS_WITH(headerFromJson(json.dump()),
-                    Catch::Contains("has version 6") && Catch::Contains("reads versions 1 to 5"));
+                    Catch::Contains("has version 7") && Catch::Contains("reads versions 1 to 6"));
 }
 
 TEST_CASE("only films with alpha have version 2 of the format") {
@@ -123,6 +123,33 @@ TEST_CASE("films with layers have version 3 of the format, and list them in thei
   header.settings["background"] = "none";
   CHECK(headerFromJson(toJson(header)) == header);
   CHECK(header.format() == 3);
+}
+
+TEST_CASE("adaptively sampled films have version 6 of the format, and those of the first rule version 4") {
+  FilmHeader header = fullHeader();
+  header.settings["noise-threshold"] = "0.2";
+  FilmHeader current = header;
+  current.settings["stopping-rule"] = "2";
+  CHECK(header.format() == 4);
+  CHECK(headerFromJson(toJson(header)) == header);
+  CHECK_FALSE(planOf(header));
+  CHECK(current.format() == 6);
+  CHECK(headerFromJson(toJson(current)) == current);
+  CHECK(planOf(current));
+  CHECK(estimateDifferences(header, current, "A", "B") ==
+        std::vector<std::string>{"--stopping-rule is absent in A and 2 in B"});
+  current.layers.add(image::Layer::cryptoObject);
+  CHECK(current.format() == 6);
+}
+
+TEST_CASE("films by unknown rules of stopping are refused") {
+  FilmHeader header = fullHeader();
+  header.settings["noise-threshold"] = "0.2";
+  header.settings["stopping-rule"] = "3";
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)), Catch::Contains("valid settings"));
+  header.settings["stopping-rule"] = "2";
+  header.settings.erase("noise-threshold");
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)), Catch::Contains("valid settings"));
 }
 
 TEST_CASE("a list of layers that no film has is refused") {

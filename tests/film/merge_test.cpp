@@ -149,6 +149,23 @@ TEST_CASE("films of another scene, setting, kernel or program are refused, and t
   CHECK(refusalWith([](FilmHeader& h) { h.tracers[0] = {"cpu", "", "GCC", "reference", "1.0"}; }, mixed).empty());
 }
 
+TEST_CASE("films that the first rule of stopping sampled can be read, but not merged") {
+  const TemporaryFolder folder;
+  FilmHeader adaptive = madeHeader({64, 64}, 32);
+  adaptive.settings["noise-threshold"] = "0.4";
+  adaptive.covered = {{{0, 0, 64, 64}, {0, 32}}};
+  const image::Film film = madeFilm({{0, 0, 64, 64}, {0, 16}});
+  const auto file = folder / "a.exr";
+  writeFilm(file, adaptive, film);
+  FilmReader reader(file);
+  CHECK(reader.header().isComplete());
+  CHECK(readFilm(reader).hash() == film.hash());
+  CHECK_THAT(refusalOfMerge({file}), Catch::Contains("a.exr was sampled with --noise-threshold by an earlier rule"));
+  adaptive.settings["stopping-rule"] = "2";
+  writeFilm(file, adaptive, film);
+  CHECK(refusalOfMerge({file}).empty());
+}
+
 TEST_CASE("a film of several devices names them all, in whatever order it was merged") {
   const TemporaryFolder folder;
   Files files;

@@ -49,13 +49,23 @@ std::uint32_t countAt(const image::Film& film, std::uint32_t x, std::uint32_t y)
 
 TEST_CASE("adaptive: the pilot grows with the square of the reciprocal threshold") {
   CHECK(pilotSamples(10) == 16);
-  CHECK(pilotSamples(0.2) == 16);
-  CHECK(pilotSamples(0.1) == 64);
-  CHECK(pilotSamples(0.05) == 256);
+  CHECK(pilotSamples(0.1) == 16);
+  CHECK(pilotSamples(0.08) == 16);
+  CHECK(pilotSamples(0.079) == 32);
+  CHECK(pilotSamples(0.05) == 64);
+  CHECK(pilotSamples(0.025) == 256);
   CHECK(pilotSamples(1e-6) == 1u << 20);
 }
 
-TEST_CASE("adaptive: the error of a half-region is the noise of the other half, relative to its brightness") {
+TEST_CASE("adaptive: noisy regions need samples for the threshold, others in proportion to their deviation") {
+  CHECK(neededSamples(9, 3, 0.1) == Approx(900));
+  CHECK(neededSamples(4, 2, 0.1) == Approx(500));
+  CHECK(neededSamples(0.25, 0.5, 0.1) == Approx(125));
+  CHECK(neededSamples(0, 0, 0.1) == 0);
+  CHECK(std::isinf(neededSamples(INFINITY, 0.5, 0.1)));
+}
+
+TEST_CASE("adaptive: the variance of a half-region is that of the other half, relative to its brightness") {
   // Pixels of one half alternate between 2 and 4, those of the other half are always 1.
   const Light light = [](std::uint32_t x, std::uint32_t y, std::uint32_t i) {
     return halfOf(x, y) == 0 ? 2.0 + 2.0 * (i % 2) : 1.0;
@@ -63,10 +73,37 @@ TEST_CASE("adaptive: the error of a half-region is the noise of the other half, 
   image::Film film(16, 16);
   fill(film, {}, 100, light);
   const AdaptiveRegions regions({0, 0, 16, 16});
-  const std::vector<double> errors = regions.errorsOf(film, {100, 400});
-  REQUIRE(errors.size() == 2);
-  CHECK(errors[0] == Approx(0).margin(1e-4));
-  CHECK(errors[1] == Approx(std::sqrt(100.0 / 99 / 9.01 / 400)).epsilon(1e-6));
+  const std::vector<double> variances = regions.variancesOf(film);
+  REQUIRE(variances.size() == 2);
+  CHECK(variances[0] == Approx(0).margin(1e-8));
+  CHECK(variances[1] == Approx(100.0 / 99 / 9.01).epsilon(1e-6));
+}
+
+TEST_CASE("adaptive: deviations are power means over the same halves of the block's regions nearby") {
+  // Two blocks of 4 x 1 regions. The white halves of the first one have the variances 1, 0, 256 and 256.
+  const AdaptiveRegions regions({0, 0, 128, 16});
+  std::vector<double> variances(16, 1);
+  variances[2] = 0;
+  variances[4] = variances[6] = 256;
+  const std::vector<double> deviations = regions.smoothedDeviations(variances);
+  CHECK(deviations[0] == Approx(std::pow((1 + 0.25 * (0 + 2)) / 1.5, 4)));
+  CHECK(deviations[2] == Approx(std::pow((0 + 0.25 * (1 + 2 + 2)) / 1.75, 4)));
+  CHECK(deviations[4] == Approx(std::pow((2 + 0.25 * (1 + 0 + 2)) / 1.75, 4)));
+  CHECK(deviations[6] == Approx(std::pow((2 + 0.25 * (0 + 2)) / 1.5, 4)));
+  for (const std::size_t other : {1u, 3u, 5u, 7u, 8u, 10u}) CHECK(deviations[other] == Approx(1));
+}
+
+TEST_CASE("adaptive: smoothing reaches two rows and columns, and leaves out halves without an estimate") {
+  const AdaptiveRegions regions({0, 0, 64, 64});
+  std::vector<double> variances(32, INFINITY);
+  variances[0] = 256;
+  const std::vector<double> deviations = regions.smoothedDeviations(variances);
+  const auto deviationAt = [&](std::size_t column, std::size_t row) { return deviations[2 * (4 * row + column)]; };
+  CHECK(deviationAt(0, 0) == Approx(16));
+  CHECK(deviationAt(2, 2) == Approx(16));
+  CHECK(std::isinf(deviationAt(3, 0)));
+  CHECK(std::isinf(deviationAt(0, 3)));
+  CHECK(std::isinf(deviations[1]));
 }
 
 TEST_CASE("adaptive: a pixel belongs to the same half in every crop") {
@@ -75,17 +112,17 @@ TEST_CASE("adaptive: a pixel belongs to the same half in every crop") {
   for (std::uint32_t x = 0; x < 32; ++x) CHECK(whole.halfRegionAt(64 + x, 67) % 2 == crop.halfRegionAt(x, 3) % 2);
 }
 
-TEST_CASE("adaptive: regions stop at the first level at which their error is at most the threshold") {
-  // Squared relative errors of one sample are 0, 4 and 29, so that 0, 100 and 725 samples are needed.
+TEST_CASE("adaptive: regions stop at the first level that is not below the number of samples that they need") {
+  // Relative variances of one sample are 0, 0.4 and 29, so that 0, 40 and 725 samples are needed.
   const Extent size{192, 64};
   const image::Film film = sampled(AdaptivePlan(windowOf(size), 0.2, 512), size, [](auto x, auto y, auto i) {
-    const double mean = x < 64 ? 1 : x < 128 ? 5 : 30;
+    const double mean = x < 64 ? 1 : x < 128 ? 1.4 : 30;
     return mean * (uniformAt(1, x, y, i) < 1 / mean);
   });
   CHECK(countAt(film, 5, 5) == 16);
   CHECK(countAt(film, 63, 63) == 16);
-  CHECK(countAt(film, 64, 63) == 128);
-  CHECK(countAt(film, 127, 5) == 128);
+  CHECK(countAt(film, 64, 63) == 64);
+  CHECK(countAt(film, 127, 5) == 64);
   CHECK(countAt(film, 128, 5) == 512);
   CHECK(countAt(film, 191, 5) == 512);
 }
@@ -99,19 +136,17 @@ TEST_CASE("adaptive: only the samples of the other half decide when a half stops
   for (std::uint32_t x = 0; x < 64; ++x) CHECK(countAt(film, x, 9) == (halfOf(x, 9) == 0 ? 16 : 64));
 }
 
-TEST_CASE("adaptive: the neighbours of a noisy region continue, within its block") {
+TEST_CASE("adaptive: regions near noisy ones get more samples, within their block") {
   const Extent size{128, 64};
   const AdaptivePlan plan(windowOf(size), 0.2, 64);
-  // Noise in the region from (48, 16), which is at the right edge of its block.
+  // A region of little noise in the middle of the first block, and one at the edge of the second block. All other
+  // regions of the first block are noisy.
   const image::Film film = sampled(plan, size, [](auto x, auto y, auto i) {
-    const bool isNoisy = x / 16 == 3 && y / 16 == 1;
-    return isNoisy ? 100.0 * (uniformAt(3, x, y, i) < 0.01) : 1.0;
+    const bool isQuiet = x >= 64 || (x / 16 == 1 && y / 16 == 1);
+    return isQuiet ? 0.9 + 0.2 * (i % 2) : 100.0 * (uniformAt(3, x, y, i) < 0.01);
   });
   CHECK(countAt(film, 50, 20) == 64);
-  CHECK(countAt(film, 33, 1) == 64);
-  CHECK(countAt(film, 33, 40) == 64);
-  CHECK(countAt(film, 31, 20) == 16);
-  CHECK(countAt(film, 50, 50) == 16);
+  CHECK(countAt(film, 20, 20) == 64);
   CHECK(countAt(film, 64, 20) == 16);  // another block
 }
 
