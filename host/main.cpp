@@ -9,7 +9,7 @@
 #include "host/cli/command_line.h"
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
-#include "host/cli/output_check.h"
+#include "host/cli/separate_files.h"
 #include "host/core/log.h"
 #include "host/core/memory_budget.h"
 #include "host/core/version.h"
