@@ -77,6 +77,8 @@ def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
             print(f"{film}: another task renders it", flush=True)
             return INTERRUPTED
         description = planning.describe(plan.candela, film)
+        if child.is_stopped:
+            return INTERRUPTED
         if planning.covers_shard(plan, shard, description):
             print(f"{film}: is complete", flush=True)
             return SUCCESS

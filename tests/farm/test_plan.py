@@ -122,6 +122,33 @@ class TaskTest(unittest.TestCase):
         self.assertTrue(planning.is_shard_done(self.plan, self.job, 0, 0))
         self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 1)
 
+    def test_a_good_shard_is_never_set_aside_because_it_could_not_be_examined(self):
+        self.assertEqual(self.render(0), tasks.SUCCESS)
+        good = self.film(0).read_bytes()
+        for end in ("kill -9 $$", "kill -TERM $$", "exit 6", "exit 70"):
+            broken = self.job / "broken"
+            broken.write_text(f"#!/bin/sh\n{end}\n")
+            broken.chmod(0o755)
+            self.plan.candela = str(broken)
+            with self.assertRaisesRegex(planning.PlanError, "cannot be examined"):
+                self.render(0)
+        self.assertEqual(self.film(0).read_bytes(), good)
+        self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 0)
+
+    def test_a_film_that_cannot_be_read_is_not_taken_for_a_damaged_one(self):
+        self.film(0).parent.mkdir()
+        self.film(0).symlink_to("/proc/self/mem")  # reading it fails with EIO
+        with self.assertRaises(OSError):
+            self.render(0)
+        self.assertTrue(self.film(0).is_symlink())
+
+    def test_a_task_that_is_stopped_while_it_examines_a_film_ends(self):
+        self.film(0).parent.mkdir()
+        self.film(0).write_bytes(b"not a film")
+        self.child.forward(signal.SIGTERM, None)
+        self.assertEqual(self.render(0), tasks.INTERRUPTED)
+        self.assertTrue(self.film(0).exists())
+
     def test_two_tasks_never_render_the_same_shard(self):
         with tasks.exclusive(self.film(0).with_suffix(".lock")) as is_free:
             self.assertTrue(is_free)
