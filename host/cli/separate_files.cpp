@@ -99,4 +99,9 @@ void requireSeparateFiles(const Arguments& arguments) {
   for (const fs::path& input : inputsOf(arguments)) requireNoOutput(outputs, input);
 }
 
+void requireUnread(const Arguments& arguments, const std::vector<fs::path>& files) {
+  const std::vector<Output> outputs = outputsOf(arguments);
+  for (const fs::path& file : files) requireNoOutput(outputs, file);
+}
+
 }  // namespace candela::cli
