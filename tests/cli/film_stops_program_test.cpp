@@ -48,8 +48,8 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);
   }
-  SECTION("by Ctrl-C and by SIGTERM") {
-    for (const int signal : {SIGINT, SIGTERM}) {
+  SECTION("by Ctrl-C, by SIGTERM and by SIGHUP") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       const std::string film = folder.path(std::to_string(signal) + ".exr");
       Surroundings surroundings;
       surroundings.interruptAfter = milliseconds(200);
