@@ -2,6 +2,7 @@
 #include "host/core/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -75,6 +76,16 @@ TEST_CASE("an atomic write never replaces a device or a pipe") {
   CHECK(std::string(text) == "through");
   ::close(reader);
   CHECK(fs::is_fifo(folder / "pipe"));
+}
+
+TEST_CASE("an atomic write does not wait for a program that has locked the folder") {
+  TemporaryFolder folder;
+  const int locked = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  REQUIRE(::flock(locked, LOCK_EX) == 0);
+  writeFileAtomically(folder / "a.txt", toBytes("new"));
+  ::close(locked);
+  CHECK(readText(folder / "a.txt") == "new");
+  CHECK(fileCount(folder.path()) == 1);
 }
 
 TEST_CASE("a file written in pieces appears when it is committed, not before") {
