@@ -99,6 +99,14 @@ void lockFolder(int folder) {
   }
 }
 
+/// Gives a new file the permissions of the file that it will replace, if there is one. Errors are ignored, since not
+/// every file system has permissions.
+void copyPermissions(const fs::path& target, int descriptor) {
+  constexpr mode_t kPermissions = 0777;
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) ::fchmod(descriptor, status.st_mode & kPermissions);
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& file)
@@ -108,6 +116,7 @@ AtomicFile::AtomicFile(const fs::path& file)
       descriptor_(inPlace_ ? openInPlace(target_) : openNameless(target_.parent_path())) {
   if (!inPlace_ && !descriptor_.isOpen()) openNamed();
   if (!descriptor_.isOpen()) failWithErrno(name_);
+  if (!inPlace_) copyPermissions(target_, descriptor_.get());
 }
 
 void AtomicFile::openNamed() {

@@ -78,6 +78,17 @@ TEST_CASE("an atomic write never replaces a device or a pipe") {
   CHECK(fs::is_fifo(folder / "pipe"));
 }
 
+TEST_CASE("an atomic write preserves the permissions of the file that it replaces") {
+  TemporaryFolder folder;
+  const fs::path file = folder / "private.txt";
+  writeText(file, "old");
+  for (const fs::perms permissions : {fs::perms(0600), fs::perms(0640), fs::perms(0444)}) {
+    fs::permissions(file, permissions);
+    writeFileAtomically(file, toBytes("new"));
+    CHECK(fs::status(file).permissions() == permissions);
+  }
+}
+
 TEST_CASE("an atomic write does not wait for a program that has locked the folder") {
   TemporaryFolder folder;
   const int locked = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
