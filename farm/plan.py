@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 FORMAT = 1
+UNUSABLE = 2  # of candela: an invalid or unreadable file
 PICTURE_OPTIONS = ("--tonemap", "--exposure")  # of `candela film`, which makes the pictures
 REFUSED_OPTIONS = ("--checkpoint", "--resume", "--resume-anyway", "--samples", "--crop", "--time-limit", "--json",
                    "--checkpoint-every")
@@ -111,11 +112,30 @@ def film_file(job: Path, frame: int):
 
 
 def describe(candela, film: Path):
-    """Returns the report of `candela film`, or None if the file is missing or not a film."""
+    """Returns the report of `candela film`, or None if the file is missing or not a film.
+
+    Raises PlanError if the program fails for another reason, for example without memory or by a signal, and OSError if
+    the file cannot be read: a good film must not be taken for a damaged one. The program has a session of its own, so
+    that signals to the group of this process do not end it.
+    """
     if not film.exists():
         return None
-    run = subprocess.run([candela, "film", str(film), "--json", "-", "-q"], capture_output=True, text=True, check=False)
-    return json.loads(run.stdout) if run.returncode == 0 else None
+    run = subprocess.run([candela, "film", str(film), "--json", "-", "-q"], capture_output=True, text=True, check=False,
+                         start_new_session=True)
+    if run.returncode == 0:
+        return json.loads(run.stdout)
+    if run.returncode != UNUSABLE:
+        cause = run.stderr.strip() or f"candela film ended with {run.returncode}"
+        raise PlanError(f"{film}: cannot be examined: {cause}")
+    read_whole(film)
+    return None
+
+
+def read_whole(file: Path):
+    """Reads the file to its end. Raises OSError if it cannot be read."""
+    with open(file, "rb") as stream:
+        while stream.read(1 << 24):
+            pass
 
 
 def covers_shard(plan: Plan, shard: int, description):

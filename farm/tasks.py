@@ -11,6 +11,7 @@ import plan as planning
 SUCCESS = 0
 USAGE = 1
 INTERRUPTED = 7  # of candela: the film is written and can be resumed
+STOPS = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 
 
 @contextmanager
@@ -29,14 +30,15 @@ def exclusive(path: Path):
 class Child:
     """Runs a program and passes signals on to it, so that it can write its film.
 
-    SIGUSR2 announces that the time of this task is nearly over; the program is stopped, as it is by SIGTERM.
+    The program has a session of its own: a signal to the whole group of this process (Ctrl-C, `systemctl stop`) reaches
+    it once. SIGUSR2 announces that the time of this task is nearly over; the program is stopped, as it is by SIGTERM.
     """
 
     def __init__(self):
         self.process = None
         self.is_stopped = False
         self.is_out_of_time = False
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGUSR2):
+        for number in (*STOPS, signal.SIGUSR1, signal.SIGUSR2):
             signal.signal(number, self.forward)
 
     def forward(self, number, _frame):
@@ -46,11 +48,16 @@ class Child:
             self.process.send_signal(signal.SIGTERM if number == signal.SIGUSR2 else number)
 
     def run(self, command):
-        """Returns the exit code; 128 plus the number of the signal that ended the program."""
+        """Returns the exit code, or 128 plus the number of the signal that ended the program; INTERRUPTED if it was
+        stopped before it could write anything."""
         if self.is_stopped:
             return INTERRUPTED
-        self.process = subprocess.Popen(command)
+        self.process = subprocess.Popen(command, start_new_session=True)
+        if self.is_stopped:  # by a signal that came before there was a process to pass it on to
+            self.process.send_signal(signal.SIGTERM)
         code = self.process.wait()
+        if self.is_stopped and -code in STOPS:  # before it handled signals; its last film is still there
+            return INTERRUPTED
         return code if code >= 0 else 128 - code
 
 
@@ -70,6 +77,8 @@ def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
             print(f"{film}: another task renders it", flush=True)
             return INTERRUPTED
         description = planning.describe(plan.candela, film)
+        if child.is_stopped:
+            return INTERRUPTED
         if planning.covers_shard(plan, shard, description):
             print(f"{film}: is complete", flush=True)
             return SUCCESS

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -9,7 +10,7 @@
 #include "host/cli/command_line.h"
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
-#include "host/cli/output_check.h"
+#include "host/cli/separate_files.h"
 #include "host/core/log.h"
 #include "host/core/memory_budget.h"
 #include "host/core/version.h"
@@ -69,6 +70,7 @@ ExitCode run(const std::vector<std::string>& words) {
 }  // namespace candela
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error of write() like a full disk
   const int code = static_cast<int>(candela::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)));
   // Threads of a driver that are still at work must not see libraries being unloaded.
   if (candela::vulkan::hasUnfinishedWork()) std::_Exit(code);

@@ -7,6 +7,7 @@
 #include "host/cli/box_scene.h"
 #include "host/cli/commands.h"
 #include "host/cli/scene_output.h"
+#include "host/cli/separate_files.h"
 #include "host/flatten/flatten_hierarchy.h"
 #include "host/formats/load_scene.h"
 #include "host/generate/kinds.h"
@@ -26,6 +27,7 @@ void requireReadableSize(std::size_t boxCount) {
 ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   const scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  requireUnread(arguments, loaded.files);
   requireCamera(loaded.scene);
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
                                                  arguments.settings.structure.bvhSplit,

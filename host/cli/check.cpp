@@ -5,6 +5,7 @@
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/cli/separate_files.h"
 #include "host/formats/load_scene.h"
 #include "host/scene/report.h"
 
@@ -32,7 +33,9 @@ ordered_json errorsOf(const FileError& error) {
 ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
   ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
   try {
-    const scene::SceneReport report = scene::makeReport(formats::loadScene(file, arguments.loadOptions));
+    const scene::LoadedScene loaded = formats::loadScene(file, arguments.loadOptions);
+    requireUnread(arguments, loaded.files);
+    const scene::SceneReport report = scene::makeReport(loaded);
     if (arguments.wantsText()) std::cout << scene::toText(report) << std::flush;
     entry["report"] = scene::toJson(report);
   } catch (const FileError& error) {

@@ -10,23 +10,6 @@
 #include "host/image/image.h"
 
 namespace candela::cli {
-
-void requireSeparateFiles(const Arguments& arguments) {
-  std::vector<std::filesystem::path> outputs = arguments.outputs;
-  outputs.insert(outputs.end(), {arguments.json, arguments.junit, arguments.markdown, arguments.svg, arguments.report,
-                                 arguments.differenceFile, arguments.flipFile, arguments.generatedFile});
-  std::vector<std::filesystem::path> inputs(arguments.files.begin(), arguments.files.end());
-  inputs.push_back(arguments.resume);
-  for (const auto& output : outputs) {
-    for (const auto& input : inputs) {
-      std::error_code ignored;
-      if (output.empty() || input.empty() || !std::filesystem::equivalent(output, input, ignored)) continue;
-      if (!std::filesystem::is_regular_file(output, ignored)) continue;
-      throw UsageError(fmt::format("{}: this file is read by the command, and would be overwritten", output.string()));
-    }
-  }
-}
-
 void requireWritableFile(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code ignored;

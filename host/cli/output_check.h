@@ -11,9 +11,6 @@ namespace candela::cli {
 void requireWritableFile(const std::filesystem::path& file);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
-/// Throws UsageError if a file that the command writes is one that it reads. `merge` may replace one of its films, and
-/// a render the film that it resumes.
-void requireSeparateFiles(const Arguments& arguments);
 /// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not continue
 /// from it: its samples are not to be lost.
 void requireCheckpoint(const Arguments& arguments);

@@ -7,6 +7,7 @@
 
 #include "host/cli/adaptive_report.h"
 #include "host/cli/memory_check.h"
+#include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
@@ -119,6 +120,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
 scene::Scene readScene(const Arguments& arguments, const Log& log) {
   scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
+  requireUnread(arguments, loaded.files);
   requireCamera(loaded.scene);
   return std::move(loaded.scene);
 }

@@ -21,7 +21,7 @@ struct RenderJob {
 };
 
 /// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws
-/// SceneError and FileError.
+/// SceneError and FileError, and UsageError as requireUnread() does.
 scene::Scene readScene(const Arguments& arguments, const Log& log);
 
 /// Combines options with a scene that has a view. Throws as requirePossible() does.

@@ -8,8 +8,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "host/core/errors.h"
 
@@ -86,6 +88,25 @@ void syncFolder(const fs::path& folder) {
   if (descriptor.isOpen()) ::fsync(descriptor.get());
 }
 
+/// Waits at most a second for the lock of a folder, which any program may hold for any time. The lock lasts until the
+/// descriptor is closed.
+void lockFolder(int folder) {
+  constexpr int kMaxTries = 100;
+  constexpr std::chrono::milliseconds kPause{10};
+  for (int i = 0; i < kMaxTries && ::flock(folder, LOCK_EX | LOCK_NB) != 0; ++i) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
+/// Gives a new file the permissions of the file that it will replace, if there is one. Errors are ignored, since not
+/// every file system has permissions.
+void copyPermissions(const fs::path& target, int descriptor) {
+  constexpr mode_t kPermissions = 0777;
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) ::fchmod(descriptor, status.st_mode & kPermissions);
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& file)
@@ -95,6 +116,7 @@ AtomicFile::AtomicFile(const fs::path& file)
       descriptor_(inPlace_ ? openInPlace(target_) : openNameless(target_.parent_path())) {
   if (!inPlace_ && !descriptor_.isOpen()) openNamed();
   if (!descriptor_.isOpen()) failWithErrno(name_);
+  if (!inPlace_) copyPermissions(target_, descriptor_.get());
 }
 
 void AtomicFile::openNamed() {
@@ -116,12 +138,12 @@ void AtomicFile::giveName(int descriptor) {
 }
 
 // Another process that writes the same file would remove the name, and a file that has lost its name cannot get
-// another. The folder is therefore locked; where that is not possible, the write may fail, but the target is a complete
-// file.
+// another. The folder is therefore locked; where that is not possible, or another program holds the lock, the write may
+// fail, but the target is a complete file.
 void AtomicFile::replaceTarget(int descriptor) {
   const bool isNameless = temporary_.empty();
   const FileDescriptor folder(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.isOpen()) ::flock(folder.get(), LOCK_EX);  // until the descriptor is closed
+  if (folder.isOpen()) lockFolder(folder.get());
   if (isNameless) giveName(descriptor);
   while (::rename(temporary_.c_str(), target_.c_str()) != 0) {
     if (!isNameless || errno != ENOENT) failWithErrno(name_);

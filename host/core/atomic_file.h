@@ -12,8 +12,9 @@ namespace candela {
 /// Replaces or creates a file. A temporary file beside it is written, synced and renamed by commit(). Until then, and
 /// after any error, the old file stays unchanged. Where the file system can, the temporary file has no name before
 /// commit(), so that a program that is killed leaves at most one file, which the next write replaces; elsewhere
-/// the destructor removes it. A symbolic link still points to the file that is replaced. Devices and pipes are written
-/// in place. All functions throw FileError, which names the file and the cause.
+/// the destructor removes it. A symbolic link still points to the file that is replaced, and the new file has the
+/// permissions of the old one. Devices and pipes are written in place. All functions throw FileError, which names the
+/// file and the cause.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file);

@@ -50,6 +50,8 @@ std::string readInputFile(const std::filesystem::path& file, std::size_t maxByte
   if (static_cast<std::uint64_t>(status.st_size) > maxBytes) fail(file, tooLarge);
   std::string text;
   if (S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
+  // Before its writer has opened it, read() takes a pipe for one that has ended.
+  if (S_ISFIFO(status.st_mode)) waitForData(file, descriptor.get());
   std::string block(std::size_t{1} << 20, '\0');
   for (;;) {
     const ssize_t count = ::read(descriptor.get(), block.data(), block.size());

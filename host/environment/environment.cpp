@@ -17,10 +17,13 @@
 namespace candela::environment {
 namespace {
 
+constexpr std::string_view kWhite = "white";
+constexpr std::string_view kSun = "sun:";
+
 scene::Environment makeWhite() {
   constexpr std::uint32_t kWidth = 64;
   constexpr std::uint32_t kHeight = 32;
-  return {.name = "white",
+  return {.name = std::string(kWhite),
           .width = kWidth,
           .height = kHeight,
           .texels = std::vector<glm::vec3>(std::size_t{kWidth} * kHeight, glm::vec3(1)),
@@ -41,10 +44,8 @@ scene::Environment readMap(const std::string& file) {
 }
 
 scene::Environment makeMap(const std::string& source) {
-  constexpr std::string_view kSun = "sun:";
-  if (source == "white") return makeWhite();
-  if (source.starts_with(kSun)) return makeSunSky(std::string_view(source).substr(kSun.size()));
-  return readMap(source);
+  if (isImageFile(source)) return readMap(source);
+  return source == kWhite ? makeWhite() : makeSunSky(std::string_view(source).substr(kSun.size()));
 }
 
 void scaleTexels(scene::Environment& environment, double scale) {
@@ -68,6 +69,8 @@ scene::Environment makeEnvironment(const scene::EnvironmentRequest& request, con
   place(environment, up, request.rotation);
   return environment;
 }
+
+bool isImageFile(std::string_view source) { return source != kWhite && !source.starts_with(kSun); }
 
 std::uint64_t hashOf(const scene::Environment& environment, std::uint64_t hash) {
   const auto bytesOf = [](const auto& values) {

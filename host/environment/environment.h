@@ -1,5 +1,7 @@
 // Makes the environment of a scene from the options --env, --env-rotate and --env-scale.
 #pragma once
+#include <string_view>
+
 #include "host/scene/environment.h"
 
 namespace candela::environment {
@@ -12,6 +14,9 @@ inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 25;
 /// coordinate axis. Throws UsageError for numbers of "sun:" out of range, FileError for a file that cannot be read, is
 /// too large, or has radiances that are not finite after scaling. Negative radiances become 0.
 scene::Environment makeEnvironment(const scene::EnvironmentRequest& request, const glm::vec3& up);
+
+/// Returns whether the source of an environment is the path of an image file, neither "white" nor "sun:...".
+bool isImageFile(std::string_view source);
 
 /// Continues `hash` over everything of an environment that light depends on.
 std::uint64_t hashOf(const scene::Environment& environment, std::uint64_t hash);

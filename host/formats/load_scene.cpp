@@ -15,6 +15,7 @@ namespace {
 
 void surround(scene::LoadedScene& loaded, const scene::EnvironmentRequest& request) {
   scene::Scene& scene = loaded.scene;
+  if (environment::isImageFile(request.source)) loaded.files.emplace_back(request.source);
   scene.environment = environment::makeEnvironment(request, scene.up);
   scene.hash = environment::hashOf(*scene.environment, scene.hash);
   loaded.facts.emplace_back("environment", fmt::format("{}, {} x {} texels", scene.environment->name,

@@ -74,13 +74,13 @@ Bytes Buffers::buffer(const Value& reference) {
   return bytes.first(static_cast<std::size_t>(length));
 }
 
-std::string Buffers::readBuffer(const Value& buffer) const {
+std::string Buffers::readBuffer(const Value& buffer) {
   const std::optional<Value> uri = buffer.find("uri");
   if (!uri) buffer.fail("the buffer has no \"uri\", and there is no binary chunk for it");
   return readUri(*uri);
 }
 
-std::string Buffers::readUri(const Value& uri) const {
+std::string Buffers::readUri(const Value& uri) {
   if (isDataUri(uri.text())) return decodeDataUri(uri);
   try {
     const std::filesystem::path path = file_.folder / decodePath(uri);

@@ -35,14 +35,17 @@ class Buffers {
   BufferView view(const Value& reference);
 
   /// The bytes of a data URI, or of a file that the guard permits. Throws PlaceError at the URI.
-  std::string readUri(const Value& uri) const;
+  std::string readUri(const Value& uri);
+
+  /// The other files that readUri() was to read.
+  const std::vector<std::filesystem::path>& files() const { return guard_.requiredPaths(); }
 
   /// The 64-bit FNV-1a hash of all other files that were read, continued from `hash`, in the order of the buffers.
   std::uint64_t hashFiles(std::uint64_t hash) const;
 
  private:
   Bytes buffer(const Value& reference);
-  std::string readBuffer(const Value& buffer) const;
+  std::string readBuffer(const Value& buffer);
   BufferView plainView(const Value& view);
   Bytes range(const Value& place, std::uint64_t offset, std::uint64_t length);
 

@@ -65,7 +65,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();
   scene.hash = hashOf(file, options, buffers, assembly.textures());
-  return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light)};
+  return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light), buffers.files()};
 }
 
 }  // namespace

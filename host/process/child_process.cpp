@@ -43,8 +43,10 @@ void writeAll(int descriptor, const std::string& text) {
   }
 }
 
-// Handlers of this process would report a crash of the child as one of the program.
+// Handlers of this process would report a crash of the child as one of the program. Like this process, a child of
+// `nohup candela` goes on ignoring SIGHUP.
 void resetSignals() {
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   for (const int signal : {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGSEGV, SIGTERM}) {
     std::signal(signal, SIG_DFL);
   }

@@ -2,10 +2,10 @@
 #include "host/reference/tile_job.h"
 
 #include <algorithm>
-#include <thread>
 #include <vector>
 
 #include "host/core/divide_up.h"
+#include "host/core/run_on_threads.h"
 #include "host/reference/replicas.h"
 
 namespace candela::reference {
@@ -37,17 +37,11 @@ TileJob::TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t s
 
 Counters TileJob::run(std::uint32_t threads) {
   std::vector<Counters> counters(threads);
-  {
-    std::vector<std::jthread> helpers;
-    for (std::uint32_t i = 1; i < threads; ++i) {
-      helpers.emplace_back([this, &counter = counters[i]](std::stop_token stop) {
-        while (!stop.stop_requested() && renderNextTile(counter)) {
-        }
-      });
+  runOnThreads(threads, [&](std::uint32_t thread, const std::stop_token& stop) {
+    while (!stop.stop_requested() && renderNextTile(counters[thread])) {
+      if (thread == 0) reportProgress();
     }
-    while (renderNextTile(counters[0])) reportProgress();
-    for (std::jthread& helper : helpers) helper.join();
-  }
+  });
   Counters total;
   for (const Counters& counter : counters) total += counter;
   return total;

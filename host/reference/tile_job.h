@@ -31,8 +31,9 @@ class TileJob {
   TileJob(const PixelTracer& tracer, render::Extent tile, std::uint32_t sampleEnd, const render::RenderControl& control,
           JobOutput output);
 
-  /// Runs on `threads` threads, including the calling one. Only the calling thread reports progress, so that callbacks
-  /// need not be thread-safe. An exception that a callback throws stops the other threads.
+  /// Runs on `threads` threads, including the calling one, or on fewer if the system permits no more. Only the calling
+  /// thread reports progress, so that callbacks need not be thread-safe. An exception of a callback or of a thread,
+  /// such as std::bad_alloc, stops the other threads and is rethrown.
   Counters run(std::uint32_t threads);
   bool wasInterrupted() const { return interrupted_; }
 

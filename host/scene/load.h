@@ -36,6 +36,8 @@ struct LoadedScene {
   StatementCounts counts;
   std::vector<Diagnostic> warnings;
   FileFacts facts{};
+  /// The files besides the scene's own that were read or tried: images, buffers, an environment, the folder of a sky.
+  std::vector<std::filesystem::path> files{};
 };
 
 /// The folder of a file, or "." where its path has none.

@@ -24,8 +24,8 @@ struct Loader {
   /// Returns true if the bytes begin as this loader's formats do. The content takes precedence over the extension.
   bool (*recognises)(std::string_view bytes);
   /// Throws SceneError with every error that was found, each with its position: line and column in a text, otherwise
-  /// the path of the element in the message. Other files are opened only if a PathGuard permits it. Scene::hash covers
-  /// the bytes of the file and of all others that were read.
+  /// the path of the element in the message. Other files are opened only if a PathGuard permits it, and
+  /// are listed in LoadedScene::files. Scene::hash covers the bytes of the file and of all others that were read.
   LoadedScene (*load)(const SceneFile& file, const LoadOptions& options);
 };
 

@@ -69,7 +69,10 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   checkScene(parser.scene, options, parser.log);
   parser.scene.name = std::filesystem::path(file.name).filename().string();
   parser.scene.hash = hashOf(file.bytes, parser.scene);
-  return {std::move(parser.scene), std::move(parser.counts), parser.log.warnings()};
+  return {.scene = std::move(parser.scene),
+          .counts = std::move(parser.counts),
+          .warnings = parser.log.warnings(),
+          .files = parser.guard.requiredPaths()};
 }
 
 }  // namespace candela::scene

@@ -9,6 +9,7 @@
 
 #include "host/scene/diagnostic_log.h"
 #include "host/scene/load.h"
+#include "host/scene/path_guard.h"
 #include "host/scene/statement_reader.h"
 #include "host/scene/tokenizer.h"
 
@@ -17,7 +18,12 @@ namespace candela::scene {
 struct Parser {
   Parser(std::string_view text, const std::string& name, std::filesystem::path sceneFolder,
          const LoadOptions& loadOptions)
-      : tokens(text), in(tokens), log(name), folder(std::move(sceneFolder)), options(loadOptions) {}
+      : tokens(text),
+        in(tokens),
+        log(name),
+        folder(std::move(sceneFolder)),
+        options(loadOptions),
+        guard(folder, options.allowedPaths) {}
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
 
@@ -28,6 +34,7 @@ struct Parser {
   StatementCounts counts;
   std::filesystem::path folder;
   LoadOptions options;
+  PathGuard guard;
   std::optional<std::uint32_t> material;  ///< index of the current material
   Position keyword;                       ///< position of the current statement's keyword
 

@@ -40,9 +40,11 @@ bool PathGuard::permits(const fs::path& path) const {
   return std::ranges::any_of(folders_, [&](const fs::path& folder) { return liesIn(resolved, folder); });
 }
 
-void PathGuard::require(const fs::path& path) const {
-  if (permits(path)) return;
-  throw FileError(fmt::format("{} is outside the scene's folder; --allow-path DIR permits it", quote(path.string())));
+void PathGuard::require(const fs::path& path) {
+  if (!permits(path)) {
+    throw FileError(fmt::format("{} is outside the scene's folder; --allow-path DIR permits it", quote(path.string())));
+  }
+  required_.push_back(path);
 }
 
 }  // namespace candela::scene

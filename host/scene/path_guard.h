@@ -14,11 +14,14 @@ class PathGuard {
   /// Returns whether `path` is in one of the folders, or is one of them, after all links and dots are resolved. A path
   /// that does not exist is judged by the part of it that exists.
   bool permits(const std::filesystem::path& path) const;
-  /// Throws FileError unless permits(path).
-  void require(const std::filesystem::path& path) const;
+  /// Throws FileError unless permits(path). The path is then one of requiredPaths().
+  void require(const std::filesystem::path& path);
+  /// Returns the paths that were passed to require() and are permitted: the files, and folders, that the scene reads.
+  const std::vector<std::filesystem::path>& requiredPaths() const { return required_; }
 
  private:
   std::vector<std::filesystem::path> folders_;  ///< resolved
+  std::vector<std::filesystem::path> required_;
 };
 
 }  // namespace candela::scene

@@ -38,7 +38,7 @@ SkyFace readFace(const fs::path& file) {
 
 }  // namespace
 
-std::optional<Sky> loadSky(const fs::path& folder, const PathGuard& guard) {
+std::optional<Sky> loadSky(const fs::path& folder, PathGuard& guard) {
   guard.require(folder);
   std::error_code error;
   if (!fs::is_directory(folder, error)) return std::nullopt;

@@ -13,6 +13,6 @@ inline constexpr std::uint32_t kMaxSkySide = 8192;
 
 /// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
 /// resolved, must be permitted by `guard`. Empty if there is no such folder. Throws FileError.
-std::optional<Sky> loadSky(const std::filesystem::path& folder, const PathGuard& guard);
+std::optional<Sky> loadSky(const std::filesystem::path& folder, PathGuard& guard);
 
 }  // namespace candela::scene

@@ -23,7 +23,7 @@ void parseSky(Parser& parser) {
   const bool printable = std::ranges::none_of(name.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!printable) StatementReader::fail(name.position, "the sky's folder has a control character in its name");
   try {
-    parser.scene.sky = loadSky(parser.folder / name.text, PathGuard(parser.folder, parser.options.allowedPaths));
+    parser.scene.sky = loadSky(parser.folder / name.text, parser.guard);
   } catch (const FileError& error) {
     return parser.deviation("sky", name.position, error.what());
   }

@@ -34,6 +34,18 @@ TEST_CASE("a film that cannot be written at the end is an error, and the picture
   CHECK(std::filesystem::exists(picture));
 }
 
+TEST_CASE("a film beyond the limit for files (ulimit -f) is an error, and not the end of the program") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("a.exr");
+  const ProgramResult result = runProgram(
+      "/bin/sh", {"-c", "ulimit -f 8 && exec \"$0\" \"$@\"", CANDELA_PROGRAM, scene, "--device", "cpu", "--size",
+                  "64x48", "--spp", "1", "--checkpoint", film});
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Contains("a.exr") && Contains("File too large"));
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("a render that is stopped in any way leaves a film from which it can be resumed") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
@@ -48,8 +60,8 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);
   }
-  SECTION("by Ctrl-C and by SIGTERM") {
-    for (const int signal : {SIGINT, SIGTERM}) {
+  SECTION("by Ctrl-C, by SIGTERM and by SIGHUP") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       const std::string film = folder.path(std::to_string(signal) + ".exr");
       Surroundings surroundings;
       surroundings.interruptAfter = milliseconds(200);

@@ -2,6 +2,7 @@
 #include "host/core/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -75,6 +76,27 @@ TEST_CASE("an atomic write never replaces a device or a pipe") {
   CHECK(std::string(text) == "through");
   ::close(reader);
   CHECK(fs::is_fifo(folder / "pipe"));
+}
+
+TEST_CASE("an atomic write preserves the permissions of the file that it replaces") {
+  TemporaryFolder folder;
+  const fs::path file = folder / "private.txt";
+  writeText(file, "old");
+  for (const fs::perms permissions : {fs::perms(0600), fs::perms(0640), fs::perms(0444)}) {
+    fs::permissions(file, permissions);
+    writeFileAtomically(file, toBytes("new"));
+    CHECK(fs::status(file).permissions() == permissions);
+  }
+}
+
+TEST_CASE("an atomic write does not wait for a program that has locked the folder") {
+  TemporaryFolder folder;
+  const int locked = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  REQUIRE(::flock(locked, LOCK_EX) == 0);
+  writeFileAtomically(folder / "a.txt", toBytes("new"));
+  ::close(locked);
+  CHECK(readText(folder / "a.txt") == "new");
+  CHECK(fileCount(folder.path()) == 1);
 }
 
 TEST_CASE("a file written in pieces appears when it is committed, not before") {

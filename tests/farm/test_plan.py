@@ -5,9 +5,12 @@
 import importlib.machinery
 import importlib.util
 import json
+import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -119,11 +122,97 @@ class TaskTest(unittest.TestCase):
         self.assertTrue(planning.is_shard_done(self.plan, self.job, 0, 0))
         self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 1)
 
+    def test_a_good_shard_is_never_set_aside_because_it_could_not_be_examined(self):
+        self.assertEqual(self.render(0), tasks.SUCCESS)
+        good = self.film(0).read_bytes()
+        for end in ("kill -9 $$", "kill -TERM $$", "exit 6", "exit 70"):
+            broken = self.job / "broken"
+            broken.write_text(f"#!/bin/sh\n{end}\n")
+            broken.chmod(0o755)
+            self.plan.candela = str(broken)
+            with self.assertRaisesRegex(planning.PlanError, "cannot be examined"):
+                self.render(0)
+        self.assertEqual(self.film(0).read_bytes(), good)
+        self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 0)
+
+    def test_a_film_that_cannot_be_read_is_not_taken_for_a_damaged_one(self):
+        self.film(0).parent.mkdir()
+        self.film(0).symlink_to("/proc/self/mem")  # reading it fails with EIO
+        with self.assertRaises(OSError):
+            self.render(0)
+        self.assertTrue(self.film(0).is_symlink())
+
+    def test_a_task_that_is_stopped_while_it_examines_a_film_ends(self):
+        self.film(0).parent.mkdir()
+        self.film(0).write_bytes(b"not a film")
+        self.child.forward(signal.SIGTERM, None)
+        self.assertEqual(self.render(0), tasks.INTERRUPTED)
+        self.assertTrue(self.film(0).exists())
+
     def test_two_tasks_never_render_the_same_shard(self):
         with tasks.exclusive(self.film(0).with_suffix(".lock")) as is_free:
             self.assertTrue(is_free)
             self.assertEqual(self.render(0), tasks.INTERRUPTED)
         self.assertFalse(self.film(0).exists())
+
+
+class StopTest(unittest.TestCase):
+    """Signals to tasks, which run in processes of their own."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        self.task = None
+
+    def tearDown(self):
+        if self.task is not None and self.task.poll() is None:
+            self.task.terminate()  # which is passed on to its program
+            self.task.wait(30)
+        self.temporary.cleanup()
+
+    def start(self, work):
+        """Starts a task in a group of its own: `work` are statements that set `code`, its exit code."""
+        text = f"import sys; sys.path.insert(0, {str(ROOT / 'farm')!r})\nimport os, signal, subprocess, tasks\n" \
+               f"import plan as planning\nfrom pathlib import Path\nchild = tasks.Child()\n{work}\nsys.exit(code)"
+        self.task = subprocess.Popen([sys.executable, "-c", text], start_new_session=True, stderr=subprocess.DEVNULL)
+
+    def wait_for(self, file):
+        """Waits until the task has written the file."""
+        for _ in range(6000):
+            if file.exists() and file.stat().st_size > 0:
+                return file
+            self.assertIsNone(self.task.poll(), "the task has ended early")
+            time.sleep(0.01)
+        self.fail(f"{file} does not appear")
+
+    def test_a_signal_to_the_whole_group_reaches_the_program_once(self):
+        program = "import os, sys, time; open(sys.argv[1], 'w').write(str(os.getpgid(0))); time.sleep(60)"
+        file = self.folder / "group"
+        self.start(f"code = child.run([sys.executable, '-c', {program!r}, {str(file)!r}])")
+        self.assertNotEqual(int(self.wait_for(file).read_text()), os.getpgid(self.task.pid))
+
+    def test_a_render_whose_group_is_stopped_writes_its_film(self):
+        frame = planning.Frame([SCENE, "--device", "cpu", "--threads", "1", "--size", "64x64"], [])
+        planning.Plan(CANDELA, [frame], 1 << 16, 1, 5, "0.01s").save(self.folder)
+        film = planning.shard_file(self.folder, 0, 0)
+        for number in tasks.STOPS:
+            film.unlink(missing_ok=True)
+            job = f"Path({str(self.folder)!r})"
+            self.start(f"code = tasks.render_shard(planning.Plan.load({job}), {job}, 0, 0, child)")
+            self.wait_for(film)
+            os.killpg(self.task.pid, number)
+            self.assertEqual(self.task.wait(), tasks.INTERRUPTED)
+            self.assertIsNotNone(planning.describe(CANDELA, film))
+
+    def test_a_signal_while_the_program_is_started_stops_it(self):
+        # The signal arrives between the start of the program and the end of Popen().
+        self.start("class Start(subprocess.Popen):\n"
+                   "    def __init__(self, *arguments, **options):\n"
+                   "        super().__init__(*arguments, **options)\n"
+                   "        os.kill(os.getpid(), signal.SIGTERM)\n"
+                   "subprocess.Popen = Start\n"
+                   "code = child.run(['sleep', '60'])")
+        self.assertEqual(self.task.wait(30), tasks.INTERRUPTED)
 
 
 class TemplateTest(unittest.TestCase):

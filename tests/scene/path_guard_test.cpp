@@ -51,6 +51,15 @@ TEST_CASE("a path that leads out of the scene's folder is refused") {
   CHECK_FALSE(guard.permits(""));
 }
 
+TEST_CASE("a guard lists the paths that it has permitted, and no others") {
+  const Folders folders;
+  PathGuard guard(folders.scene, {});
+  guard.require(folders.scene / "image.png");
+  CHECK_THROWS_AS(guard.require(folders.other / "image.png"), FileError);
+  guard.require(folders.scene / "missing.png");
+  CHECK(guard.requiredPaths() == std::vector{folders.scene / "image.png", folders.scene / "missing.png"});
+}
+
 TEST_CASE("a link is judged by its target") {
   const Folders folders;
   fs::create_directory_symlink(folders.other, folders.scene / "out");
@@ -79,7 +88,7 @@ TEST_CASE("further folders are permitted, also through a link") {
 
 TEST_CASE("the refusal names the path and the option that permits it") {
   const Folders folders;
-  const PathGuard guard(folders.scene, {});
+  PathGuard guard(folders.scene, {});
   CHECK_NOTHROW(guard.require(folders.scene / "image.png"));
   CHECK_THROWS_AS(guard.require("/etc/passwd"), FileError);
   CHECK_THROWS_WITH(guard.require("/etc/passwd"),
