@@ -24,8 +24,8 @@ struct FilmHead {
   std::size_t checkOffset = 0;  ///< of its digits
 };
 
-/// Longest head that is read: enough for the description of a merge of thousands of parts.
-inline constexpr std::size_t kMaxHeadBytes = std::size_t{4} << 20;
+/// Longest head that is read: enough for the description of kMaxBoxes boxes, of at most 48 bytes each.
+inline constexpr std::size_t kMaxHeadBytes = std::size_t{8} << 20;
 
 /// Reads the OpenEXR header at the start of `bytes`, which may end anywhere after it. Throws FileError, without the
 /// name of the file, if it is not that of a film file.

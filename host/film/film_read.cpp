@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "host/core/errors.h"
+#include "host/film/coverage_check.h"
 #include "host/film/exr_threads.h"
 #include "host/film/film_blocks.h"
 #include "host/film/film_channels.h"
@@ -50,37 +51,6 @@ ExrBox exrBoxOf(const render::Window& window) {
           static_cast<std::int32_t>(window.y + window.height) - 1};
 }
 
-std::size_t rowsWithin(const SampleBox& box, std::uint32_t y) {
-  return y >= box.window.y && y - box.window.y < box.window.height ? 1 : 0;
-}
-
-// Throws unless every pixel of a row holds as many samples as the coverage says.
-void checkCounts(const FilmHeader& header, std::uint32_t y, std::span<const image::FilmPixel> row) {
-  std::vector<std::uint32_t> least(row.size()), most(row.size());
-  const std::optional<double> threshold = header.noiseThreshold();
-  const auto count = [&](const std::vector<SampleBox>& boxes, bool certainly) {
-    for (const SampleBox& box : boxes) {
-      if (rowsWithin(box, y) == 0) continue;
-      const std::uint32_t left = box.window.x - header.window.x;
-      for (std::uint32_t x = left; x < left + box.window.width; ++x) {
-        most[x] += box.samples.end - box.samples.first;
-        const bool mayHaveStopped = threshold && box.samples.end == header.samplesPerPixel;
-        if (certainly) least[x] = mayHaveStopped ? render::pilotSamples(*threshold) : most[x];
-      }
-    }
-  };
-  count(header.covered, true);
-  count(header.begun, false);
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    if (row[x].hitCount > row[x].sampleCount) {
-      throw FileError(fmt::format("pixel ({}, {}) holds more hits than samples", header.window.x + x, y));
-    }
-    if (row[x].sampleCount >= least[x] && row[x].sampleCount <= most[x]) continue;
-    throw FileError(fmt::format("pixel ({}, {}) holds {} samples, and the file says {} to {}", header.window.x + x, y,
-                                row[x].sampleCount, least[x], most[x]));
-  }
-}
-
 // Throws if the records of layers of a pixel count more samples than the pixel holds.
 void checkLayers(const FilmHeader& header, const FilmRows& rows) {
   const std::size_t step = channelsOf(header).layerRows();
@@ -94,11 +64,11 @@ void checkLayers(const FilmHeader& header, const FilmRows& rows) {
   }
 }
 
-void checkRows(const FilmHeader& header, const FilmRows& rows) {
+void checkRows(const FilmHeader& header, const FilmRows& rows, CoverageCheck& coverage) {
   const std::size_t width = header.window.width;
   for (std::size_t row = 0; row * width < rows.pixels.size(); ++row) {
     const auto y = header.window.y + rows.first + static_cast<std::uint32_t>(row);
-    checkCounts(header, y, rows.pixels.subspan(row * width, width));
+    coverage.checkRow(y, rows.pixels.subspan(row * width, width));
   }
   checkLayers(header, rows);
 }
@@ -147,6 +117,7 @@ FilmReader::FilmReader(FilmReader&&) noexcept = default;
 
 void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) try {
   const ChannelChoice channels = channelsOf(header_);
+  CoverageCheck coverage(header_);
   std::optional<FilmInput> stream;
   std::optional<Imf::InputFile> input;
   const std::uint32_t threads = exrThreads();
@@ -177,7 +148,7 @@ void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) t
     input->readPixels(box.min.y, box.max.y);
     const FilmRows rowsWithoutIds{first, std::span(pixels).first(count),
                                   std::span(layerRows).first(count * channels.layerRows())};
-    checkRows(header_, rowsWithoutIds);
+    checkRows(header_, rowsWithoutIds, coverage);
     const MatteRows mattes = mattesOf(matteSlots, rowsWithoutIds.pixels, header_);
     FilmRows block = rowsWithoutIds;
     block.ids = {mattes[0], mattes[1]};

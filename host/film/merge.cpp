@@ -65,13 +65,27 @@ void requireMergeable(const Part& part) {
                               part.file.string()));
 }
 
-void requireDisjoint(const Part& a, const Part& b) {
-  for (const SampleBox& x : allBoxes(a.header)) {
-    for (const SampleBox& y : allBoxes(b.header)) {
-      if (!overlap(x, y)) continue;
-      throw FileError(fmt::format("cannot merge: {} has {}, and {} has {}, which overlap", a.file.string(), boxText(x),
-                                  b.file.string(), boxText(y)));
+[[noreturn]] void failWithOverlap(const std::vector<Part>& parts, const OverlapError& overlap) {
+  std::vector<std::string> clauses;
+  for (const Part& part : parts) {
+    for (const SampleBox& box : allBoxes(part.header)) {
+      if (std::ranges::count(overlap.boxes, box) == 0) continue;
+      clauses.push_back(fmt::format("{} has {}", part.file.string(), boxText(box)));
     }
+  }
+  throw FileError(fmt::format("cannot merge: {}, and {}, which overlap", clauses[0], clauses[1]));
+}
+
+void requireDisjoint(const std::vector<Part>& parts) {
+  std::vector<SampleBox> all;
+  for (const Part& part : parts) {
+    const std::vector<SampleBox> boxes = allBoxes(part.header);
+    all.insert(all.end(), boxes.begin(), boxes.end());
+  }
+  try {
+    film::requireDisjoint(all);
+  } catch (const OverlapError& overlap) {
+    failWithOverlap(parts, overlap);
   }
 }
 
@@ -80,8 +94,8 @@ void requireFitting(const std::vector<Part>& parts, const MergeOptions& options)
   for (std::size_t i = 1; i < parts.size(); ++i) {
     requireSameEstimate(parts[0], parts[i]);
     requireSameTracers(parts[0], parts[i], options);
-    for (std::size_t j = 0; j < i; ++j) requireDisjoint(parts[j], parts[i]);
   }
+  requireDisjoint(parts);
 }
 
 render::Window unionOf(const render::Window& a, const render::Window& b) {
@@ -115,6 +129,16 @@ FilmHeader mergedHeader(const std::vector<Part>& parts) {
   sortIntoSet(merged.tracers);
   sortIntoSet(merged.mixed);
   return merged;
+}
+
+// A reader would refuse the film.
+void requireReadable(const FilmHeader& merged) {
+  const std::size_t count = merged.covered.size() + merged.begun.size();
+  if (count <= kMaxBoxes) return;
+  throw FileError(
+      fmt::format("cannot merge: the samples of the film would be {} boxes of pixels and samples, and a film file has "
+                  "at most {}; merge films that adjoin first",
+                  count, kMaxBoxes));
 }
 
 std::string listOf(const std::vector<SampleBox>& boxes) {
@@ -171,6 +195,7 @@ MergedFilm mergeFilms(std::span<const std::filesystem::path> files, const MergeO
   requireFitting(parts, options);
   MergedFilm merged;
   merged.header = mergedHeader(parts);
+  requireReadable(merged.header);
   merged.missing = missingBoxes(allBoxes(merged.header),
                                 {render::windowOf(merged.header.size), {0, merged.header.samplesPerPixel}});
   if (!options.partial) requireWhole(parts, merged.missing);

@@ -29,7 +29,7 @@ struct Band {
   std::vector<Run> runs;
 };
 
-std::vector<std::uint32_t> sortedEdges(std::vector<std::uint32_t> edges) {
+std::vector<std::uint32_t> sortedSet(std::vector<std::uint32_t> edges) {
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -38,22 +38,44 @@ std::vector<std::uint32_t> sortedEdges(std::vector<std::uint32_t> edges) {
 std::vector<std::uint32_t> columnEdges(std::span<const SampleBox> boxes) {
   std::vector<std::uint32_t> edges;
   for (const auto& [window, samples] : boxes) edges.insert(edges.end(), {window.x, window.x + window.width});
-  return sortedEdges(std::move(edges));
+  return sortedSet(std::move(edges));
 }
 
 std::vector<std::uint32_t> rowEdges(std::span<const SampleBox> boxes) {
   std::vector<std::uint32_t> edges;
   for (const auto& [window, samples] : boxes) edges.insert(edges.end(), {window.y, window.y + window.height});
-  return sortedEdges(std::move(edges));
+  return sortedSet(std::move(edges));
 }
 
-// In rising order, with ranges that touch each other joined.
-Ranges joined(Ranges ranges) {
-  std::ranges::sort(ranges, {}, &SampleRange::first);
+// The work that is left. A set can be so divided that its list takes more time and memory than any file warrants.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t steps) : steps_(steps) {}
+
+  void take(std::uint64_t steps) {
+    if (steps > steps_) throw FileError("the samples are divided into boxes of too many different edges");
+    steps_ -= steps;
+  }
+
+ private:
+  std::uint64_t steps_;
+};
+
+void requireFewer(std::size_t boxes) {
+  if (boxes > kMaxResultBoxes) {
+    throw FileError(fmt::format("the samples are divided into more than {} boxes", kMaxResultBoxes));
+  }
+}
+
+std::uint32_t firstOf(const SampleBox& box) { return box.samples.first; }
+
+// Joins ranges that touch each other. The boxes are in ascending order of their ranges.
+Ranges joined(std::span<const SampleBox> boxes) {
   Ranges result;
-  for (const SampleRange& range : ranges) {
-    if (!result.empty() && range.first < result.back().end) throw UsageError("two boxes of samples overlap");
-    if (!result.empty() && range.first == result.back().end) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const SampleRange& range = boxes[i].samples;
+    if (i > 0 && range.first < boxes[i - 1].samples.end) throw OverlapError(boxes[i - 1], boxes[i]);
+    if (i > 0 && range.first == result.back().end) {
       result.back().end = range.end;
     } else {
       result.push_back(range);
@@ -83,73 +105,91 @@ void append(std::vector<Run>& runs, Run run) {
   }
 }
 
-void append(std::vector<Band>& bands, Band band) {
-  if (band.runs.empty()) return;
-  if (!bands.empty() && bands.back().end == band.y && bands.back().runs == band.runs) {
-    bands.back().end = band.end;
-  } else {
-    bands.push_back(std::move(band));
+// Appends the boxes of the previous band to the result, unless the next band continues it.
+void append(std::vector<SampleBox>& result, Band& previous, Band next) {
+  if (previous.end == next.y && previous.runs == next.runs) {
+    previous.end = next.end;
+    return;
   }
+  for (const Run& run : previous.runs) {
+    const Window window{run.x, previous.y, run.end - run.x, previous.end - previous.y};
+    for (const SampleRange& range : run.ranges) result.push_back({window, range});
+  }
+  requireFewer(result.size());
+  previous = std::move(next);
 }
 
-bool covers(std::uint32_t first, std::uint32_t size, std::uint32_t at) { return at >= first && at - first < size; }
+// Maps the joined ranges of an interval of columns to those that count.
+using Select = std::function<Ranges(Ranges)>;
 
-// The runs of boxes that share their rows; `select` maps the ranges of a run to those that count.
-std::vector<Run> runsOf(std::span<const SampleBox> boxes, const std::function<Ranges(Ranges)>& select) {
-  std::vector<Run> runs;
+// Returns the runs of boxes that share their rows.
+std::vector<Run> runsOf(std::vector<SampleBox> boxes, const Select& select, Budget& budget) {
+  std::ranges::sort(boxes, {}, [](const SampleBox& box) { return std::pair(box.window.x, box.samples.first); });
   const std::vector<std::uint32_t> edges = columnEdges(boxes);
+  std::vector<Run> runs;
+  std::vector<SampleBox> open;
+  std::size_t rangeCount = 0;
+  auto next = boxes.begin();
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    Ranges ranges;
-    for (const auto& [window, samples] : boxes) {
-      if (covers(window.x, window.width, edges[i])) ranges.push_back(samples);
-    }
-    append(runs, {edges[i], edges[i + 1], select(std::move(ranges))});
+    std::erase_if(open, [&](const SampleBox& box) { return box.window.x + box.window.width <= edges[i]; });
+    const auto middle = static_cast<std::ptrdiff_t>(open.size());
+    for (; next != boxes.end() && next->window.x == edges[i]; ++next) open.push_back(*next);
+    std::ranges::inplace_merge(open, open.begin() + middle, {}, firstOf);
+    budget.take(1 + open.size());
+    const std::size_t runCount = runs.size();
+    append(runs, {edges[i], edges[i + 1], select(joined(open))});
+    if (runs.size() > runCount) requireFewer(rangeCount += runs.back().ranges.size());
   }
   return runs;
 }
 
-std::vector<SampleBox> sweep(std::span<const SampleBox> boxes, const std::function<Ranges(Ranges)>& select) {
-  std::vector<Band> bands;
+std::vector<SampleBox> sweep(std::vector<SampleBox> boxes, const Select& select, Budget budget) {
+  std::ranges::sort(boxes, {}, [](const SampleBox& box) { return box.window.y; });
   const std::vector<std::uint32_t> edges = rowEdges(boxes);
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    std::vector<SampleBox> active;
-    for (const SampleBox& box : boxes) {
-      if (covers(box.window.y, box.window.height, edges[i])) active.push_back(box);
-    }
-    append(bands, {edges[i], edges[i + 1], runsOf(active, select)});
-  }
   std::vector<SampleBox> result;
-  for (const Band& band : bands) {
-    for (const Run& run : band.runs) {
-      const Window window{run.x, band.y, run.end - run.x, band.end - band.y};
-      for (const SampleRange& range : run.ranges) result.push_back({window, range});
-    }
+  Band previous;
+  std::vector<SampleBox> active;
+  auto next = boxes.begin();
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    std::erase_if(active, [&](const SampleBox& box) { return box.window.y + box.window.height <= edges[i]; });
+    for (; next != boxes.end() && next->window.y == edges[i]; ++next) active.push_back(*next);
+    budget.take(1 + active.size());
+    append(result, previous, {edges[i], edges[i + 1], runsOf(active, select, budget)});
   }
+  append(result, previous, {});
   return result;
 }
 
-bool overlap(std::uint32_t a, std::uint32_t aEnd, std::uint32_t b, std::uint32_t bEnd) { return a < bEnd && b < aEnd; }
-
 }  // namespace
 
-bool overlap(const SampleBox& a, const SampleBox& b) {
-  const Window& v = a.window;
-  const Window& w = b.window;
-  return overlap(v.x, v.x + v.width, w.x, w.x + w.width) && overlap(v.y, v.y + v.height, w.y, w.y + w.height) &&
-         overlap(a.samples.first, a.samples.end, b.samples.first, b.samples.end);
+std::vector<SampleBox> canonicalBoxes(std::span<const SampleBox> boxes) {
+  return sweep({boxes.begin(), boxes.end()}, std::identity{}, Budget(kMaxBoxSteps));
 }
 
-std::vector<SampleBox> canonicalBoxes(std::span<const SampleBox> boxes) { return sweep(boxes, joined); }
+// A canonical list of n boxes in b bands and r runs takes at most b + 2r + 2n steps, with the gaps between them.
+bool isCanonical(std::span<const SampleBox> boxes) try {
+  constexpr std::uint64_t kStepsPerBox = 5;
+  return std::ranges::equal(sweep({boxes.begin(), boxes.end()}, std::identity{}, Budget(kStepsPerBox * boxes.size())),
+                            boxes);
+} catch (const Error&) {
+  return false;
+}
+
+void requireDisjoint(std::span<const SampleBox> boxes) {
+  const auto nothing = [](const Ranges&) { return Ranges{}; };
+  sweep({boxes.begin(), boxes.end()}, nothing, Budget(kMaxBoxSteps));
+}
 
 std::vector<SampleBox> missingBoxes(std::span<const SampleBox> boxes, const SampleBox& whole) {
   // The whole is part of the sweep because of its edges; its range, which no box has, is then removed again.
   constexpr SampleRange kMark{0xffffffffu, 0xffffffffu};
   std::vector<SampleBox> all(boxes.begin(), boxes.end());
   all.push_back({whole.window, kMark});
-  return sweep(all, [&](Ranges ranges) {
+  const auto select = [&](Ranges ranges) {
     std::erase(ranges, kMark);
-    return complement(joined(std::move(ranges)), whole.samples);
-  });
+    return complement(ranges, whole.samples);
+  };
+  return sweep(std::move(all), select, Budget(kMaxBoxSteps));
 }
 
 std::string boxText(const SampleBox& box) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/memory_budget.h"
+
 namespace candela::gltf {
 namespace {
 
@@ -36,8 +38,27 @@ Accessors::Elements Accessors::elementsOf(const Value& reference, std::size_t co
     reference.fail(
         fmt::format("the accessor's elements have {} components instead of {}", type.components, components));
   }
-  if (!accessor.find("bufferView")) return {accessor, type, {}, 0};
-  return inView(accessor, type);
+  const Elements elements = elementsIn(accessor, type);
+  (elements.bytes.empty() ? zeroCount_ : readCount_) += type.count;
+  requireMemory(accessor.pointer(), type.count * type.components * sizeof(float), "use a machine with more memory");
+  return elements;
+}
+
+Accessors::Elements Accessors::elementsIn(const Value& accessor, const ElementType& type) {
+  if (accessor.find("bufferView")) return inView(accessor, type);
+  constexpr std::uint64_t kMaxZeros = 1u << 24, kMaxZerosPerElement = 1024;
+  const std::uint64_t max = kMaxZeros + kMaxZerosPerElement * readCount_;
+  if (type.count > max - zeroCount_) {
+    accessor.require("count").fail(fmt::format(
+        "{} elements without a buffer view, after {} others; at most {} are read", type.count, zeroCount_, max));
+  }
+  return {accessor, type, {}, 0};
+}
+
+std::size_t Accessors::count(const Value& reference) {
+  const Value accessor = accessorOf(reference);
+  const ElementType type = elementTypeOf(accessor);
+  return elementsIn(accessor, type).type.count;
 }
 
 /// `place` has bufferView and byteOffset. Counts are below 2^32, strides at most 256 and offsets at most 2^53, so that

@@ -11,7 +11,9 @@ namespace candela::gltf {
 
 /// Every offset, stride and count is checked before a byte is read. All functions take the reference to an accessor,
 /// such as `indices`, and throw PlaceError at the accessor's own place if it is wrong, or at the reference if the
-/// accessor is not of the type that is needed there.
+/// accessor is not of the type that is needed there. Elements that exceed the memory budget throw OutOfMemoryError.
+/// Elements without a buffer view take no bytes in the file, whose size limits all others. At most 2^24 of them are
+/// read from a file, and 1024 more for each element that was read from a buffer view: those of sparse morph targets.
 class Accessors {
  public:
   /// Both must outlive this object.
@@ -19,6 +21,8 @@ class Accessors {
 
   /// Without reading elements.
   ElementType type(const Value& reference) const;
+  /// Number of elements, once it is certain that they are in their buffer view, or may be read without one.
+  std::size_t count(const Value& reference);
 
   /// Elements with as many components as Vector has, or floats for SCALAR. Normalised integers are converted to
   /// their values (-1 to 1 or 0 to 1), other integers are not changed. All results are finite.
@@ -37,12 +41,16 @@ class Accessors {
   Value accessorOf(const Value& reference) const;
   Elements elementsOf(const Value& reference, std::size_t components);
   Elements inView(const Value& place, const ElementType& type);
+  /// The elements of an accessor, all 0 without a buffer view, apart from sparse ones.
+  Elements elementsIn(const Value& accessor, const ElementType& type);
   void readReals(const Elements& elements, std::span<float> result);
   template <class Out>
   void applySparse(const Value& accessor, const ElementType& type, std::span<Out> result);
 
   Value root_;
   Buffers& buffers_;
+  std::uint64_t readCount_ = 0;  ///< elements of buffer views
+  std::uint64_t zeroCount_ = 0;  ///< elements without a buffer view
 };
 
 template <class Vector>

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
+#include "host/core/json_depth.h"
 #include "host/gltf/value.h"
 #include "host/scene/quote.h"
 
 namespace candela::gltf {
 namespace {
 
-constexpr std::size_t kMaxDepth = 256;
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 constexpr std::uint32_t kChunkJson = 0x4e4f534a;
@@ -36,26 +36,6 @@ std::string_view withoutByteOrderMark(std::string_view text) {
   throw scene::SceneError({{file.name, line, column, message}});
 }
 
-/// The offset of the first bracket that is nested too deeply, if there is one. Brackets in strings do not count.
-std::optional<std::size_t> findTooDeep(std::string_view text) {
-  std::size_t depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inString) {
-      if (c == '\\') ++i;
-      inString = c != '"';
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kMaxDepth) return i;
-    } else if ((c == '}' || c == ']') && depth > 0) {
-      --depth;
-    }
-  }
-  return std::nullopt;
-}
-
 /// Returns the part of nlohmann's message that describes the error, without "[...] parse error at line 1, column 2: ".
 /// It quotes the file, whose bytes need not be text.
 std::string reasonOf(const std::string& what) {
@@ -77,8 +57,8 @@ std::size_t offsetOfNumber(std::string_view text, std::string_view what) {
 }
 
 nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
-  if (const std::optional<std::size_t> deep = findTooDeep(text)) {
-    failAt(file, text, *deep, fmt::format("JSON is nested more than {} levels deep", kMaxDepth));
+  if (const std::optional<std::size_t> deep = findTooDeepJson(text)) {
+    failAt(file, text, *deep, fmt::format("JSON is nested more than {} levels deep", kMaxJsonDepth));
   }
   try {
     return nlohmann::json::parse(text);

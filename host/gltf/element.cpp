@@ -10,9 +10,6 @@
 namespace candela::gltf {
 namespace {
 
-// Maximum number of elements of an accessor without a buffer view. They take no bytes in the file, whose size limits
-// all others.
-constexpr std::uint64_t kMaxZeros = 1u << 24;
 constexpr std::uint64_t kMaxCount = 0xffffffffu;
 
 struct TypeName {
@@ -47,10 +44,6 @@ Component componentOf(const Value& code) {
 ElementType elementTypeOf(const Value& accessor) {
   const std::uint64_t count = accessor.require("count").whole();
   if (count == 0 || count > kMaxCount) accessor.require("count").fail(fmt::format("{} elements", count));
-  if (!accessor.find("bufferView") && count > kMaxZeros) {
-    accessor.require("count").fail(
-        fmt::format("{} elements without a buffer view; at most {} are read", count, kMaxZeros));
-  }
   const TypeName name = typeNameOf(accessor.require("type"));
   ElementType type{static_cast<std::size_t>(count), componentOf(accessor.require("componentType")), name.components,
                    accessor.booleanOr("normalized", false)};

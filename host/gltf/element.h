@@ -38,8 +38,7 @@ std::size_t sizeOf(Component component);
 /// Returns the component type of a number such as 5126. Throws PlaceError.
 Component componentOf(const Value& code);
 
-/// The type of an accessor. Its count is 1 to 2^32 - 1, and at most 2^24 if no buffer view has its elements. Throws
-/// PlaceError.
+/// The type of an accessor. Its count is 1 to 2^32 - 1. Throws PlaceError.
 ElementType elementTypeOf(const Value& accessor);
 
 /// Returns the value of a component: section 3.6.2.2 of the specification.

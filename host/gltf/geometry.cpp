@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "host/core/memory_budget.h"
+
 namespace candela::gltf {
 namespace {
 
@@ -16,15 +18,44 @@ std::vector<glm::vec4> readColours(const VertexSource& source, std::size_t count
   return colours;
 }
 
+constexpr std::size_t kMaxSets = 16;  // 64 joints per vertex. Other readers support 4 or 8.
+
+std::string jointsOf(std::size_t set) { return fmt::format("JOINTS_{}", set); }
+std::string weightsOf(std::size_t set) { return fmt::format("WEIGHTS_{}", set); }
+
+// The sets are numbered from 0 without gaps.
+std::size_t countSets(const VertexSource& source) {
+  std::size_t count = 0;
+  while (source.attribute(jointsOf(count)) && source.attribute(weightsOf(count))) {
+    if (count == kMaxSets) {
+      source.attribute(jointsOf(count))->fail(fmt::format("at most {} sets of joints are read", kMaxSets));
+    }
+    ++count;
+  }
+  return count;
+}
+
 Influences readInfluences(const VertexSource& source, std::size_t count) {
   Influences influences;
-  for (int set = 0;; ++set) {
-    const std::string joints = fmt::format("JOINTS_{}", set);
-    const std::string weights = fmt::format("WEIGHTS_{}", set);
-    if (!source.attribute(joints) || !source.attribute(weights)) return influences;
-    influences.joints.push_back(source.readWhole(joints, count));
-    influences.weights.push_back(source.read<glm::vec4>(weights, count));
+  for (std::size_t set = 0; set < countSets(source); ++set) {
+    influences.joints.push_back(source.readWhole(jointsOf(set), count));
+    influences.weights.push_back(source.read<glm::vec4>(weightsOf(set), count));
   }
+  return influences;
+}
+
+// Memory of the vertices and indices, before unused vertices are dropped, in bytes.
+std::uint64_t bytesOf(const VertexSource& source, bool isSkinned) {
+  std::size_t perVertex = sizeof(glm::vec3);
+  if (source.attribute("NORMAL")) perVertex += sizeof(glm::vec3);
+  if (source.attribute("TANGENT")) perVertex += sizeof(glm::vec4);
+  if (source.attribute("COLOR_0")) perVertex += sizeof(glm::vec4);
+  for (const char* const name : {"TEXCOORD_0", "TEXCOORD_1"}) {
+    if (source.attribute(name)) perVertex += sizeof(glm::vec2);
+  }
+  if (isSkinned) perVertex += countSets(source) * (sizeof(glm::uvec4) + sizeof(glm::vec4));
+  const std::uint64_t vertices = source.vertexCount();
+  return vertices * perVertex + source.indexCount(vertices) * sizeof(std::uint32_t);
 }
 
 /// Without normals, tangents are ignored: section 3.7.2.1 of the specification.
@@ -44,8 +75,8 @@ template <class Vector>
 void addTarget(const Value& target, const char* name, float weight, Accessors& accessors, std::vector<Vector>& values) {
   const std::optional<Value> reference = target.find(name);
   if (!reference || values.empty()) return;
+  requireCount(*reference, accessors.type(*reference).count, values.size());
   const std::vector<glm::vec3> moves = accessors.read<glm::vec3>(*reference);
-  requireCount(*reference, moves.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (glm::length_t c = 0; c < 3; ++c) values[i][c] += weight * moves[i][c];
   }
@@ -89,16 +120,18 @@ std::vector<std::uint32_t> toTriangles(Topology topology, std::vector<std::uint3
   return triangles;
 }
 
-std::optional<Geometry> readGeometry(const Value& primitive, std::span<const double> morphWeights, Accessors& accessors,
+std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& use, Accessors& accessors,
                                      Buffers& buffers) {
   const VertexSource source(primitive, accessors, buffers);
   if (!source.attribute("POSITION")) return std::nullopt;
+  requireMemory(fmt::format("{}: with this primitive, the scene", primitive.pointer()),
+                use.usedBytes + bytesOf(source, use.isSkinned), "use a machine with more memory");
   Geometry geometry;
   scene::Mesh& mesh = geometry.mesh;
   mesh.positions = source.read<glm::vec3>("POSITION", 0);
   readAttributes(source, mesh);
-  geometry.influences = readInfluences(source, mesh.positions.size());
-  addTargets(primitive, morphWeights, accessors, mesh);
+  if (use.isSkinned) geometry.influences = readInfluences(source, mesh.positions.size());
+  addTargets(primitive, use.morphWeights, accessors, mesh);
   mesh.indices = toTriangles(topologyOf(primitive), source.readIndices(mesh.positions.size()));
   return geometry;
 }

@@ -24,9 +24,16 @@ struct Geometry {
 enum class Topology : std::uint8_t { pointsOrLines, triangles, strip, fan };
 Topology topologyOf(const Value& primitive);
 
-/// Reads a primitive of triangles, with its morph targets added by their weights (missing weights are 0). Nothing if it
-/// has no positions. Throws PlaceError.
-std::optional<Geometry> readGeometry(const Value& primitive, std::span<const double> morphWeights, Accessors& accessors,
+/// How a primitive is read.
+struct GeometryUse {
+  std::span<const double> morphWeights;  ///< by target; missing weights are 0
+  bool isSkinned = false;                ///< without a skin, influences are not read
+  std::uint64_t usedBytes = 0;           ///< memory that the scene takes so far
+};
+
+/// Reads a primitive of triangles with its morph targets. Nothing if it has no positions. Throws PlaceError, and
+/// OutOfMemoryError before anything is read if the result would exceed the memory budget.
+std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& use, Accessors& accessors,
                                      Buffers& buffers);
 
 /// Three vertices for each triangle of a strip or fan, in the order of the specification (section 3.7.2.1). A rest of

@@ -148,12 +148,26 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
   return static_cast<std::uint32_t>(defaultMaterial_ - 1);
 }
 
+std::optional<Geometry> SceneAssembly::geometryOf(const Value& primitive, const std::vector<double>& morphWeights,
+                                                  bool isSkinned) {
+  const std::tuple key(primitive.pointer(), morphWeights, isSkinned);
+  if (const auto known = compacted_.find(key); known != compacted_.end()) return known->second;
+  std::optional<Geometry> geometry = readGeometry(primitive, {morphWeights, isSkinned, byteCount_}, accessors_,
+                                                  buffers_);
+  if (geometry && dropUnusedVertices(*geometry)) {
+    requireRoom(primitive, geometry->mesh, 1);
+    compacted_.emplace(key, *geometry);
+  }
+  return geometry;
+}
+
 void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
   if (topologyOf(primitive) == Topology::pointsOrLines) {
     log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
     return;
   }
-  std::optional<Geometry> geometry = readGeometry(primitive, morphWeights(node, index, mesh), accessors_, buffers_);
+  const std::optional<Value> skin = node.find("skin");
+  std::optional<Geometry> geometry = geometryOf(primitive, morphWeights(node, index, mesh), skin.has_value());
   if (!geometry) {
     log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
     return;
@@ -161,10 +175,8 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
   ++counts_["primitive"];
   const std::uint32_t material = materialOf(primitive);
   noteAlpha(geometry->mesh, material);
-  dropUnusedVertices(*geometry);
   const auto& tangentTexture = tangentTextureOf(scene_.materials[material]);
   if (tangentTexture && geometry->mesh.tangents.empty()) addTangents(*geometry, *tangentTexture);
-  const std::optional<Value> skin = node.find("skin");
   if (skin && !geometry->influences.joints.empty()) {
     const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];
     placeSkinned(*geometry, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
@@ -228,6 +240,8 @@ std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
   for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
     if (size > 0 && size != count) attributes.fail(fmt::format("attributes of {} and {} instances", size, count));
   }
+  requireMemory(fmt::format("{}: with these instances, the scene", attributes.pointer()),
+                byteCount_ + count * sizeof(glm::dmat4), "use a machine with more memory");
   std::vector<glm::dmat4> instances;
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec4 q(elementOr(rotations, i, glm::vec4(0, 0, 0, 1)));

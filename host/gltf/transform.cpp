@@ -125,9 +125,9 @@ void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const 
   if (!mesh.normals.empty()) replaceZeroNormals(mesh);
 }
 
-void dropUnusedVertices(Geometry& geometry) {
+bool dropUnusedVertices(Geometry& geometry) {
   scene::Mesh& mesh = geometry.mesh;
-  if (mesh.positions.size() <= 2 * mesh.indices.size()) return;
+  if (mesh.positions.size() <= 2 * mesh.indices.size()) return false;
   std::vector<std::uint32_t> newIndex(mesh.positions.size(), kUnused);
   for (const std::uint32_t index : mesh.indices) newIndex[index] = 0;
   std::uint32_t count = 0;
@@ -142,6 +142,7 @@ void dropUnusedVertices(Geometry& geometry) {
   for (auto& set : geometry.influences.joints) compact(set, newIndex);
   for (auto& set : geometry.influences.weights) compact(set, newIndex);
   for (std::uint32_t& index : mesh.indices) index = newIndex[index];
+  return true;
 }
 
 }  // namespace candela::gltf

@@ -17,7 +17,7 @@ void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place);
 void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& place);
 
 /// Removes the vertices that no triangle uses, if there are more than twice as many vertices as corners. Primitives may
-/// share one large set of vertices.
-void dropUnusedVertices(Geometry& geometry);
+/// share one large set of vertices. Returns whether there were so many.
+bool dropUnusedVertices(Geometry& geometry);
 
 }  // namespace candela::gltf

@@ -33,6 +33,16 @@ std::size_t VertexSource::components(const Value& reference, const std::string& 
   return accessors_.type(reference).components;
 }
 
+std::size_t VertexSource::vertexCount() const {
+  return draco_ ? draco_->vertexCount : accessors_.count(attributes_.require("POSITION"));
+}
+
+std::size_t VertexSource::indexCount(std::size_t vertexCount) const {
+  if (draco_) return draco_->indices.size();
+  const std::optional<Value> reference = primitive_.find("indices");
+  return reference ? accessors_.count(*reference) : vertexCount;
+}
+
 std::vector<glm::uvec4> VertexSource::readWhole(const std::string& name, std::size_t count) const {
   const Value reference = attributes_.require(name);
   std::vector<glm::uvec4> values;
@@ -46,6 +56,7 @@ std::vector<glm::uvec4> VertexSource::readWhole(const std::string& name, std::si
       values.emplace_back(value);
     }
   } else {
+    requireCount(reference, accessors_.type(reference).count, count);
     const std::vector<std::uint32_t> words = accessors_.readWhole(reference, 4);
     for (std::size_t i = 0; i < words.size(); i += 4) {
       values.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);

@@ -20,6 +20,10 @@ class VertexSource {
   /// Returns the number of components of the attribute to which `reference` refers.
   std::size_t components(const Value& reference, const std::string& name) const;
 
+  /// Number of values of the attribute POSITION, which must exist.
+  std::size_t vertexCount() const;
+  /// Number of indices that readIndices() returns for this number of vertices.
+  std::size_t indexCount(std::size_t vertexCount) const;
   /// The values of an attribute that exists. There must be `count` of them, unless count is 0.
   template <class Vector>
   std::vector<Vector> read(const std::string& name, std::size_t count) const;
@@ -50,6 +54,7 @@ std::vector<Vector> VertexSource::read(const std::string& name, std::size_t coun
     values.resize(draco_->vertexCount);
     std::copy(source->values.begin(), source->values.end(), reinterpret_cast<float*>(values.data()));
   } else {
+    if (count > 0) requireCount(reference, accessors_.type(reference).count, count);
     values = accessors_.read<Vector>(reference);
   }
   if (count > 0) requireCount(reference, values.size(), count);

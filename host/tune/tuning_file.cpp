@@ -15,6 +15,7 @@
 #include "host/cache/read_file.h"
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/json_depth.h"
 #include "host/core/version.h"
 
 namespace candela::tune {
@@ -59,6 +60,7 @@ std::optional<Candidate> candidateIn(const json& choice) {
 TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 TuningLookup parse(const std::string& text, const cache::DeviceKey& key, const vulkan::DeviceInfo& info) {
+  if (findTooDeepJson(text)) return refuse("it is damaged");
   const json file = json::parse(text, nullptr, false);
   if (!file.is_object()) return refuse("it is damaged");
   if (textAt(file, "schema") != kSchema) return refuse("it was written by another version of Candela");

@@ -2,9 +2,12 @@
 #include "host/bench/report_comparison.h"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "host/bench/report_file.h"
 #include "host/core/errors.h"
+#include "tests/core/temporary_folder.h"
 
 namespace candela::bench {
 namespace {
@@ -76,6 +79,18 @@ TEST_CASE("a file that is no report is refused, and the message names it") {
     CHECK_THROWS_AS(compare(good, bad), FileError);
     CHECK_THROWS_WITH(compare(bad, good), Contains("old.json: not a report of candela bench"));
   }
+}
+
+TEST_CASE("a report that is nested too deeply is refused before it is parsed") {
+  const TemporaryFolder folder;
+  const auto write = [&](std::size_t depth) {
+    std::ofstream(folder / "a.json") << R"({"schema":"candela-bench/1","rows":[{"sceneHash":"1","scene":)"
+                                     << std::string(depth, '[') << std::string(depth, ']') << "}]}";
+    return folder / "a.json";
+  };
+  CHECK_THROWS_WITH(readReport(write(300000)), Contains("a.json: JSON is nested more than 256 levels deep"));
+  CHECK_THROWS_WITH(readReport(write(254)), Contains("256 levels"));
+  CHECK_NOTHROW(readReport(write(253)));
 }
 
 TEST_CASE("the comparison's text and JSON have both scores and the change") {

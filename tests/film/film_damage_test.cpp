@@ -212,3 +212,16 @@ TEST_CASE("a film whose pixels contradict its description is refused") {
   writeFilm(folder / "a.exr", header, film);
   CHECK(refusalOf(folder / "a.exr").empty());
 }
+
+TEST_CASE("a forged film of nested boxes is refused, and not divided into millions") {
+  const TemporaryFolder folder;
+  FilmHeader header = madeHeader({4096, 4096}, 4096);
+  header.window = {2047, 2047, 2, 2};
+  for (std::uint32_t i = 0; i < 2048; ++i) {
+    header.covered.push_back({{i, i, 4096 - 2 * i, 4096 - 2 * i}, {2 * i, 2 * i + 1}});
+  }
+  writeFilm(folder / "a.exr", header, image::Film(2, 2));
+  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the description of the film has no valid covered"));
+  header.window = {0, 0, 4096, 4096};
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)), "the description of the film has no valid covered");
+}

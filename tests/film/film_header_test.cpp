@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/core/errors.h"
+#include "host/film/film_head.h"
 #include "tests/film/made_films.h"
 
 using namespace candela;
@@ -213,4 +214,26 @@ TEST_CASE("differences of two films are named, the scene first") {
                                  "--sampler is sobol in A and stratified in B"});
   CHECK(tracerDifferences(a.tracers[0], {"a device", "a driver", "a platform", "x", "1.0"}, "A", "B") ==
         std::vector<std::string>{"the hash of the kernels is kernels in A and x in B"});
+}
+
+TEST_CASE("a description of more boxes than a film file may have is refused") {
+  FilmHeader header = madeHeader({64, 48}, 1u << 30);
+  const auto addBoxes = [](std::vector<SampleBox>& boxes, std::uint32_t y, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) boxes.push_back({{0, y, 64, 1}, {2 * i, 2 * i + 1}});
+  };
+  addBoxes(header.covered, 0, kMaxBoxes - 1);
+  addBoxes(header.begun, 1, 1);
+  CHECK(headerFromJson(toJson(header)) == header);
+  CHECK(toJson(header).size() < kMaxHeadBytes / 2);
+  addBoxes(header.begun, 2, 1);
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)), "the description of the film has no valid begun");
+  addBoxes(header.covered, 1, 2);
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)), "the description of the film has no valid covered");
+}
+
+// If parsing a member took a time proportional to the number of members, this would exceed the time limit of a test.
+TEST_CASE("a description may have any number of members") {
+  FilmHeader header = madeHeader({64, 48}, 1);
+  for (int i = 0; i < 300000; ++i) header.settings[std::to_string(i)] = "";
+  CHECK(headerFromJson(toJson(header)).settings.size() == header.settings.size());
 }

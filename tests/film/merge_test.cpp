@@ -202,6 +202,36 @@ TEST_CASE("an interrupted film is resumed before it is merged, unless a partial 
   CHECK(refusalOf(folder / "c.exr").empty());
 }
 
+TEST_CASE("films of very many boxes are read and merged, unless the result could not be read") {
+  const TemporaryFolder folder;
+  constexpr std::uint32_t kSide = 32, kRanges = 256;
+  FilmHeader header = madeHeader({kSide, kSide}, 2 * kRanges);
+  // The pixels of one colour of a chessboard have every other sample from `first` on.
+  const auto writePixels = [&](const char* name, std::uint32_t colour, std::uint32_t first) {
+    header.covered.clear();
+    image::Film film(kSide, kSide);
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+      const std::uint32_t x = i % kSide, y = i / kSide;
+      if ((x + y) % 2 != colour) continue;
+      for (std::uint32_t sample = first; sample < 2 * kRanges; sample += 2) {
+        film.addSample(x, y, glm::dvec3(1), sample);
+        header.covered.push_back({{x, y, 1, 1}, {sample, sample + 1}});
+      }
+    }
+    writeFilm(folder / name, header, film);
+    return folder / name;
+  };
+  const auto white = writePixels("white.exr", 0, 0);
+  REQUIRE(FilmReader(white).header().covered.size() == kMaxBoxes);
+  CHECK(refusalOf(white).empty());
+  const MergeOptions partial{.mixedDevices = false, .partial = true};
+  const MergedFilm merged = mergeFilms(Files{white, writePixels("same.exr", 1, 0)}, partial);
+  CHECK(merged.header.covered.size() == kRanges);
+  CHECK(merged.header.covered.back() == SampleBox{{0, 0, kSide, kSide}, {2 * kRanges - 2, 2 * kRanges - 1}});
+  CHECK_THAT(refusalOfMerge({white, writePixels("other.exr", 1, 1)}, partial),
+             Catch::Contains("262144 boxes") && Catch::Contains("merge films that adjoin first"));
+}
+
 TEST_CASE("a merge names a shard that is damaged or not a film") {
   const TemporaryFolder folder;
   const Files files = writeParts(folder, 1, 1, 3);

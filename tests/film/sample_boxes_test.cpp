@@ -2,6 +2,7 @@
 #include "host/film/sample_boxes.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -100,14 +101,77 @@ TEST_CASE("missing samples are named as a person would: the ranges of whole wind
   CHECK(boxText(missing[0]) == "samples 64:128 of crop 0,0,64,48");
 }
 
-TEST_CASE("boxes that have a sample in common are refused, others are not") {
+TEST_CASE("boxes that have a sample in common are refused and named, others are not") {
   const SampleBox a{{0, 0, 4, 4}, {0, 8}};
   for (const SampleBox& apart : {SampleBox{{4, 0, 4, 4}, {0, 8}}, {{0, 4, 4, 4}, {0, 8}}, {{0, 0, 4, 4}, {8, 9}}}) {
-    CHECK_FALSE(overlap(a, apart));
+    CHECK_NOTHROW(requireDisjoint(std::vector{a, apart}));
     CHECK_NOTHROW(canonicalBoxes(std::vector{a, apart}));
   }
   for (const SampleBox& common : {a, SampleBox{{3, 3, 4, 4}, {7, 9}}, {{1, 1, 1, 1}, {0, 1}}}) {
-    CHECK(overlap(a, common));
-    CHECK_THROWS_AS(canonicalBoxes(std::vector{a, common}), UsageError);
+    CHECK_THROWS_AS(requireDisjoint(std::vector{a, common}), OverlapError);
+    try {
+      canonicalBoxes(std::vector{a, common});
+      FAIL("not refused");
+    } catch (const OverlapError& error) {
+      CHECK(std::ranges::is_permutation(error.boxes, std::array{a, common}));
+    }
   }
+}
+
+TEST_CASE("a list is canonical if and only if it is what canonicalBoxes() makes of it") {
+  std::mt19937 random(4);
+  CHECK(isCanonical({}));
+  for (int run = 0; run < 50; ++run) {
+    std::vector<SampleBox> boxes = divided(kImage, 30, random);
+    boxes.resize(17);
+    CHECK_FALSE(isCanonical(boxes));
+    std::vector<SampleBox> canonical = canonicalBoxes(boxes);
+    CHECK(isCanonical(canonical));
+    std::swap(canonical.front(), canonical.back());
+    CHECK_FALSE(isCanonical(canonical));
+  }
+  CHECK_FALSE(isCanonical(std::vector<SampleBox>{{{0, 0, 4, 4}, {0, 8}}, {{3, 3, 4, 4}, {7, 9}}}));
+}
+
+TEST_CASE("the tiles of 8K are boxes of a film, whichever are missing and however many samples they have") {
+  constexpr std::uint32_t kTile = 16;
+  const SampleBox image{{0, 0, 7680, 4320}, {0, 1024}};
+  std::vector<SampleBox> all, every2nd, uneven, interrupted;
+  for (std::uint32_t y = 0; y < image.window.height; y += kTile) {
+    for (std::uint32_t x = 0; x < image.window.width; x += kTile) {
+      const render::Window tile{x, y, kTile, kTile};
+      const std::uint32_t count = 1 + (x / kTile + y / kTile) % 64;
+      all.push_back({tile, image.samples});
+      if ((x + y) / kTile % 2 == 0) every2nd.push_back({tile, image.samples});
+      uneven.push_back({tile, {0, count}});
+      interrupted.push_back({tile, {count, count + 1}});
+    }
+  }
+  REQUIRE(all.size() == 129600);
+  REQUIRE(all.size() <= kMaxBoxes);
+  CHECK(canonicalBoxes(all) == std::vector{image});
+  CHECK(isCanonical(every2nd));
+  CHECK(canonicalBoxes(every2nd) == every2nd);
+  CHECK(missingBoxes(every2nd, image).size() == every2nd.size());
+  CHECK(isCanonical(uneven));
+  CHECK(missingBoxes(uneven, image).size() == uneven.size());
+  uneven.insert(uneven.end(), interrupted.begin(), interrupted.end());
+  CHECK_NOTHROW(requireDisjoint(uneven));
+}
+
+TEST_CASE("boxes whose list is out of proportion are refused after a bounded number of steps") {
+  // Each contains the next one and has a sample of its own, so that n boxes are a list of about n^3 boxes.
+  const auto nested = [](std::uint32_t count) {
+    std::vector<SampleBox> boxes;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      boxes.push_back({{i, i, 2 * (count - i), 2 * (count - i)}, {2 * i, 2 * i + 1}});
+    }
+    return boxes;
+  };
+  CHECK(canonicalBoxes(nested(10)).size() == 670);  // squares of 1 to 9 twice, and of 10
+  const std::vector<SampleBox> boxes = nested(30000);
+  CHECK_FALSE(isCanonical(boxes));
+  CHECK_THROWS_WITH(canonicalBoxes(boxes), Catch::Contains("divided into"));
+  CHECK_THROWS_WITH(missingBoxes(boxes, {{0, 0, 60000, 60000}, {0, 60000}}), Catch::Contains("divided into"));
+  CHECK_THROWS_WITH(requireDisjoint(boxes), Catch::Contains("divided into"));
 }

@@ -1,6 +1,7 @@
 // Primitives: topologies, attributes, and how they are placed.
 #include "host/gltf/geometry.h"
 
+#include "host/core/memory_budget.h"
 #include "tests/gltf/gltf_file.h"
 
 namespace candela::gltf {
@@ -152,6 +153,61 @@ TEST_CASE("quantised positions are scaled by their node") {
   file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
   file.addMesh({{"attributes", {{"POSITION", positions}}}})["scale"] = {10, 10, 10};
   CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0}, {10, 0, 0}, {0, -10, 0}});
+}
+
+TEST_CASE("elements without a buffer view are read up to a total of the file") {
+  constexpr std::size_t kMaxZeros = 1u << 24;
+  GltfFile file = triangleFile();
+  json& accessors = file.root["accessors"];
+  const auto zeros = [&](const char* type, int component, std::size_t count) {
+    accessors.push_back({{"componentType", component}, {"count", count}, {"type", type}});
+    return accessors.size() - 1;
+  };
+  file.primitive()["attributes"]["POSITION"] = zeros("VEC3", kFloat, kMaxZeros - 2);
+  file.primitive()["indices"] = zeros("SCALAR", kUnsignedShort, 3);
+  CHECK_THAT(
+      errorsOf(file.text()),
+      Catch::Contains("/accessors/" + std::to_string(accessors.size() - 1) +
+                      "/count: 3 elements without a buffer view, after 16777214 others; at most 16777216 are read"));
+}
+
+TEST_CASE("influences are read for skins only, and only sixteen sets of them") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  for (int set = 0; set < 17; ++set) {
+    attributes["JOINTS_" + std::to_string(set)] = file.accessor<std::uint8_t>(std::vector<std::uint8_t>(12),
+                                                                              kUnsignedByte, "VEC4", 3);
+    attributes["WEIGHTS_" + std::to_string(set)] = file.vectors(std::vector<float>(12, 1), "VEC4", 4);
+  }
+  CHECK(sceneOf(file).meshes.size() == 1);
+  file.root["skins"] = json::array({{{"joints", {0}}}});
+  file.root["nodes"][0]["skin"] = 0;
+  CHECK_THAT(errorsOf(file.text()),
+             Catch::Contains("/meshes/0/primitives/0/attributes/JOINTS_16: at most 16 sets of joints are read"));
+  attributes.erase("JOINTS_16");
+  CHECK(sceneOf(file).meshes.size() == 1);
+}
+
+TEST_CASE("a primitive with many unused vertices is read once for all nodes") {
+  constexpr std::size_t kVertices = std::size_t{1} << 22;  // four nodes would read more than 2^24 elements
+  GltfFile file = triangleFile();
+  file.root["accessors"].push_back({{"componentType", kFloat}, {"count", kVertices}, {"type", "VEC3"}});
+  file.primitive()["attributes"]["POSITION"] = file.root["accessors"].size() - 1;
+  file.primitive()["indices"] = file.accessor<std::uint8_t>({2, 0, 1}, kUnsignedByte, "SCALAR", 3);
+  for (int i = 0; i < 9; ++i) {
+    file.root["nodes"].push_back({{"mesh", 0}});
+    file.root["scenes"][0]["nodes"].push_back(file.root["nodes"].size() - 1);
+  }
+  const scene::Scene scene = sceneOf(file);
+  REQUIRE(scene.meshes.size() == 10);
+  CHECK(scene.meshes.back().positions.size() == 3);
+}
+
+TEST_CASE("a primitive beyond the memory budget is refused before it is read") {
+  GltfFile file = triangleFile();
+  limitMemory(1);
+  CHECK_THROWS_WITH(load(file), Catch::Contains("/meshes/0/primitives/0: with this primitive, the scene needs about"));
+  limitMemory(0);
 }
 
 }  // namespace candela::gltf

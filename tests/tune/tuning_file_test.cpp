@@ -124,6 +124,8 @@ TEST_CASE("hostile content is ignored with a reason") {
       std::string(60000, '['),
       std::string(60000, ' '),
       "{\"schema\":\"candela-tune/1\",\"key\":" + std::string(30000, '[') + std::string(30000, ']') + "}",
+      changed(
+          [](ordered_json& json) { json["key"] = ordered_json::parse(std::string(300, '[') + std::string(300, ']')); }),
       changed([](ordered_json& json) { json["schema"] = "candela-tune/2"; }),
       changed([](ordered_json& json) { json["schema"] = 1; }),
       changed([](ordered_json& json) { json.erase("key"); }),
