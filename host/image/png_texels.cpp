@@ -8,6 +8,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
@@ -109,8 +110,8 @@ std::uint32_t shallow(std::uint64_t texel) {
 /// Many programs write 16 bits without having more than 8.
 Texels withoutNeedlessBits(Texels texels) {
   if (!std::ranges::all_of(texels.deepRgba, isShallow)) return texels;
-  texels.rgba.resize(texels.deepRgba.size());
-  std::ranges::transform(texels.deepRgba, texels.rgba.begin(), shallow);
+  texels.rgba.reserve(texels.deepRgba.size());
+  std::ranges::transform(texels.deepRgba, std::back_inserter(texels.rgba), shallow);
   texels.deepRgba = {};
   return texels;
 }

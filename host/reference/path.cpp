@@ -83,9 +83,10 @@ struct PathTracer::Vertex : ShadingFrame {
 
   /// Returns the bound of the rounding error of f and pdf.
   double roundingUnits() const {
-    if (!bsdf.surface()) return kRoundingBounds.bsdf;
-    const double sheen = kRoundingBounds.sheen * bsdf.surface()->sheenSteepness();
-    return std::hypot(kRoundingBounds.surface, sheen, kRoundingBounds.film * bsdf.surface()->filmThickness());
+    const SurfaceBsdf* const surfaceBsdf = bsdf.surface();
+    if (surfaceBsdf == nullptr) return kRoundingBounds.bsdf;
+    const double sheen = kRoundingBounds.sheen * surfaceBsdf->sheenSteepness();
+    return std::hypot(kRoundingBounds.surface, sheen, kRoundingBounds.film * surfaceBsdf->filmThickness());
   }
 
   /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
