@@ -18,6 +18,12 @@ PunctualLight::Kind kindOf(const Value& type) {
   return PunctualLight::Kind::directional;
 }
 
+/// Returns 1 - cos of an angle, without cancellation.
+float versine(double angle) {
+  const double sine = std::sin(angle / 2);
+  return static_cast<float>(2 * sine * sine);
+}
+
 void readCone(const Value& light, PunctualLight& result) {
   const Value spot = light.require("spot");
   const double inner = spot.numberOr("innerConeAngle", 0);
@@ -25,9 +31,9 @@ void readCone(const Value& light, PunctualLight& result) {
   if (!(inner >= 0 && inner < outer && outer <= std::numbers::pi / 2)) {
     spot.fail("the angles of the cones are not 0 <= inner < outer <= pi/2");
   }
-  result.cosInner = static_cast<float>(std::cos(inner));
-  result.cosOuter = static_cast<float>(std::cos(outer));
-  if (result.cosInner <= result.cosOuter) result.cosOuter = std::nextafter(result.cosInner, -1.0f);
+  result.versineInner = versine(inner);
+  result.versineOuter = versine(outer);
+  if (result.versineInner >= result.versineOuter) result.versineInner = std::nextafter(result.versineOuter, 0.0f);
 }
 
 }  // namespace

@@ -34,11 +34,19 @@ TEST_CASE("spot and directional lights shine along -z of their node") {
       withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 1.0}}}}, turned));
   const scene::PunctualLight& light = spot.punctualLights.at(0);
   CHECK(glm::distance(light.direction, glm::vec3(-1, 0, 0)) < 1e-6f);
-  CHECK(light.cosInner == Approx(std::cos(0.5)));
-  CHECK(light.cosOuter == Approx(std::cos(1.0)));
+  CHECK(light.versineInner == Approx(1 - std::cos(0.5)));
+  CHECK(light.versineOuter == Approx(1 - std::cos(1.0)));
   const scene::Scene sun = sceneOf(withLight({{"type", "directional"}, {"intensity", 3}}, turned));
   CHECK(sun.punctualLights.at(0).kind == scene::PunctualLight::Kind::directional);
   CHECK(sun.punctualLights[0].reach == Approx(std::sqrt(0.5)));  // half the diagonal of the triangle's box
+}
+
+TEST_CASE("the angles of a narrow spot light keep their precision") {
+  const scene::Scene spot = sceneOf(
+      withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", 1e-4}, {"outerConeAngle", 2e-4}}}}, json::object()));
+  // 1 - cos x = x^2/2 - x^4/24 + ...
+  CHECK(spot.punctualLights.at(0).versineInner == Approx(0.5e-8).epsilon(1e-6));
+  CHECK(spot.punctualLights.at(0).versineOuter == Approx(2e-8).epsilon(1e-6));
 }
 
 TEST_CASE("a file without light gets one, and says so, and an emitter is a light") {
