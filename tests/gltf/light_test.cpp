@@ -49,6 +49,34 @@ TEST_CASE("the angles of a narrow spot light keep their precision") {
   CHECK(spot.punctualLights.at(0).versineOuter == Approx(2e-8).epsilon(1e-6));
 }
 
+TEST_CASE("a spot light of half a turn is read, although pi/2 in single precision exceeds pi/2") {
+  const GltfFile file = withLight(
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 1.5707963705062866}}}}, json::object());
+  CHECK(sceneOf(file).punctualLights.at(0).versineOuter == 1);
+  CHECK_FALSE(warns(load(file), "hard"));
+}
+
+TEST_CASE("a spot light whose inner cone is not inside the outer one has a hard edge, and a warning says so") {
+  for (const double inner : {0.5, 0.75}) {
+    const scene::LoadedScene loaded = load(
+        withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", 0.5}}}}, json::object()));
+    const scene::PunctualLight& light = loaded.scene.punctualLights.at(0);
+    CHECK(light.versineOuter == Approx(1 - std::cos(0.5)));
+    CHECK(light.versineInner == std::nextafter(light.versineOuter, 0.0f));
+    CHECK(warns(loaded, "/extensions/KHR_lights_punctual/lights/0/spot: the inner cone is not inside the outer one"));
+  }
+}
+
+TEST_CASE("angles of a spot light outside of their range are refused") {
+  const std::pair<double, double> angles[] = {{-0.1, 0.5}, {0.1, 1.571}, {0, 0}, {0, -1}, {0, 1e-7}};
+  for (const auto& [inner, outer] : angles) {
+    CAPTURE(inner, outer);
+    const json spot{{"innerConeAngle", inner}, {"outerConeAngle", outer}};
+    const std::string errors = errorsOf(withLight({{"type", "spot"}, {"spot", spot}}, json::object()).text());
+    CHECK(errors.find("the angles of the cones are not inner >= 0 and 1e-6 <= outer <= pi/2") != std::string::npos);
+  }
+}
+
 TEST_CASE("a file without light gets one, and says so, and an emitter is a light") {
   const scene::LoadedScene dark = load(triangleFile());
   CHECK(dark.scene.background == glm::vec3(0.25f));
