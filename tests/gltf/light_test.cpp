@@ -89,6 +89,28 @@ TEST_CASE("a file without light gets one, and says so, and an emitter is a light
   CHECK(sceneOf(bright).punctualLights.empty());
 }
 
+TEST_CASE("a warning says that the light of punctual lights and of the default light does not pass glass") {
+  const auto warned = [](const GltfFile& file, const scene::LoadOptions& options = {}) {
+    return warns(load(file, options), "transmitting surfaces cast shadows of point, spot and directional lights");
+  };
+  GltfFile glass = withLight({{"type", "point"}}, json::object());
+  CHECK_FALSE(warned(glass));
+  glass.root["materials"] = {{{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
+  CHECK_FALSE(warned(glass));  // no triangle has the material
+  glass.primitive()["material"] = 0;
+  glass.root["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  CHECK(warned(glass));
+  GltfFile dark = triangleFile();
+  dark.root["materials"] = glass.root["materials"];
+  dark.primitive()["material"] = 0;
+  CHECK(warned(dark));
+  scene::LoadOptions white;
+  white.environment.source = "white";
+  CHECK_FALSE(warned(dark, white));
+  glass.root["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 1;
+  CHECK_FALSE(warned(glass));
+}
+
 TEST_CASE("emission that is too faint or too small to see the model by does not replace the default light") {
   GltfFile file = triangleFile();
   file.root["materials"] = {{{"emissiveFactor", {0, 1, 0}}}};
