@@ -93,10 +93,12 @@ LightSample samplePointLight(Light light, Surface from) {
   return LightSample(toPoint / distance, light.emission * kPi, distance, light.probability, true, light.position);
 }
 
-// The fraction of its intensity that a spot light emits along -wi; wi points towards it.
+// The fraction of its intensity that a spot light emits along -wi; wi points towards it. 1 - cos of the angle to its
+// direction is half the squared distance of the two unit vectors, without the cancellation of 1 - dot().
 float spotFactor(Light light, vec3 wi) {
   vec4 cone = sceneRowFloat(lightRow(constants.lightCount) + uint(light.area));
-  float share = clamp((-dot(cone.xyz, wi) - cone.w) * light.radius, 0.0, 1.0);
+  vec3 apart = cone.xyz + wi;
+  float share = clamp((cone.w - 0.5 * dot(apart, apart)) * light.radius, 0.0, 1.0);
   return share * share;
 }
 

@@ -45,18 +45,21 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float r = (s.ior - 1.0) / (s.ior + 1.0);
   vec3 normal = min(r * r * s.specularColour, vec3(1.0));
   vec3 rise = 1.0 - normal;
+  vec3 compensated = normal;
+  float weight = s.specularWeight;
   vec3 metalNormal = s.baseColour;
   vec3 metalRise = 1.0 - s.baseColour;
   if (kHasFilm && s.filmWeight > 0.0) {
     float cosine = filmCosine(s, wo.z, outside);
-    addFilm(s, cosine, normal, rise);
-    addFilm(s, cosine, metalNormal, metalRise);
+    compensated = addFilm(s, cosine, weight, normal, rise);
+    float metalWeight = 1.0;
+    addFilm(s, cosine, metalWeight, metalNormal, metalRise);
   }
   if (kHasConductors && s.isConductor) {
     metalNormal = s.baseColour * conductorReflectance(1.0, s.eta, s.kappa);
     metalRise = s.baseColour - metalNormal;
   }
-  vec3 layer = s.specularWeight * (1.0 + normal * lost);
+  vec3 layer = weight * (1.0 + compensated * lost);
   vec3 metal = s.metalness * (1.0 + metalNormal * lost);
   vec3 reflected = layer * (normal * albedo.x + rise * albedo.y);
   float glass = kHasTransmission ? (1.0 - s.metalness) * s.transmissionWeight : 0.0;
@@ -69,8 +72,8 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float diffuse = luminance(lobes.diffuse);
   float transmitting = 0.0;
   if (kHasTransmission) {
-    lobes.glass = glassAt(s, wo, normal, rise, glass, albedo.x, roughness, lobes.alpha, outside);
-    float reflecting = s.specularWeight * largest(normal * albedo.x + rise * albedo.y);
+    lobes.glass = glassAt(s, wo, weight * normal, weight * rise, glass, albedo.x, roughness, lobes.alpha, outside);
+    float reflecting = weight * largest(normal * albedo.x + rise * albedo.y);
     transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
   }
   lobes.coatShare = 0.0;

@@ -47,8 +47,8 @@ Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight
   }
   glass.all = weight / albedo;
   glass.transmitted = glass.all * s.baseColour;
-  glass.normal = s.specularWeight * normal;
-  glass.grazing = s.specularWeight * rise;
+  glass.normal = normal;
+  glass.grazing = rise;
   return glass;
 }
 

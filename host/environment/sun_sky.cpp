@@ -54,8 +54,15 @@ dvec3 sunDirection(const SunSkyParameters& parameters) {
   return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth)};
 }
 
+// Returns the integral, over all directions, of the weight that bilinear interpolation gives to a texel of the row: of
+// a tent over two texels in each dimension. Above the pole, the tents of row 0 continue on the other side, so that
+// these texels have 13/12 of the solid angle of their own area.
 double texelSolidAngle(std::uint32_t row) {
-  return 2 * pi / kWidth * (std::cos(pi * row / kHeight) - std::cos(pi * (row + 1) / kHeight));
+  constexpr double kStep = pi / kHeight;
+  constexpr double kPart = 0.5;  // of a texel that the tents of row 0 reach beyond the pole
+  const double sinc = std::sin(kStep / 2) / (kStep / 2);
+  const double beyondPole = row == 0 ? 2 * (kPart - std::sin(kStep * kPart) / kStep) / kStep : 0;
+  return 2 * pi / kWidth * kStep * (sinc * sinc * std::sin(kStep * (row + 0.5)) + beyondPole);
 }
 
 // Distributes the irradiance of the disc among the texels that contain it, by points that are uniform on it. The part

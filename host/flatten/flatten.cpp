@@ -84,7 +84,7 @@ void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& en
                                                                 : glm::dvec3(light.position);
   rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
   rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(cone) : 0.0));
-  rows.push_back(row(place, isSpot ? 1 / std::max(double{light.cosInner} - double{light.cosOuter}, 0.001) : 0.0));
+  rows.push_back(row(place, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
 }
 
 void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
@@ -118,7 +118,9 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
     } else if (!entry.isEmitter()) {
       const scene::PunctualLight& light = scene.punctualLights[entry.index];
       appendPunctualLight(light, entry, cones.size(), flat.rows);
-      if (entry.kind == LightKind::spot) cones.push_back(row(glm::dvec3(light.direction), double{light.cosOuter}));
+      if (entry.kind == LightKind::spot) {
+        cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
+      }
       flat.features.punctualLights = true;
     } else {
       appendEmitter(scene, entry, slots[entry.index], flat.rows);

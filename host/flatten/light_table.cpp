@@ -2,12 +2,12 @@
 #include "host/flatten/light_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "host/flatten/emission_mean.h"
+#include "host/flatten/light_groups.h"
 #include "host/image/film.h"
 
 namespace candela::flatten {
@@ -37,16 +37,9 @@ double punctualPower(const scene::PunctualLight& light) {
   return reach * reach * image::luminance(glm::dvec3(light.intensity));
 }
 
-// Emitters, lights without extent, and the environment are chosen with equal probabilities.
 std::size_t groupOf(LightKind kind) {
   if (kind == LightKind::environment) return 2;
   return kind < LightKind::point ? 0 : 1;
-}
-using GroupSums = std::array<double, 3>;
-
-double shareOfGroup(const GroupSums& sums) {
-  const auto positive = std::ranges::count_if(sums, [](double sum) { return sum > 0; });
-  return positive > 0 ? 1 / static_cast<double>(positive) : 0;
 }
 
 // The environment's weight is 1 if any texel can be chosen.
@@ -95,7 +88,7 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
 std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
   std::vector<LightEntry> table;
   std::vector<double> weights;
-  GroupSums sums{};
+  GroupValues sums{};
   const auto add = [&](LightKind kind, std::uint32_t index) {
     table.push_back({.kind = kind, .index = index});
     weights.push_back(lightPower(scene, kind, index));
@@ -107,11 +100,11 @@ std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmit
   for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i);
   for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);
   if (withEmitters && scene.environment) add(LightKind::environment, 0);
-  const double share = shareOfGroup(sums);
-  if (share == 0) return {};
+  if (sums == GroupValues{}) return {};
+  const GroupValues groups = groupProbabilities(scene, sums);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double sum = sums[groupOf(table[i].kind)];
-    weights[i] = sum > 0 ? weights[i] / sum * share : 0;
+    const std::size_t group = groupOf(table[i].kind);
+    weights[i] = sums[group] > 0 ? weights[i] / sums[group] * groups[group] : 0;
   }
   setThresholds(table, weights);
   return table;

@@ -43,6 +43,11 @@ double meanRadiance(const scene::Scene& scene, const std::optional<Box>& bounds)
   return emission > 0 ? emission / (4 * std::numbers::pi * radius * radius) : 0;
 }
 
+bool transmits(const scene::Scene& scene, const scene::Primitive& primitive) {
+  const auto& surface = scene.materials[primitive.material].surface;
+  return surface && surface->transmissionWeight > 0 && surface->metalness < 1;
+}
+
 void addDefaultLight(scene::Scene& scene) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
@@ -65,6 +70,14 @@ std::string lightUp(scene::Scene& scene, const std::optional<Box>& bounds, const
   addDefaultLight(scene);
   return fmt::format("{}: a background of {} and a directional light of {} from the camera's upper left", own,
                      kBackground, kIrradiance);
+}
+
+void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log) {
+  const auto isGlass = [&](const scene::Primitive& primitive) { return transmits(scene, primitive); };
+  if (scene.punctualLights.empty() || std::ranges::none_of(scene.primitives, isGlass)) return;
+  log.warn("shadows", {},
+           "transmitting surfaces cast shadows of point, spot and directional lights: their light does not pass glass; "
+           "that of --env and of emissive surfaces does");
 }
 
 }  // namespace candela::gltf

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host/gltf/cameras.h"
+#include "host/scene/diagnostic_log.h"
 #include "host/scene/load.h"
 
 namespace candela::gltf {
@@ -12,5 +13,8 @@ namespace candela::gltf {
 /// lights, enough emission, or an environment replaces them. `bounds` is the box of all triangles. Returns what lights
 /// the scene, for a report.
 std::string lightUp(scene::Scene& scene, const std::optional<Box>& bounds, const scene::LoadOptions& options);
+
+/// Warns if some light of the scene cannot pass some of its surfaces, although they transmit.
+void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log);
 
 }  // namespace candela::gltf

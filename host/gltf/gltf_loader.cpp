@@ -61,6 +61,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   const View view = chooseView(root, nodes, options.camera, assembly.bounds());
   scene.camera = view.camera;
   const std::string light = lightUp(scene, assembly.bounds(), options);
+  warnOfShadows(scene, log);
   setReach(assembly.bounds(), scene);
   checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();

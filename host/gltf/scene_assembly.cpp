@@ -259,7 +259,7 @@ void SceneAssembly::addLight(const Value& node, std::size_t index) {
   const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
   if (light.find("range"))
     log_.warn("range", {}, light.pointer() + "/range is ignored: light is not cut off at a distance");
-  scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index)));
+  scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index), log_));
   ++counts_["light"];
 }
 

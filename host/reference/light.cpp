@@ -77,8 +77,8 @@ PunctualLight::PunctualLight(const scene::PunctualLight& light)
       position_(light.position),
       direction_(light.direction),
       intensity_(light.intensity),
-      cosOuter_(light.cosOuter),
-      coneWidth_(std::max(double{light.cosInner} - double{light.cosOuter}, 0.001)),
+      versineOuter_(light.versineOuter),
+      coneWidth_(double{light.versineOuter} - double{light.versineInner}),
       reach_(light.reach) {}
 
 std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec2&) const {
@@ -93,7 +93,8 @@ std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec
   const dvec3 away = fromLight / distance;
   dvec3 irradiance = intensity_ / (distance * distance);
   if (kind_ == Kind::spot) {
-    const double inside = std::clamp((dot(away, direction_) - cosOuter_) / coneWidth_, 0.0, 1.0);
+    const double cosine = dot(away, normalize(direction_));  // the scene's direction is a unit vector to 2^-24 only
+    const double inside = std::clamp((cosine - 1 + versineOuter_) / coneWidth_, 0.0, 1.0);
     irradiance *= inside * inside;
   }
   if (irradiance == dvec3(0)) return std::nullopt;

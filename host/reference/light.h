@@ -96,8 +96,8 @@ class PunctualLight {
   dvec3 position_;
   dvec3 direction_;
   dvec3 intensity_;
-  double cosOuter_;
-  double coneWidth_;  ///< difference of the cosines
+  double versineOuter_;  ///< 1 - cos of the outer angle
+  double coneWidth_;     ///< difference of the cosines
   double reach_;
 };
 

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "host/reference/light_flux.h"
 #include "host/reference/textured_material.h"
 
 namespace candela::reference {
 namespace {
 
 constexpr std::uint32_t kChoiceCount = 1u << 24;
+constexpr double kMinGroupProbability = 0.2;
 
 // Emitters, lights that no ray finds, and the environment.
 enum Group { kEmitters, kPoints, kEnvironment, kGroupCount };
@@ -35,7 +37,7 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
     entryOfEnvironment_ = add(EnvironmentLight(shines));
   }
-  computeThresholds();
+  computeThresholds(groupProbabilities(scene));
 }
 
 void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
@@ -56,18 +58,41 @@ std::uint32_t LightTable::add(const Light& light) {
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
-void LightTable::computeThresholds() {
-  std::array<double, kGroupCount> sums{};
+std::vector<double> LightTable::groupWeights() const {
+  std::vector<double> sums(kGroupCount, 0.0);
   for (const Entry& entry : entries_) sums[groupOf(entry.light)] += entry.weight;
-  const auto groups = std::ranges::count_if(sums, [](double sum) { return sum > 0; });
-  const double share = 1 / static_cast<double>(std::max<std::ptrdiff_t>(groups, 1));
+  return sums;
+}
 
+std::vector<double> LightTable::groupProbabilities(const scene::Scene& scene) const {
+  std::vector<double> probabilities = groupWeights();
+  const auto count = static_cast<double>(std::ranges::count_if(probabilities, [](double sum) { return sum > 0; }));
+  if (count <= 1) return {1, 1, 1};
+  const double squared = squaredRadius(scene);
+  const auto flux = [&](const Entry& entry) {  // divided by pi
+    if (std::holds_alternative<PointLight>(entry.light)) return entry.weight * kPi * squared;
+    const bool isEnvironment = std::holds_alternative<EnvironmentLight>(entry.light) && entry.weight > 0;
+    return isEnvironment ? 4 * squared * meanLuminance(*scene.environment) : entry.weight;
+  };
+  std::array<double, kGroupCount> fluxes{};
+  for (const Entry& entry : entries_) fluxes[groupOf(entry.light)] += flux(entry);
+  const double sum = fluxes[kEmitters] + fluxes[kPoints] + fluxes[kEnvironment];
+  for (std::size_t group = 0; group < fluxes.size(); ++group) {
+    const double fraction = sum > 0 ? fluxes[group] / sum : 1 / count;
+    probabilities[group] = std::lerp(fraction, 1 / count, count * kMinGroupProbability);
+  }
+  return probabilities;
+}
+
+void LightTable::computeThresholds(const std::vector<double>& groups) {
+  const std::vector<double> sums = groupWeights();
   double running = 0;
   std::size_t last = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const double groupSum = sums[groupOf(entries_[i].light)];
+    const int group = groupOf(entries_[i].light);
+    const double groupSum = sums[group];
     if (entries_[i].weight > 0) {
-      running += share * entries_[i].weight / groupSum;
+      running += groups[group] * entries_[i].weight / groupSum;
       last = i;
     }
     thresholds_.push_back(static_cast<std::uint32_t>(std::floor(running * kChoiceCount + 0.5)));

@@ -48,7 +48,11 @@ class LightTable {
   void collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
   /// Returns the index of the entry.
   std::uint32_t add(const Light& light);
-  void computeThresholds();
+  /// Sums of the entries' weights.
+  std::vector<double> groupWeights() const;
+  /// The probability of each group that has an entry of positive weight.
+  std::vector<double> groupProbabilities(const scene::Scene& scene) const;
+  void computeThresholds(const std::vector<double>& groups);
   double probability(std::uint32_t entry) const;
   /// Returns the density for `entry`, or 0 for kNoEntry.
   double pdfOf(std::uint32_t entry, const Ray& ray, double distance) const;

@@ -19,18 +19,33 @@ double outerCosine(const scene::SurfaceParameters& surface, double cosine, bool 
   return sine < 1 ? std::sqrt(1 - sine * sine) : 0;
 }
 
+/// A film that covers the fraction `weight` of a base, seen at a cosine outside of it.
+struct Film {
+  ThinFilm film;
+  double weight;
+  double cosine;
+
+  Reflectance over(const Reflectance& base, double baseWeight) const {
+    const dvec3 dimmed = baseWeight * base.normal;
+    const dvec3 normal = glm::mix(dimmed, film.reflectance(cosine, dimmed), weight);
+    return {normal, normal + (1 - weight) * baseWeight * (1.0 - base.normal)};
+  }
+};
+
 }  // namespace
 
 BaseReflectances::BaseReflectances(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside)
-    : dielectric{normalReflectance(surface), dvec3(1)}, metal{surface.baseColour, dvec3(1)} {
+    : dielectric{normalReflectance(surface), dvec3(1)},
+      dielectricWeight(surface.specularWeight),
+      dielectricCompensation(dielectric.normal),
+      metal{surface.baseColour, dvec3(1)} {
   if (surface.filmWeight > 0) {
-    const ThinFilm film{surface.filmIor, surface.filmThickness};
-    const double cosine = outerCosine(surface, wo.z, outside), weight = surface.filmWeight;
-    for (Reflectance* base : {&dielectric, &metal}) {
-      const dvec3 rise = (1 - weight) * (1.0 - base->normal);
-      base->normal = glm::mix(base->normal, film.reflectance(cosine, base->normal), weight);
-      base->grazing = base->normal + rise;
-    }
+    const Film film{{surface.filmIor, surface.filmThickness}, surface.filmWeight, outerCosine(surface, wo.z, outside)};
+    const dvec3 undimmed = (1 - film.weight) * (1 - dielectricWeight) * dielectric.normal;
+    dielectric = film.over(dielectric, dielectricWeight);
+    dielectricCompensation = dielectric.normal + undimmed;
+    dielectricWeight = 1;
+    metal = film.over(metal, 1);
   }
   if (const auto& conductor = surface.conductor) {
     const dvec3 base(surface.baseColour);

@@ -29,7 +29,9 @@ inline Reflectance operator*(double factor, const Reflectance& reflectance) { re
 /// which the surface is oriented.
 struct BaseReflectances {
   Reflectance dielectric;
-  Reflectance metal;  ///< of a conductor: the approximation by which its lobe is chosen
+  double dielectricWeight;       ///< factor of the dielectric's reflectance; 1 with a film, below which it is included
+  dvec3 dielectricCompensation;  ///< reflectance by which the dielectric's multiple scattering is compensated
+  Reflectance metal;             ///< of a conductor: the approximation by which its lobe is chosen
 
   BaseReflectances(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside);
 };

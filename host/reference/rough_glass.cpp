@@ -33,10 +33,7 @@ double grainGlassAlbedo(const GrainPlace& place, double ior, bool outside) {
 
 RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectance& dielectric,
                        const Microfacets& microfacets, const dvec3& wo, bool outside, double weight)
-    : microfacets_(microfacets),
-      isThin_(surface.isThinWalled),
-      dielectric_(double{surface.specularWeight} * dielectric),
-      base_(surface.baseColour) {
+    : microfacets_(microfacets), isThin_(surface.isThinWalled), dielectric_(dielectric), base_(surface.baseColour) {
   const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
   if (!isThin_) (outside ? beyond_ : here_) = ior;
   if (isThin_)

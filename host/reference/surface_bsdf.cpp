@@ -27,7 +27,7 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
       metalness_(surface.metalness),
       opaque_((1 - metalness_) * (1 - double{surface.transmissionWeight})),
       bases_(surface, wo, outside),
-      glass_(surface, bases_.dielectric, microfacets_, wo, outside, 1 - metalness_ - opaque_),
+      glass_(surface, bases_.dielectricWeight * bases_.dielectric, microfacets_, wo, outside, 1 - metalness_ - opaque_),
       filmThickness_(surface.filmWeight > 0 ? surface.filmThickness : 0),
       conductor_(surface.conductor) {
   coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
@@ -35,11 +35,11 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
   const SingleScattering single = microfacets_.albedo(wo);
   const double lost = 1 / single.white - 1;
   const dvec3 base(surface.baseColour);
-  const double weight = surface.specularWeight;
+  const double weight = bases_.dielectricWeight;
   const dvec3 metalFactor = 1.0 + lost * bases_.metal.normal;
   metal_ = metalFactor * bases_.metal;
   conductorFactor_ = metalFactor * base;
-  dielectric_ = weight * (1.0 + lost * bases_.dielectric.normal) * bases_.dielectric;
+  dielectric_ = weight * (1.0 + lost * bases_.dielectricCompensation) * bases_.dielectric;
   const dvec3 layer = dielectric_.albedo(single);
   diffuse_ = opaque_ * std::max(0.0, 1 - largestOf(layer)) * base;
   const double reflecting = weight * largestOf(bases_.dielectric.albedo(single));

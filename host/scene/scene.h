@@ -96,9 +96,11 @@ struct PunctualLight {
   glm::vec3 direction{0, 0, -1};  ///< unit vector along which a spot or directional light shines
   /// Radiant intensity, W/sr; of a directional light the irradiance of a surface that faces it, W/m^2. >= 0.
   glm::vec3 intensity{1, 1, 1};
-  float cosInner = 1;  ///< of a spot light: intensity is full within this angle from its direction,
-  float cosOuter = 0;  ///< and zero beyond this one; cosOuter < cosInner
-  float reach = 1;     ///< of a directional light: distance of a point light that would be as bright, for its choice
+  /// Of a spot light: intensity is full within the inner angle from its direction and zero beyond the outer one. Both
+  /// are given as 1 - cos, because cosines close to 1 do not distinguish small angles. 0 <= inner < outer.
+  float versineInner = 0;
+  float versineOuter = 1;
+  float reach = 1;  ///< of a directional light: distance of a point light that would be as bright, for its choice
 };
 
 /// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes per texel.

@@ -73,6 +73,15 @@ TEST_CASE("all attributes of a vertex reach the mesh") {
   CHECK_FALSE(warns(loaded, "vertex colours"));
 }
 
+TEST_CASE("vertex colours are clamped to the range from 0 to 1") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["COLOR_0"] = file.vectors({2, -1, 0.5f, 1e30f, 0, 1, 0, 0.5f, -0.0f}, "VEC3", 3);
+  CHECK(sceneOf(file).meshes.at(0).colours == std::vector<glm::vec4>{{1, 0, 0.5f, 1}, {1, 0, 1, 1}, {0, 0.5f, 0, 1}});
+  attributes["COLOR_0"] = file.vectors({0.25f, 4, -2, 3, 1, 1, 1, -1, 0, 0, 0, 0.75f}, "VEC4", 4);
+  CHECK(sceneOf(file).meshes.at(0).colours == std::vector<glm::vec4>{{0.25f, 1, 0, 1}, {1, 1, 1, 0}, {0, 0, 0, 0.75f}});
+}
+
 TEST_CASE("without normals there are no tangents, and the triangle is flat") {
   GltfFile file = triangleFile();
   file.primitive()["attributes"]["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4);

@@ -34,11 +34,47 @@ TEST_CASE("spot and directional lights shine along -z of their node") {
       withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 1.0}}}}, turned));
   const scene::PunctualLight& light = spot.punctualLights.at(0);
   CHECK(glm::distance(light.direction, glm::vec3(-1, 0, 0)) < 1e-6f);
-  CHECK(light.cosInner == Approx(std::cos(0.5)));
-  CHECK(light.cosOuter == Approx(std::cos(1.0)));
+  CHECK(light.versineInner == Approx(1 - std::cos(0.5)));
+  CHECK(light.versineOuter == Approx(1 - std::cos(1.0)));
   const scene::Scene sun = sceneOf(withLight({{"type", "directional"}, {"intensity", 3}}, turned));
   CHECK(sun.punctualLights.at(0).kind == scene::PunctualLight::Kind::directional);
   CHECK(sun.punctualLights[0].reach == Approx(std::sqrt(0.5)));  // half the diagonal of the triangle's box
+}
+
+TEST_CASE("the angles of a narrow spot light keep their precision") {
+  const scene::Scene spot = sceneOf(
+      withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", 1e-4}, {"outerConeAngle", 2e-4}}}}, json::object()));
+  // 1 - cos x = x^2/2 - x^4/24 + ...
+  CHECK(spot.punctualLights.at(0).versineInner == Approx(0.5e-8).epsilon(1e-6));
+  CHECK(spot.punctualLights.at(0).versineOuter == Approx(2e-8).epsilon(1e-6));
+}
+
+TEST_CASE("a spot light of half a turn is read, although pi/2 in single precision exceeds pi/2") {
+  const GltfFile file = withLight(
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 1.5707963705062866}}}}, json::object());
+  CHECK(sceneOf(file).punctualLights.at(0).versineOuter == 1);
+  CHECK_FALSE(warns(load(file), "hard"));
+}
+
+TEST_CASE("a spot light whose inner cone is not inside the outer one has a hard edge, and a warning says so") {
+  for (const double inner : {0.5, 0.75}) {
+    const scene::LoadedScene loaded = load(
+        withLight({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", 0.5}}}}, json::object()));
+    const scene::PunctualLight& light = loaded.scene.punctualLights.at(0);
+    CHECK(light.versineOuter == Approx(1 - std::cos(0.5)));
+    CHECK(light.versineInner == std::nextafter(light.versineOuter, 0.0f));
+    CHECK(warns(loaded, "/extensions/KHR_lights_punctual/lights/0/spot: the inner cone is not inside the outer one"));
+  }
+}
+
+TEST_CASE("angles of a spot light outside of their range are refused") {
+  const std::pair<double, double> angles[] = {{-0.1, 0.5}, {0.1, 1.571}, {0, 0}, {0, -1}, {0, 1e-7}};
+  for (const auto& [inner, outer] : angles) {
+    CAPTURE(inner, outer);
+    const json spot{{"innerConeAngle", inner}, {"outerConeAngle", outer}};
+    const std::string errors = errorsOf(withLight({{"type", "spot"}, {"spot", spot}}, json::object()).text());
+    CHECK(errors.find("the angles of the cones are not inner >= 0 and 1e-6 <= outer <= pi/2") != std::string::npos);
+  }
 }
 
 TEST_CASE("a file without light gets one, and says so, and an emitter is a light") {
@@ -51,6 +87,28 @@ TEST_CASE("a file without light gets one, and says so, and an emitter is a light
   bright.primitive()["material"] = 0;
   CHECK(load(bright).facts.at(1).second == "as in the file");
   CHECK(sceneOf(bright).punctualLights.empty());
+}
+
+TEST_CASE("a warning says that the light of punctual lights and of the default light does not pass glass") {
+  const auto warned = [](const GltfFile& file, const scene::LoadOptions& options = {}) {
+    return warns(load(file, options), "transmitting surfaces cast shadows of point, spot and directional lights");
+  };
+  GltfFile glass = withLight({{"type", "point"}}, json::object());
+  CHECK_FALSE(warned(glass));
+  glass.root["materials"] = {{{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
+  CHECK_FALSE(warned(glass));  // no triangle has the material
+  glass.primitive()["material"] = 0;
+  glass.root["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  CHECK(warned(glass));
+  GltfFile dark = triangleFile();
+  dark.root["materials"] = glass.root["materials"];
+  dark.primitive()["material"] = 0;
+  CHECK(warned(dark));
+  scene::LoadOptions white;
+  white.environment.source = "white";
+  CHECK_FALSE(warned(dark, white));
+  glass.root["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 1;
+  CHECK_FALSE(warned(glass));
 }
 
 TEST_CASE("emission that is too faint or too small to see the model by does not replace the default light") {

@@ -199,7 +199,7 @@ const std::vector<Malformed> kMalformed{
      "/extensions/KHR_lights_punctual/lights/0/type: \"area\" is not point, spot or directional"},
     {set("/extensions/KHR_lights_punctual/lights/0/intensity", -1),
      "/extensions/KHR_lights_punctual/lights/0: a colour or intensity is negative"},
-    {set("/extensions/KHR_lights_punctual/lights/0/spot/innerConeAngle", 1),
+    {set("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", 2),
      "/extensions/KHR_lights_punctual/lights/0/spot: the angles of the cones"},
 };
 

@@ -42,11 +42,23 @@ scene::Scene punctualLightsOverFloor() {
        .position = {0, 0, 4},
        .direction = {0.6f, 0, -0.8f},
        .intensity = {0, 300, 0},
-       .cosInner = 0.9f,
-       .cosOuter = 0.7f},
+       .versineInner = 0.1f,
+       .versineOuter = 0.3f},
       {.kind = Kind::directional, .direction = {0, 0.6f, -0.8f}, .intensity = {0, 0, 5}, .reach = 4}};
   b.view({0, -1.5f, 2}, {0, 0, 0}, {0, 1, 0}, 1e-3f);
   return b.scene;
+}
+
+float versine(double angle) { return static_cast<float>(2 * std::pow(std::sin(angle / 2), 2)); }
+
+// A spot light 10 above the visible point, which is at `angle` from its direction.
+scene::PunctualLight narrowSpot(double angle, double inner, double outer, const vec3& intensity) {
+  return {.kind = scene::PunctualLight::Kind::spot,
+          .position = {0, 0, 10},
+          .direction = vec3(dvec3(std::sin(angle), 0, -std::cos(angle))),
+          .intensity = intensity,
+          .versineInner = versine(inner),
+          .versineOuter = versine(outer)};
 }
 
 // Lambert's formula for the irradiance of a polygon of radiance 1 above the horizon.
@@ -108,6 +120,27 @@ TEST_CASE("lights with fall-off, spot lights and directional lights light the fl
       CAPTURE(channel, nextEventEstimation);
       CHECK(shown[channel] == Approx(expected[channel]).epsilon(2e-3));
     }
+  }
+}
+
+TEST_CASE("narrow spot lights have their full intensity inside the inner cone, and fall off between the cones") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(kAlbedo))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  b.view({0, -1.5f, 2}, {0, 0, 0}, {0, 1, 0}, 1e-3f);
+  b.scene.punctualLights = {narrowSpot(0.005, 0.01, 0.02, {300, 0, 0}), narrowSpot(0.0015, 0.001, 0.002, {0, 90, 0}),
+                            narrowSpot(7e-4, 5e-4, 1e-3, {0, 0, 900}), narrowSpot(0.0021, 0.001, 0.002, {99, 99, 99})};
+  const auto inside = [](double angle, double inner, double outer) {
+    const double fraction = (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
+    return fraction * fraction;
+  };
+  const dvec3 expected = kAlbedo / std::numbers::pi *
+                         dvec3(3, 0.9 * inside(0.0015, 1e-3, 2e-3), 9 * inside(7e-4, 5e-4, 1e-3));
+  render::RenderSettings settings = withoutRoulette(16, 4096);
+  settings.image.maxDepth = 2;
+  const dvec3 shown = test::meanOf(renderScene(b.scene, settings).film);
+  for (int channel = 0; channel < 3; ++channel) {
+    CAPTURE(channel);
+    CHECK(shown[channel] == Approx(expected[channel]).epsilon(3e-3));
   }
 }
 

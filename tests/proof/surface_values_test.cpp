@@ -16,6 +16,28 @@ double valueAt(const MaterialLeaves& leaves, std::uint32_t material, const dvec3
   return leaves.evaluate(std::vector<DirectionPair>{{material, wo, wi}}).front().f.x;
 }
 
+// Computed from the formulas of KHR_materials_iridescence to ten digits, with the cosine inside of the film in the path
+// difference: cosine, index and thickness of the film, grey reflectance of the base, and the three channels.
+struct FilmValue {
+  double cosine;
+  float ior, thickness, base;
+  dvec3 reflectance;
+};
+const FilmValue kFilmOnDielectric[]{{0.7, 1.3f, 400, 0.04f, {0.0005240861571, 0.01037269638, 0.04155650075}},
+                                    {0.3, 1.8f, 250, 0.04f, {0.2194129015, 0.2974542537, 0.2593192126}}};
+
+// Black below the dielectric, which reflects 0.08 at normal incidence and is dimmed to 0.04 by the specular weight.
+scene::Material dimmedBelowFilm(const FilmValue& value, float filmWeight, float transmission) {
+  return materialOf({.baseColour = {0, 0, 0},
+                     .specularColour = {2, 2, 2},
+                     .specularWeight = 0.5f,
+                     .roughness = 0.6f,
+                     .transmissionWeight = transmission,
+                     .filmWeight = filmWeight,
+                     .filmIor = value.ior,
+                     .filmThickness = value.thickness});
+}
+
 }  // namespace
 
 TEST_CASE("a highlight's centre has the value of the closed form, with Schlick's reflectance") {
@@ -94,20 +116,13 @@ TEST_CASE("conductors reflect by Fresnel's equations, in complex numbers and wit
 }
 
 TEST_CASE("thin films have the reflectance that the formulas of KHR_materials_iridescence give") {
-  // Computed from these formulas to ten digits, with the cosine inside of the film in the path difference: cosine,
-  // index and thickness of the film, grey reflectance of the base, and the three channels.
-  struct Value {
-    double cosine;
-    float ior, thickness, base;
-    dvec3 reflectance;
-  };
-  const std::vector<Value> values{{1, 1.3f, 400, 0.5f, {0.3411227856, 0.4951023496, 0.3802559227}},
-                                  {0.7, 1.3f, 400, 0.04f, {0.0005240861571, 0.01037269638, 0.04155650075}},
-                                  {0.3, 1.8f, 250, 0.04f, {0.2194129015, 0.2974542537, 0.2593192126}},
-                                  {0.5, 1.5f, 900, 0.9f, {0.8230353566, 0.8799916314, 0.8673222819}}};
+  const std::vector<FilmValue> values{{1, 1.3f, 400, 0.5f, {0.3411227856, 0.4951023496, 0.3802559227}},
+                                      kFilmOnDielectric[0],
+                                      kFilmOnDielectric[1],
+                                      {0.5, 1.5f, 900, 0.9f, {0.8230353566, 0.8799916314, 0.8673222819}}};
   const float roughness = 0.3f;
   std::vector<scene::Material> materials{materialOf({.metalness = 1, .roughness = roughness})};
-  for (const Value& value : values) {
+  for (const FilmValue& value : values) {
     materials.push_back(materialOf({.baseColour = glm::vec3(value.base),
                                     .metalness = 1,
                                     .roughness = roughness,
@@ -127,6 +142,33 @@ TEST_CASE("thin films have the reflectance that the formulas of KHR_materials_ir
       CAPTURE(i, channel, values[i].reflectance[channel]);
       const double expected = once * compensation[channel] * values[i].reflectance[channel];
       CHECK(f[channel] == Approx(expected).epsilon(100 * kRounding).margin(once * (kRounding + 1e-6)));
+    }
+  }
+}
+
+TEST_CASE("the specular weight dims the dielectric below a thin film, but not the film") {
+  for (const FilmValue& value : kFilmOnDielectric) {
+    for (const float covered : {1.0f, 0.25f}) {
+      const MaterialLeaves leaves({dimmedBelowFilm(value, covered, 0), dimmedBelowFilm(value, covered, 1),
+                                   materialOf({.metalness = 1, .roughness = 0.6f})});
+      const double cosine = value.cosine, alpha = 0.36;
+      const dvec3 wo = directionAt(cosine, 0.1), wi(-wo.x, -wo.y, wo.z);
+      const dvec3 opaque = leaves.evaluate(std::vector<DirectionPair>{{0, wo, wi}}).front().f;
+      const dvec3 glass = leaves.evaluate(std::vector<DirectionPair>{{1, wo, wi}}).front().f;
+      const double length = std::sqrt(alpha * alpha * (1 - cosine * cosine) + cosine * cosine);
+      const double once = 1 / (std::numbers::pi * alpha * alpha) / (4 * cosine * length);  // D V at h = z
+      const double white = valueAt(leaves, 2, wo, wi);                                     // D V / E
+      const double bare = 0.5 * (0.08 + 0.92 * std::pow(1 - cosine, 5));
+      for (int channel = 0; channel < 3; ++channel) {
+        const double film = value.reflectance[channel];
+        const double reflectance = covered * film + (1 - covered) * bare;
+        const double compensation = 1 + (covered * film + (1 - covered) * 0.08) * (white / once - 1);
+        CAPTURE(cosine, covered, channel);
+        CHECK(opaque[channel] ==
+              Approx(once * compensation * reflectance).epsilon(100 * kRounding).margin(once * (kRounding + 1e-6)));
+        CHECK(glass[channel] ==
+              Approx(white * reflectance).epsilon(100 * kRounding).margin(white * (kRounding + 1e-6)));
+      }
     }
   }
 }

@@ -68,11 +68,24 @@ TEST_CASE("thresholds are rounded to nearest, and the last one is 2^24") {
   CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{5592405, 11184811, kAll});
 }
 
-TEST_CASE("emitters and point lights are each chosen with probability 1/2") {
+TEST_CASE("emitters, point lights and the environment are chosen by the flux that the scene receives") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1).sphere({5, 0, 0}, 1);
-  b.pointLight({0, 0, 3}, vec3(0.001f));
-  CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{kAll / 4, kAll / 2, kAll});
+  b.pointLight({0, 0, 3}, vec3(0.5f));
+  // The box of the spheres is 7 by 2 by 2, so that R^2 = 57/4. Divided by pi: 40 pi, pi R^2 / 2, and 4 R^2 * 0.25.
+  const double emitters = 40 * kPi, points = kPi * 57 / 8;
+  const double both = 0.2 + 0.6 * emitters / (emitters + points);
+  const Thresholds two = LightTable(b.scene, {}).thresholds();
+  CHECK(two[0] == Approx(both / 2 * kAll).margin(1));
+  CHECK(two[1] == Approx(both * kAll).margin(1));
+  b.scene.environment = scene::Environment{.name = "", .width = 2, .height = 2, .texels = {}, .weights = {}};
+  b.scene.environment->texels.assign(4, vec3(0.25f));
+  b.scene.environment->weights.assign(4, scene::Environment::kMeanWeight);
+  const Thresholds three = LightTable(b.scene, {}).thresholds();
+  const double sum = emitters + points + 57 * 0.25;
+  CHECK(three[1] == Approx((0.2 + 0.4 * emitters / sum) * kAll).margin(1));
+  CHECK(three[2] == Approx((0.4 + 0.4 * (emitters + points) / sum) * kAll).margin(1));
+  CHECK(three[3] == kAll);
 }
 
 TEST_CASE("lights of weight 0 stay in the table and are never chosen") {

@@ -2,6 +2,7 @@
 #include "host/flatten/light_table.h"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "host/scene/scene_builder.h"
 
@@ -9,7 +10,7 @@ using namespace candela;
 
 namespace {
 
-// Two triangles of area 1/2 and 3/2 with equal emission, and a point light.
+// Two triangles of area 1/2 and 3/2 with equal emission, and with another one the box (0 0 0) (3 1 1).
 scene::Scene lamps() {
   scene::Scene scene;
   scene.materials.resize(2);
@@ -21,7 +22,25 @@ scene::Scene lamps() {
   return scene;
 }
 
+// Divided by pi, of a point light of luminance 1 in the box of lamps().
+constexpr double kPointFlux = std::numbers::pi * (9 + 1 + 1) / 4;
+constexpr double kStep = 0x1p-23;  // resolution of the thresholds
+
 }  // namespace
+
+TEST_CASE("an environment is chosen by its mean luminance times the area of the scene, and no group by less than 1/5") {
+  scene::Scene scene = lamps();
+  for (const float radiance : {0.5f, 1e6f}) {
+    scene.environment = scene::Environment{.name = "", .width = 4, .height = 2, .texels = {}, .weights = {}};
+    scene.environment->texels.assign(8, glm::vec3(radiance));
+    scene.environment->weights.assign(8, scene::Environment::kMeanWeight);
+    const auto table = flatten::buildLightTable(scene, true);
+    REQUIRE(table.size() == 3);
+    const double flux = (9 + 1 + 1) * double{radiance};
+    CHECK(table[2].probability == Approx(0.2 + 0.6 * flux / (flux + 4)).margin(kStep));
+    CHECK(table[2].probability <= 0.8f);
+  }
+}
 
 TEST_CASE("emitters are chosen in proportion to area times emission") {
   const auto table = flatten::buildLightTable(lamps(), true);
@@ -33,14 +52,16 @@ TEST_CASE("emitters are chosen in proportion to area times emission") {
   CHECK(table[1].probability == 0.75f);
 }
 
-TEST_CASE("point lights have probability 1/2 if there are emitters, and 1 otherwise") {
+TEST_CASE("groups of lights are chosen by the flux that the scene receives, and point lights alone by their colours") {
   scene::Scene scene = lamps();
   scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}, {{0, 0, 6}, {3, 3, 3}}};
   const auto both = flatten::buildLightTable(scene, true);
   REQUIRE(both.size() == 4);
-  CHECK(both[0].probability == 0.125f);
-  CHECK(both[2].probability == 0.125f);
-  CHECK(both[3].probability == 0.375f);
+  const double points = 0.2 + 0.6 * kPointFlux * 4 / (kPointFlux * 4 + 4);
+  CHECK(both[0].probability == Approx((1 - points) / 4).margin(kStep));
+  CHECK(both[1].probability == Approx((1 - points) * 3 / 4).margin(kStep));
+  CHECK(both[2].probability == Approx(points / 4).margin(kStep));
+  CHECK(both[3].probability == Approx(points * 3 / 4).margin(kStep));
   const auto pointsOnly = flatten::buildLightTable(scene, false);
   REQUIRE(pointsOnly.size() == 2);
   CHECK(pointsOnly[0].isPoint());
@@ -56,14 +77,15 @@ TEST_CASE("punctual lights are chosen by intensity, a directional one by irradia
                           {.kind = Kind::spot, .intensity = {5, 5, 5}}};
   const auto table = flatten::buildLightTable(scene, true);
   REQUIRE(table.size() == 6);
+  const double points = 0.2 + 0.6 * (kPointFlux + 7) / (kPointFlux + 7 + 4);
   CHECK(table[2].isPoint());
-  CHECK(table[2].probability == 0.0625f);
+  CHECK(table[2].probability == Approx(points / 8).margin(kStep));
   CHECK(table[3].kind == flatten::LightKind::directional);
-  CHECK(table[3].probability == 0.125f);
+  CHECK(table[3].probability == Approx(points * 2 / 8).margin(kStep));
   CHECK(table[4].kind == flatten::LightKind::punctual);
   CHECK(table[4].probability == 0);
   CHECK(table[5].kind == flatten::LightKind::spot);
-  CHECK(table[5].probability == 0.3125f);
+  CHECK(table[5].probability == Approx(points * 5 / 8).margin(kStep));
   CHECK(flatten::buildLightTable(scene, false).size() == 4);
 }
 

@@ -22,8 +22,8 @@ std::vector<scene::PunctualLight> punctualLights() {
            .position = {-2, -1, 3},
            .direction = {0.6f, 0, -0.8f},
            .intensity = {20, 4, 1},
-           .cosInner = 0.95f,
-           .cosOuter = 0.8f},
+           .versineInner = 0.05f,
+           .versineOuter = 0.2f},
           {.kind = Kind::directional, .direction = {0, 0.6f, -0.8f}, .intensity = {0.5f, 0.75f, 2}, .reach = 2.5f},
           {.kind = Kind::point, .position = {2.5f, -1, 1.5f}, .intensity = {1, 6, 3}},
           {.kind = Kind::point, .position = {0, 0, 9}, .intensity = {0, 0, 0}},
@@ -31,8 +31,8 @@ std::vector<scene::PunctualLight> punctualLights() {
            .position = {1, -4, 2},
            .direction = {-0.28f, 0.96f, 0},
            .intensity = {2, 9, 30},
-           .cosInner = 0.96f,
-           .cosOuter = 0.9599f},
+           .versineInner = 0.04f,
+           .versineOuter = 0.0401f},
           {.kind = Kind::spot, .position = {0, 0, 5}, .direction = {0, 0, 1}, .intensity = {5, 5, 5}},
           {.kind = Kind::point, .position = {-1.5f, 1.5f, 0.25f}, .intensity = {3, 0.5f, 0.25f}}};
 }

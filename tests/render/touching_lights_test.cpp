@@ -32,8 +32,8 @@ void addSpotLight(SceneBuilder& b, const vec3& position) {
                                     .position = position,
                                     .direction = {0, 0, -1},
                                     .intensity = {20, 30, 40},
-                                    .cosInner = 0.01f,
-                                    .cosOuter = 0});
+                                    .versineInner = 0.99f,
+                                    .versineOuter = 1});
 }
 
 scene::Scene sceneOf(const test::TouchedSurface* surface, const vec3& shift, const vec3& light,

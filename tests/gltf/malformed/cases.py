@@ -161,7 +161,7 @@ BY_HAND = (
     ("/extensions/KHR_lights_punctual/lights/0/type", "area", None),
     ("/extensions/KHR_lights_punctual/lights/0/intensity", -1, "/extensions/KHR_lights_punctual/lights/0"),
     ("/extensions/KHR_lights_punctual/lights/0/color", [-1, 0, 0], "/extensions/KHR_lights_punctual/lights/0"),
-    ("/extensions/KHR_lights_punctual/lights/0/spot/innerConeAngle", 0.6,
+    ("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", 1.6,
      "/extensions/KHR_lights_punctual/lights/0/spot"),
     ("/extensions", {}, "the root"),
     ("/animations/0/channels/0/target/path", "colour", None),
