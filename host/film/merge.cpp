@@ -93,7 +93,8 @@ void requireFitting(const std::vector<Part>& parts, const MergeOptions& options)
   for (const Part& part : parts) requireMergeable(part);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     requireSameEstimate(parts[0], parts[i]);
-    requireSameTracers(parts[0], parts[i], options);
+    // Whether two films may be mixed says nothing about a third one, since those of the reference fit to all kernels.
+    for (std::size_t j = 0; j < i; ++j) requireSameTracers(parts[j], parts[i], options);
   }
   requireDisjoint(parts);
 }

@@ -184,6 +184,19 @@ TEST_CASE("a film of several devices names them all, in whatever order it was me
   CHECK(merged.isMixed());
 }
 
+TEST_CASE("films of different kernels are refused in whatever order a film of the reference comes with them") {
+  const TemporaryFolder folder;
+  Files files;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    FilmHeader own = header();
+    own.tracers[0].kernels = i == 0 ? "reference" : i == 1 ? "x" : "y";
+    files.push_back(writeBox(folder / (std::to_string(i) + ".exr"), own, {kWhole.window, {4 * i, 4 * i + 4}}));
+  }
+  const MergeOptions mixed{.mixedDevices = true, .partial = false};
+  do CHECK_THAT(refusalOfMerge(files, mixed), Catch::Contains("hash of the kernels"));
+  while (std::next_permutation(files.begin(), files.end()));
+}
+
 TEST_CASE("an interrupted film is resumed before it is merged, unless a partial merge is requested") {
   const TemporaryFolder folder;
   const auto second = writeBox(folder / "b.exr", header(), {kWhole.window, {6, kSamples}});
