@@ -84,12 +84,14 @@ Imath::Box2i checkedWindow(const Imf::Header& header) {
 }
 
 /// Refuses files that claim more pixels than they can contain. Deflate expands one byte to at most 1032, the other
-/// methods except DWA to fewer, and a pixel has at least two bytes.
+/// methods to fewer, and a pixel has at least two bytes. DWA stores at least a value of two bytes, which it deflates,
+/// for each square of 8 x 8 pixels.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
   constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
-  if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid EXR file: it is truncated");
+  const bool isDwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+  const std::size_t maximum = isDwa ? 64 * kMaximumPixelsPerByte : kMaximumPixelsPerByte;
+  if (pixelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
 bool hasChannel(const Imf::Header& header, const char* name) {

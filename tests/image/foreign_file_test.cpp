@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <fstream>
 
 #include "host/core/errors.h"
+#include "host/core/input_file.h"
 #include "host/image/image.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/image/test_images.h"
@@ -85,6 +87,15 @@ std::vector<Imf::Rgba> halfPixels() {
     for (int x = 0; x < 4; ++x) pixels.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.5f, 0.25f);
   }
   return pixels;
+}
+
+void writeBlackDwa(const fs::path& file, int side) {
+  Imf::Header header(side, side);
+  header.compression() = Imf::DWAB_COMPRESSION;
+  Imf::RgbaOutputFile output(file.c_str(), header, Imf::WRITE_RGB);
+  const std::vector<Imf::Rgba> row(static_cast<std::size_t>(side));
+  output.setFrameBuffer(row.data(), 1, 0);
+  output.writePixels(side);
 }
 
 }  // namespace
@@ -169,4 +180,19 @@ TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") 
   CHECK(image.at(3, 1).y == image.at(3, 1).x);
   CHECK(image.at(3, 1).z == image.at(3, 1).x);
   CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("R, G and B"));
+}
+
+TEST_CASE("an EXR file with DWA compression is read, and refused if it claims more pixels than its blocks can hold") {
+  const TemporaryFolder folder;
+  const int side = 2048;
+  writeBlackDwa(folder / "a.exr", side);  // the most pixels per byte that an honest file has
+  std::string bytes = readInputFile(folder / "a.exr", std::size_t{1} << 20, InputKind::regularFile);
+  CHECK(bytes.size() < 64u * 1024);
+  CHECK(readImage(folder / "a.exr").rgb.size() == std::size_t{side} * side);
+  const std::string name("dataWindow\0box2i\0", 17);
+  const std::size_t maximum = bytes.find(name) + name.size() + 4 + 8;  // after the attribute's size and the minimum
+  const std::int32_t claimed[] = {65534, 4095};
+  bytes.replace(maximum, sizeof claimed, reinterpret_cast<const char*>(claimed), sizeof claimed);
+  std::ofstream(folder / "b.exr", std::ios::binary) << bytes;
+  CHECK_THROWS_WITH(readImage(folder / "b.exr"), Catch::Contains("truncated"));
 }
