@@ -21,10 +21,14 @@ bool isUnified(vk::MemoryPropertyFlags flags) {
   return contains(flags, Flag::eDeviceLocal | Flag::eHostVisible | Flag::eHostCoherent | Flag::eHostCached);
 }
 
+/// Properties of memory that must not be allocated without further features or handles, or that caches bypass.
+constexpr vk::MemoryPropertyFlags kUnusable = Flag::eLazilyAllocated | Flag::eProtected | Flag::eDeviceCoherentAMD |
+                                              Flag::eDeviceUncachedAMD | Flag::eRdmaCapableNV;
+
 /// Rates the suitability of a memory type; higher is better, 0 is unsuitable.
 int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
   const bool isMappable = contains(flags, Flag::eHostVisible | Flag::eHostCoherent);
-  if (flags & (Flag::eLazilyAllocated | Flag::eProtected)) return 0;
+  if (flags & kUnusable) return 0;
   if (preference == MemoryPreference::host) {
     if (!isMappable) return 0;
     return (flags & Flag::eHostCached) ? 2 : 1;
