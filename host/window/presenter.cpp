@@ -150,7 +150,12 @@ void Presenter::submit(std::uint32_t image) {
   const vk::SubmitInfo submission(acquired, kWaiting, commands, drawn);
   impl.handle.resetFences(*fence_);
   const std::scoped_lock lock(impl.queueMutex);
-  impl.queue.submit(submission, *fence_);
+  try {
+    impl.queue.submit(submission, *fence_);
+  } catch (const vk::SystemError&) {  // nothing will signal the fence, for which the destructor waits
+    fence_ = impl.handle.createFence({vk::FenceCreateFlagBits::eSignaled});
+    throw;
+  }
 }
 
 bool Presenter::present(std::uint32_t image) {
