@@ -90,8 +90,15 @@ void EarClipper::cutAnyway() {
   cut(i);
 }
 
+/// Cuts all that is left, vertex by vertex, in linear time.
+void EarClipper::cutRest() {
+  while (remaining_ > 3) cut(someVertex_);
+}
+
+// A full search takes quadratic time, and a polygon that crosses itself at random may need one for every few vertices.
 bool EarClipper::clip() {
-  bool simple = true;
+  constexpr std::size_t kMaxForcedCuts = 16;
+  std::size_t forcedCuts = 0;
   bool progress = true;
   revisitAll();
   while (remaining_ > 3) {
@@ -103,14 +110,16 @@ bool EarClipper::clip() {
     } else if (progress) {
       progress = false;
       revisitAll();
-    } else {
-      simple = false;
+    } else if (forcedCuts < kMaxForcedCuts) {
+      ++forcedCuts;
       cutAnyway();
       progress = true;
+    } else {
+      cutRest();
     }
   }
   if (remaining_ == 3) triangles_.push_back({previous_[someVertex_], someVertex_, next_[someVertex_]});
-  return simple;
+  return forcedCuts == 0;
 }
 
 }  // namespace candela::scene

@@ -18,7 +18,8 @@ class EarClipper {
 
   /// The winding of `points` is counter-clockwise: their signed area is positive.
   explicit EarClipper(std::vector<glm::dvec2> points);
-  /// Clips all ears. Returns false if there was no ear at some time, because the polygon crosses itself.
+  /// Clips all ears. Returns false if there was no ear at some time, because the polygon crosses itself; where this
+  /// happens often, the rest is cut without regard to ears, so that the time stays quadratic.
   bool clip();
   const Triangles& triangles() const { return triangles_; }
 
@@ -31,6 +32,7 @@ class EarClipper {
   void revisit(std::uint32_t vertex);
   void revisitAll();
   void cutAnyway();
+  void cutRest();
 
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> previous_, next_;

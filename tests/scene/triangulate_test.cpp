@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace candela::scene {
 namespace {
@@ -148,6 +149,21 @@ TEST_CASE("a polygon that crosses itself causes a warning and still covers its p
     pentagram.push_back(tilted(std::cos(angle), std::sin(angle)));
   }
   CHECK_FALSE(triangulate(pentagram).simple);
+}
+
+// With a full search for ears after every forced cut, this case takes minutes.
+TEST_CASE("a polygon of 16384 random vertices is split, and its triangles have its area vector") {
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return static_cast<float>(random() % 4096); };
+  Polygon polygon;
+  for (int i = 0; i < 16384; ++i) polygon.emplace_back(coordinate(), coordinate(), 0.0f);
+  const Triangulation split = triangulate(polygon);
+  CHECK_FALSE(split.simple);
+  CHECK(split.triangles.size() > 16000);
+  glm::dvec3 whole(0), sum(0);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) whole += areaVector(polygon[0], polygon[i], polygon[i + 1]);
+  for (const auto& [a, b, c] : split.triangles) sum += areaVector(polygon[a], polygon[b], polygon[c]);
+  CHECK(sum == whole);  // multiples of 1/2 below 2^53
 }
 
 TEST_CASE("a polygon without area gives triangles without area") {
