@@ -23,7 +23,8 @@ namespace {
 ExitCode runCommand(const std::vector<std::string>& words) {
   const cli::Arguments arguments = cli::parseCommandLine(words);
   if (arguments.help) {
-    std::cout << cli::helpText(arguments.commandNamed ? std::optional(arguments.command) : std::nullopt) << std::flush;
+    const auto command = arguments.commandNamed ? std::optional(arguments.command) : std::nullopt;
+    std::cout << cli::helpText(command, cli::helpWidth()) << std::flush;
     return ExitCode::done;
   }
   if (arguments.version) {

@@ -66,14 +66,23 @@ std::string deviceOf(const json& report) {
          fieldOf<std::string>(report, "driver").value_or("");
 }
 
+// The times of each row vary by its spread, so that their ratio may vary by both.
+bool isWithinSpread(const Row& before, const Row& after) {
+  const double ratio = *after.score / *before.score;
+  return std::max(ratio, 1 / ratio) <= (1 + before.spread) * (1 + after.spread);
+}
+
 RowVerdict judge(const Row& before, const Row& after, double threshold) {
   if (before.sceneHash != after.sceneHash) return RowVerdict::changed;
   if (!before.score || !after.score) {
     if (before.score.has_value() == after.score.has_value()) return RowVerdict::alike;
     return before.score ? RowVerdict::missing : RowVerdict::added;
   }
-  if (*after.score < *before.score * (1 - threshold)) return RowVerdict::slower;
-  return *after.score > *before.score * (1 + threshold) ? RowVerdict::faster : RowVerdict::alike;
+  const bool isSlower = *after.score < *before.score * (1 - threshold);
+  const bool isFaster = *after.score > *before.score * (1 + threshold);
+  if (!isSlower && !isFaster) return RowVerdict::alike;
+  if (isWithinSpread(before, after)) return RowVerdict::undecided;
+  return isSlower ? RowVerdict::slower : RowVerdict::faster;
 }
 
 const Row* find(const std::vector<Row>& rows, const std::string& name) {
@@ -93,6 +102,8 @@ const char* wordFor(RowVerdict verdict) {
       return "faster";
     case RowVerdict::slower:
       return "slower";
+    case RowVerdict::undecided:
+      return "undecided";
     case RowVerdict::missing:
       return "missing";
     case RowVerdict::added:
@@ -125,8 +136,14 @@ std::string headline(const ReportComparison& comparison) {
                                   ? comparison.newDevice
                                   : comparison.oldDevice + " before, now " + comparison.newDevice;
   const auto regressions = std::count_if(comparison.rows.begin(), comparison.rows.end(), isRegression);
-  return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing", devices, regressions,
-                     comparison.rows.size(), 100 * comparison.threshold);
+  const auto undecided = std::ranges::count(comparison.rows, RowVerdict::undecided, &ComparedRow::verdict);
+  const std::string hint = undecided == 0 ? ""
+                                          : fmt::format(
+                                                "; {} undecided, since the change is within the spread of the "
+                                                "runs: measure both reports with a larger --repeat",
+                                                undecided);
+  return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing{}", devices, regressions,
+                     comparison.rows.size(), 100 * comparison.threshold, hint);
 }
 
 }  // namespace

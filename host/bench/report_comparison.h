@@ -8,12 +8,13 @@
 namespace candela::bench {
 
 enum class RowVerdict {
-  alike,    ///< within the threshold
-  faster,   ///< by more than the threshold
-  slower,   ///< by more than the threshold
-  missing,  ///< the new report lacks the row or its score
-  added,    ///< the old report lacks the row or its score
-  changed,  ///< the scene has changed
+  alike,      ///< within the threshold
+  faster,     ///< by more than the threshold
+  slower,     ///< by more than the threshold
+  undecided,  ///< by more than the threshold, but by less than the spreads of both rows together
+  missing,    ///< the new report lacks the row or its score
+  added,      ///< the old report lacks the row or its score
+  changed,    ///< the scene has changed
 };
 
 struct ComparedRow {
@@ -35,8 +36,9 @@ struct ReportComparison {
 };
 
 /// Compares rows with equal scene, size, samples, variant, structure, kernel, layout, loads, workgroup and kind of
-/// rays. A row is slower if its rays per second fell by more than the fraction `threshold`. Throws FileError if a
-/// report is not a "candela-bench/1"; messages call the files `oldName` and `newName`.
+/// rays. A row is slower if its rays per second fell by more than the fraction `threshold`, and by more than the
+/// spreads of both rows may explain. Throws FileError if a report is not a "candela-bench/1"; messages call the files
+/// `oldName` and `newName`.
 ReportComparison compareReports(const nlohmann::json& oldReport, const std::string& oldName,
                                 const nlohmann::json& newReport, const std::string& newName, double threshold);
 

@@ -21,8 +21,9 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
 }
 
 // Returns the structure that was used, not the requested one: the reference has its own BVH, and none for few
-// primitives.
+// primitives, and devices trace few primitives as a list of records of one kind ("row").
 std::string structureText(const Measurement& m) {
+  if (m.statistics.layout == "row") return "list (too few primitives for a BVH)";
   if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
   if (m.statistics.structure == render::AccelKind::none) return "none";
   return m.statistics.bvhSplit == "sah" ? "BVH, SAH" : "BVH, " + m.statistics.bvhSplit;

@@ -24,6 +24,7 @@ struct Capture {
   std::string found;              ///< the differences on the device where it was captured; empty: none
   std::string capturedOn;         ///< name and driver of this device
   std::size_t differing = 0;      ///< number of values that differ there
+  std::size_t wholeCount = 0;     ///< number of expected values before invocations were removed; 0: none were
   std::string note;               ///< sentences about the picture; may be empty
   std::vector<TextFile> files;    ///< beside the program, e.g. the scene, or other forms of modules
   vulkan::Recording work;         ///< the commands whose results are expected; buffers have no other use

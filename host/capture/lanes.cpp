@@ -90,6 +90,7 @@ void takeFewestInvocations(Capture& capture, const vulkan::DeviceInfo& device, s
     Capture smaller = cutTo(capture, {first, std::min(width, count - first)}, groupSize);
     check(smaller, device);
     if (smaller.differing == 0) continue;
+    smaller.wholeCount = capture.expected.size();
     capture = std::move(smaller);
     return;
   }

@@ -10,6 +10,14 @@ std::string countText(std::size_t count, const char* one, const char* several) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
+// Returns sentences, each after a space.
+std::string remarksOf(const Capture& capture) {
+  std::string text;
+  if (capture.wholeCount > 0) text += fmt::format(" They were reduced from {} values.", capture.wholeCount);
+  if (!capture.note.empty()) text += " " + capture.note;
+  return text;
+}
+
 std::string foundText(const Capture& capture) {
   if (capture.found.empty()) {
     return fmt::format("It was captured on {}, which computed these values.", capture.capturedOn);
@@ -24,7 +32,7 @@ std::string readmeText(const Capture& capture) {
       R"(# {}
 
 The program in this folder repeats work of Candela, a path tracer that verifies Vulkan drivers, on any Vulkan 1.2 device: {} with {} and {}.
-It compares {} of the result with those that {} computed. {} {}
+It compares {} of the result with those that {} computed.{} {}
 
 ## How to run it
 
@@ -55,7 +63,8 @@ A reduced module computes something else, so that two executions are compared in
       capture.title, countText(capture.work.commands.size(), "command", "commands"),
       countText(capture.work.shaders.size(), "shader", "shaders"),
       countText(capture.work.buffers.size(), "buffer", "buffers"),
-      countText(capture.expected.size(), "value", "values"), capture.expectedBy, capture.note, foundText(capture));
+      countText(capture.expected.size(), "value", "values"), capture.expectedBy, remarksOf(capture),
+      foundText(capture));
 }
 
 }  // namespace candela::capture

@@ -119,9 +119,8 @@ void check(Capture& capture, const vulkan::DeviceInfo& device) {
     if (found >= value.low && found <= value.high) continue;
     if (capture.differing++ == 0) first = mismatchText(value, found);
   }
-  if (capture.differing == 0) {
-    capture.found.clear();
-  } else if (capture.found.empty()) {
+  capture.found.clear();
+  if (capture.differing > 0) {
     capture.found = fmt::format("{} of {} values differ:\n{}", capture.differing, capture.expected.size(), first);
   }
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/option_table.h"
+#include "host/core/counted.h"
 
 namespace candela::cli {
 namespace {
@@ -65,9 +66,9 @@ std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
 
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {
   if (tally.samples() == 0) return {};
-  std::vector<std::string> lines{fmt::format(
-      "{} samples in {} pixels were not finite or negative (they count as 0) or too bright (they are clamped)",
-      tally.samples(), tally.pixels())};
+  std::vector<std::string> lines{
+      fmt::format("bad samples: {} in {}, not finite or negative (they count as 0) or too bright (they are clamped)",
+                  counted(tally.samples(), "sample"), counted(tally.pixels(), "pixel"))};
   for (const render::BadPixel& pixel : tally.firstPixels()) lines.push_back(pixelLine(pixel, job));
   return lines;
 }

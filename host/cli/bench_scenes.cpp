@@ -10,6 +10,7 @@
 #include "host/cli/option_table.h"
 #include "host/cli/render_job.h"
 #include "host/cli/sweep.h"
+#include "host/core/counted.h"
 #include "host/core/progress.h"
 
 namespace candela::cli {
@@ -41,7 +42,8 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
 bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
-  log.note(fmt::format("{}: {} variants, runs of each: {}", job.scene.name, variants.size(), arguments.repeats));
+  log.note(
+      fmt::format("{}: {}, runs of each: {}", job.scene.name, counted(variants.size(), "variant"), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   const render::RenderControl control = makeControl(progress);
   std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats,

@@ -10,6 +10,7 @@
 #include "host/cli/bench_output.h"
 #include "host/cli/commands.h"
 #include "host/cli/render_job.h"
+#include "host/core/counted.h"
 #include "host/core/progress.h"
 #include "host/scene/load.h"
 
@@ -37,9 +38,9 @@ constexpr std::uint32_t kTable1Samples = 15 * 15;
 std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
                                        const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
-  log.note(fmt::format("{}: {}x{} pixels, {} samples, {} structures, runs of each: {}", scene.name,
-                       settings.image.size.width, settings.image.size.height, settings.image.sampleCount,
-                       variants.size(), arguments.repeats));
+  log.note(fmt::format("{}: {}x{} pixels, {} per pixel, {} structures, runs of each: {}", scene.name,
+                       settings.image.size.width, settings.image.size.height,
+                       counted(settings.image.sampleCount, "sample"), variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   std::vector<StructureRow> rows;
   for (Measurement& measurement : bench::measureInterleaved(renderer, scene, variants, arguments.repeats,

@@ -6,8 +6,10 @@
 #include "host/accel/primitive_bounds.h"
 #include "host/cli/box_scene.h"
 #include "host/cli/commands.h"
+#include "host/cli/file_kinds.h"
 #include "host/cli/scene_output.h"
 #include "host/cli/separate_files.h"
+#include "host/core/counted.h"
 #include "host/flatten/flatten_hierarchy.h"
 #include "host/formats/load_scene.h"
 #include "host/generate/kinds.h"
@@ -28,6 +30,7 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   const scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireUnread(arguments, loaded.files);
+  refuseOtherFormat(arguments.generatedFile, {".nff", ".p3f"}, "the boxes are written as NFF");
   requireCamera(loaded.scene);
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
                                                  arguments.settings.structure.bvhSplit,
@@ -39,8 +42,8 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
     generate::NffWriter out(sink, std::numeric_limits<float>::max_digits10);
     writeBoxScene(out, *loaded.scene.camera, boxes, deepest);
   });
-  log.note(fmt::format("{}: {} of {} boxes; the BVH has {} levels", loaded.scene.name, boxes.size(), bvh.nodes.size(),
-                       bvh.nodes.empty() ? 0 : deepest + 1));
+  log.note(fmt::format("{}: {} of {} boxes; the BVH has {}", loaded.scene.name, boxes.size(), bvh.nodes.size(),
+                       counted(bvh.nodes.empty() ? 0 : deepest + 1, "level")));
   return ExitCode::done;
 }
 

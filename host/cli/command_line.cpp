@@ -6,9 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
+#include "host/cli/file_kinds.h"
+#include "host/cli/option_groups.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 
@@ -30,16 +33,36 @@ void refuseMistypedCommand(const std::string& word) {
   if (!meant.empty()) throw UsageError(fmt::format("unknown command {}{}\nsee candela --help", word, meant));
 }
 
+const CommandInfo* commandNamed(const std::string& word) {
+  for (const CommandInfo& info : commandTable()) {
+    if (word == info.name) return &info;
+  }
+  return nullptr;
+}
+
+// `candela help [COMMAND]` and `candela --help COMMAND`
+bool asksForHelp(std::span<const std::string> words) {
+  if (words.front() == "help") return true;
+  const bool isOption = words.front() == "--help" || words.front() == "-h";
+  return isOption && words.size() > 1 && commandNamed(words[1]) != nullptr;
+}
+
 // Removes the command from `words`. Without a command, `render` is assumed.
 void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
-  for (const CommandInfo& info : commandTable()) {
-    if (words.front() != info.name) continue;
-    words = words.subspan(1);
-    arguments.command = info.command;
-    arguments.commandNamed = true;
-    return;
-  }
-  refuseMistypedCommand(words.front());
+  const CommandInfo* const info = commandNamed(words.front());
+  if (info == nullptr) return refuseMistypedCommand(words.front());
+  words = words.subspan(1);
+  arguments.command = info->command;
+  arguments.commandNamed = true;
+}
+
+Arguments helpFor(std::span<const std::string> words) {
+  Arguments arguments;
+  arguments.help = true;
+  if (words.empty()) return arguments;
+  takeCommand(words, arguments);
+  if (!arguments.commandNamed) throw UsageError(fmt::format("unknown command {}\nsee candela --help", words.front()));
+  return arguments;
 }
 
 [[noreturn]] void refuseUnknownOption(Command command, const std::string& word) {
@@ -55,10 +78,22 @@ void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
   fail(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
 }
 
+// Returns the first word of a list that is none of the words of the option, with a suggestion; for other options, the
+// value.
+std::string wrongPart(const Option& option, const std::string& value) {
+  std::istringstream parts(value);
+  for (std::string part; !option.words.empty() && std::getline(parts, part, ',');) {
+    if (std::ranges::find(option.words, part) != option.words.end()) continue;
+    return fmt::format("\"{}\"{}", part, didYouMean(part, option.words));
+  }
+  return fmt::format("\"{}\"", value);
+}
+
 void apply(const Option& option, const std::vector<std::string>& values, Arguments& arguments) {
   for (const std::string& value : values) {
     if (!option.apply(arguments, value)) {
-      fail(arguments.command, fmt::format("{}: expected {}, got \"{}\"", option.name(), option.expected, value));
+      fail(arguments.command,
+           fmt::format("{}: expected {}, got {}", option.name(), option.expected, wrongPart(option, value)));
     }
   }
   if (!values.empty()) arguments.given.insert(option.name());
@@ -68,6 +103,17 @@ void apply(const Option& option, const std::vector<std::string>& values, Argumen
 CLI::Option* declare(CLI::App& app, const Option& option) {
   if (option.isFlag()) return app.add_flag(option.names);
   return app.add_option(option.names)->expected(1)->allow_extra_args(false)->take_all();
+}
+
+// Returns the words in the order that CLI11 requires, the last one first. It would read "-o=FILE" as the file "=FILE".
+std::vector<std::string> reversedWords(std::span<const std::string> words) {
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  const auto end = std::ranges::find(words, "--");
+  for (auto word = words.begin(); word != end; ++word) {
+    const bool isShort = word->size() > 3 && (*word)[0] == '-' && std::isalpha(static_cast<unsigned char>((*word)[1]));
+    if (isShort && (*word)[2] == '=') reversed[static_cast<std::size_t>(words.end() - word) - 1].erase(2, 1);
+  }
+  return reversed;
 }
 
 void split(std::span<const std::string> words, Arguments& arguments) {
@@ -80,7 +126,7 @@ void split(std::span<const std::string> words, Arguments& arguments) {
   }
   app.add_option("files", arguments.files);
 
-  std::vector<std::string> reversed(words.rbegin(), words.rend());  // the order that CLI11 requires
+  std::vector<std::string> reversed = reversedWords(words);
   try {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {
@@ -93,6 +139,12 @@ void split(std::span<const std::string> words, Arguments& arguments) {
     if (extra != "--") refuseUnknownOption(arguments.command, extra);
   }
   for (const auto& [option, parsed] : declared) apply(*option, parsed->results(), arguments);
+}
+
+// A scene is read from stdin under the name that the system gives it.
+void nameStdin(Arguments& arguments) {
+  if ((static_cast<unsigned>(arguments.command) & kReadingScenes) == 0) return;
+  std::ranges::replace(arguments.files, std::string("-"), std::string("/dev/stdin"));
 }
 
 void requireFileCount(const Arguments& arguments) {
@@ -141,9 +193,16 @@ void requireTogether(const Arguments& arguments, const char* option, const char*
   fail(arguments.command, fmt::format("{} has no effect without {}", option, other));
 }
 
-void requireCompleteFilmOptions(const Arguments& arguments) {
+void requireCompleteOptions(const Arguments& arguments) {
   requireTogether(arguments, "--checkpoint-every", "--checkpoint");
   requireTogether(arguments, "--resume-anyway", "--resume");
+}
+
+void requireFormats(const Arguments& arguments) {
+  for (const auto& film : {arguments.mergedFilm, arguments.checkpoint}) {
+    refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
+  }
+  refuseOtherFormat(arguments.report, {".html", ".htm"}, "the report is an HTML page");
 }
 
 void requireMergedFilm(const Arguments& arguments) {
@@ -179,23 +238,26 @@ Arguments parseOptions(Command command, std::span<const std::string> words) {
   Arguments arguments;
   arguments.command = command;
   split(words, arguments);
-  requireCompleteFilmOptions(arguments);
+  requireCompleteOptions(arguments);
   requireTreeDepth(arguments);
   return arguments;
 }
 
 Arguments parseCommandLine(std::span<const std::string> words) {
   if (words.empty()) throw UsageError("no scene given\nsee candela --help");
+  if (asksForHelp(words)) return helpFor(words.subspan(1));
   Arguments arguments;
   takeCommand(words, arguments);
   split(words, arguments);
   if (arguments.help || arguments.version) return arguments;
+  nameStdin(arguments);
   requireFileCount(arguments);
   refuseTracingOptionsForImages(arguments);
   refuseImageOptionsForScene(arguments);
   requireOutput(arguments);
-  requireCompleteFilmOptions(arguments);
+  requireCompleteOptions(arguments);
   requireMergedFilm(arguments);
+  requireFormats(arguments);
   requireOneReaderOfStdout(arguments);
   requireTreeDepth(arguments);
   return arguments;

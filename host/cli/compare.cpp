@@ -1,10 +1,27 @@
 // `candela compare`: compares two images, or two tracers.
+#include <algorithm>
+
 #include "host/cli/commands.h"
 #include "host/cli/comparison.h"
+#include "host/cli/file_kinds.h"
 
 namespace candela::cli {
+namespace {
+
+void requireComparable(const std::vector<std::string>& files) {
+  const auto scene = std::ranges::find_if(files, [](const std::string& file) { return isSceneName(file); });
+  if (files.size() == 2 && scene != files.end()) {
+    throw UsageError("compare takes two images or one scene, and " + *scene + " is a scene");
+  }
+  if (files.size() == 1 && isImageName(files.front())) {
+    throw UsageError("compare " + files.front() + ": the second image is missing");
+  }
+}
+
+}  // namespace
 
 ExitCode runCompare(const Arguments& arguments, const Log& log) {
+  requireComparable(arguments.files);
   return arguments.files.size() == 2 ? compareImageFiles(arguments, log) : compareTracersOnScene(arguments, log);
 }
 

@@ -9,6 +9,7 @@
 #include "host/capture/folder.h"
 #include "host/cli/commands.h"
 #include "host/cli/conformance_failures.h"
+#include "host/cli/did_you_mean.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/text_output.h"
@@ -64,6 +65,18 @@ conformance::RunOptions optionsFrom(const ConformanceArguments& arguments) {
   return options;
 }
 
+// A mistyped name in a baseline would be ignored silently. Cases of the other list are known, too.
+void warnOfUnknownCases(const ConformanceArguments& arguments, const conformance::Baseline& baseline, const Log& log) {
+  std::vector<std::string> names;
+  for (const Cases& cases : {conformance::allCases(), conformance::variantCases()}) {
+    for (const conformance::Case& one : cases) names.push_back(one.name);
+  }
+  for (const auto& [name, status] : baseline) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    log.warning(fmt::format("{}: there is no case {}{}", arguments.baseline.string(), name, didYouMean(name, names)));
+  }
+}
+
 // Results that are expected appear only with --verbose.
 bool isWorthALine(const CaseResult& result, const Log& log) {
   return !result.verdict.isExpected() || result.verdict.status == conformance::Status::flake ||
@@ -92,6 +105,7 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   }
   requireWritableOutputs(arguments);
   conformance::RunOptions options = optionsFrom(arguments.conformance);
+  warnOfUnknownCases(arguments.conformance, options.expectations.baseline, log);
   const bool asText = arguments.wantsText() && arguments.junit != "-" && arguments.conformance.csv != "-";
   options.note = [&](const CaseResult& result) {
     if (asText && isWorthALine(result, log)) std::cout << lineOf(result) << std::flush;
@@ -107,7 +121,10 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   writeText(arguments.conformance.csv, toCsv(run));
   writeText(arguments.junit, toJunit(run, device, seconds));
   writeJson(arguments.json, toJson(run, device, seconds));
-  if (run.interrupted) return ExitCode::interrupted;
+  if (run.interrupted) {
+    log.problem(interruptionOf(run, cases.size()));
+    return ExitCode::interrupted;
+  }
   captureFailures(arguments, run, cases, device, log);
   return run.isExpected() ? ExitCode::done : ExitCode::differ;
 }

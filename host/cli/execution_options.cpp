@@ -19,7 +19,7 @@ std::vector<Option> executionOptions() {
   constexpr OptionGroup kGroup = OptionGroup::execution;
   return {
     valued({"--device", kTracing | kTune | kDoctor | kConformance | kDenoise, kGroup, "device that renders: its index in `candela devices` or a part of its name; `cpu`: the reference tracer"},
-           text("cpu|N|SUBSTRING", "a device", "the best GPU"), [](auto& a) -> auto& { return a.device; }),
+           deviceSelector(), [](auto& a) -> auto& { return a.device; }),
     valued({"--accel", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "acceleration structure"},
            orAbsent(choice<render::AccelKind>({{"none", render::AccelKind::none}, {"grid", render::AccelKind::grid}, {"bvh", render::AccelKind::bvh}}), "the scene's `accel`, else bvh"), [](auto& a) -> auto& { return a.accel; }),
     valued({"--bvh-split", kRender | kCompare | kBench | kBoxes | kExplain | kCapture | kView, kGroup, "how the nodes of a BVH are split: by the surface area heuristic, or at the midpoint of the longest axis"},

@@ -2,11 +2,13 @@
 #include "host/cli/film_description.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "host/cli/adaptive_report.h"
-#include "host/cli/option_table.h"
+#include "host/cli/film_options.h"
+#include "host/core/counted.h"
 #include "host/core/hash_text.h"
 
 namespace candela::cli {
@@ -28,10 +30,23 @@ std::string rows(const std::string& name, const std::vector<std::string>& values
   return text;
 }
 
+// Returns the settings as options for a shell, without those that have their defaults.
 std::string settingsText(const std::map<std::string, std::string>& settings) {
-  std::string text;
-  for (const auto& [name, value] : settings) text += fmt::format("{}--{} {}", text.empty() ? "" : " ", name, value);
-  return text;
+  std::vector<std::string> options;
+  for (const auto& [name, value] : settings) {
+    if (const std::optional<std::string> option = optionOf(name, value)) options.push_back(*option);
+  }
+  return options.empty() ? "all at their defaults" : fmt::format("{}", fmt::join(options, " "));
+}
+
+// Returns the settings as JSON: null where a setting has the default of its option and that is not a value, such as
+// "the pose at rest".
+ordered_json settingsJson(const std::map<std::string, std::string>& settings) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : settings) {
+    json[name] = isValue(name, value) ? ordered_json(value) : ordered_json(nullptr);
+  }
+  return json;
 }
 
 std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
@@ -68,8 +83,8 @@ FilmDescription describe(const film::FilmReader& reader, const image::Film& film
 std::string toText(const FilmDescription& description) {
   const film::FilmHeader& header = description.header;
   std::string text = row("scene", header.sceneHash);
-  text += row("image", fmt::format("{} pixels, {} samples per pixel, seed {}", render::extentText(header.size),
-                                   header.samplesPerPixel, header.seed));
+  text += row("image", fmt::format("{} pixels, {} per pixel, seed {}", render::extentText(header.size),
+                                   counted(header.samplesPerPixel, "sample"), header.seed));
   text += row("settings", settingsText(header.settings));
   if (!header.layers.isEmpty()) text += row("layers", layerText(header.layers));
   text += rows("contains", textsOf(header.covered));
@@ -83,7 +98,7 @@ std::string toText(const FilmDescription& description) {
   text += row("film hash", description.filmHash);
   if (description.work.runs > 0) {
     text += row("work",
-                fmt::format("{} runs, {:.1f} s of tracing", description.work.runs,
+                fmt::format("{}, {:.1f} s of tracing", counted(description.work.runs, "run"),
                             description.work.seconds.contains("trace") ? description.work.seconds.at("trace") : 0.0));
   }
   return text;
@@ -95,7 +110,7 @@ ordered_json toJson(const FilmDescription& description) {
                     {"size", render::extentText(header.size)},
                     {"samplesPerPixel", header.samplesPerPixel},
                     {"seed", header.seed},
-                    {"settings", header.settings},
+                    {"settings", settingsJson(header.settings)},
                     {"layers", layerText(header.layers)},
                     {"crop", render::windowText(header.window)},
                     {"complete", header.isComplete()},

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "host/cli/film_options.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
@@ -76,8 +77,20 @@ void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film
   }
 }
 
+// Returns the next step after a refusal. Films of other pixels cannot be resumed at all.
+std::string remedyFor(const film::FilmHeader& film, const film::FilmHeader& render) {
+  const std::string steps = stepsToResume(film, render);
+  if (film.window != render.window && !steps.empty()) return steps;
+  return steps + (steps.empty() ? "" : "; ") + "--resume-anyway resumes nevertheless, and marks the film as mixed";
+}
+
 void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& header) {
   if (film.header().window == header.window) return;
+  if (film.header().size != header.size) {
+    throw FileError(fmt::format("{}: the film is part of an image of {} pixels, and the render of one of {}; {}",
+                                film.file().string(), render::extentText(film.header().size),
+                                render::extentText(header.size), stepsToResume(film.header(), header)));
+  }
   throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; use --crop {}", film.file().string(),
                               render::windowText(film.header().window), render::windowText(header.window),
                               render::windowText(film.header().window)));
@@ -97,8 +110,10 @@ void insertSorted(std::vector<T>& items, const T& item) {
   if (place == items.end() || *place != item) items.insert(place, item);
 }
 
-// Returns the first sample of a film, which must be one that samples can be appended to.
-std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range) {
+// Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of
+// --samples, rather than all samples.
+std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range,
+                                                bool isPart) {
   const film::FilmHeader& film = reader.header();
   if (film.covered.empty() && film.begun.empty()) return std::nullopt;
   const std::optional<std::uint32_t> first = film::firstSampleOf(film);
@@ -110,6 +125,12 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   }
   const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
   if (range.first == *first && range.end >= next) return first;
+  if (!isPart) {
+    throw FileError(fmt::format(
+        "{0}: the film already has {1} samples per pixel; use --spp {2} or more, or make a picture of it with `candela "
+        "film {3} -o FILE`",
+        reader.file().string(), next, next + 1, shellQuoted(reader.file().string())));
+  }
   throw FileError(
       fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
                   "--samples {}:N",
@@ -169,8 +190,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
     differences.insert(differences.end(), more.begin(), more.end());
   }
   if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; --resume-anyway resumes nevertheless, and marks the film as mixed",
-                                reader.file().string(), differences.front()));
+    throw FileError(fmt::format("{}: {}; {}", reader.file().string(), differences.front(), remedyFor(film, header)));
   }
   for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);
   requireSameWindow(reader, header);
@@ -179,7 +199,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
   }
   for (const std::string& line : film.mixed) insertSorted(header.mixed, line);
   for (const film::Tracer& tracer : film.tracers) insertSorted(header.tracers, tracer);
-  return requireContinuable(reader, samplesOf(job));
+  return requireContinuable(reader, samplesOf(job), job.arguments.samples.has_value());
 }
 
 }  // namespace candela::cli

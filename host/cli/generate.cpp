@@ -3,6 +3,7 @@
 
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
+#include "host/cli/file_kinds.h"
 #include "host/cli/notation.h"
 #include "host/cli/scene_output.h"
 #include "host/generate/kinds.h"
@@ -11,6 +12,15 @@ namespace candela::cli {
 namespace {
 
 using generate::Kind;
+
+// Throws UsageError if the name of the file is that of another format.
+void requireFormat(const Kind& kind, const std::string& file) {
+  if (kind.isGltf) {
+    refuseOtherFormat(file, {".gltf"}, fmt::format("{} is written as glTF in JSON", kind.name));
+  } else {
+    refuseOtherFormat(file, {".nff", ".p3f"}, fmt::format("{} is written as NFF", kind.name));
+  }
+}
 
 [[noreturn]] void fail(const std::string& message) { throw UsageError(message + "\nsee candela generate --help"); }
 
@@ -38,6 +48,7 @@ std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {
 ExitCode runGenerate(const Arguments& arguments, const Log& log) {
   const Kind& kind = kindNamed(arguments.files.front());
   const std::uint32_t size = sizeFor(kind, arguments);
+  requireFormat(kind, arguments.generatedFile);
   writeSceneText(arguments.generatedFile, [&](const auto& sink) { generateScene(kind, size, sink); });
   log.note(fmt::format("{} of size {}: {} primitives", kind.name, size, kind.primitiveCount(size)));
   return ExitCode::done;

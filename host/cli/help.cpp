@@ -2,6 +2,8 @@
 #include "host/cli/help.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
@@ -15,30 +17,62 @@ namespace candela::cli {
 namespace {
 
 constexpr std::size_t kTextColumn = 32;
-constexpr std::size_t kLineWidth = 100;
+
+/// Appends words to lines of a maximum width.
+class Lines {
+ public:
+  explicit Lines(std::size_t width) : width_(width) {}
+
+  void add(const std::string& text) {
+    std::istringstream words(text);
+    for (std::string word; words >> word;) addWord(word);
+  }
+  // Appends a text that has columns of its own, unless it is too long for a line.
+  void addColumns(const std::string& text) {
+    if (column_ + text.size() > width_) return add(text);
+    out_ += text;
+    column_ += text.size();
+    isStart_ = false;
+  }
+  // Continues at a column, on a new line if the current one is beyond it. Later lines begin at `indent`.
+  void moveTo(std::size_t column, std::size_t indent) {
+    indent_ = indent;
+    if (column_ + 2 > column) startLine();
+    out_.append(column - column_, ' ');
+    column_ = column;
+    isStart_ = true;
+  }
+  std::string text() const { return out_ + "\n"; }
+
+ private:
+  void startLine() {
+    out_ += "\n" + std::string(indent_, ' ');
+    column_ = indent_;
+    isStart_ = true;
+  }
+  void addWord(const std::string& word) {
+    if (!isStart_ && column_ + 1 + word.size() > width_) startLine();
+    if (!isStart_) out_ += ' ';
+    column_ += word.size() + (isStart_ ? 0 : 1);
+    out_ += word;
+    isStart_ = false;
+  }
+
+  std::size_t width_;
+  std::size_t indent_ = 0;
+  std::string out_;
+  std::size_t column_ = 0;
+  bool isStart_ = true;
+};
 
 // Returns `head` in the left column and `text`, wrapped, in the right column.
-std::string twoColumns(const std::string& head, const std::string& text) {
-  std::string out = "  " + head;
-  std::size_t column = out.size();
-  const auto startLine = [&] {
-    out += "\n" + std::string(kTextColumn, ' ');
-    column = kTextColumn;
-  };
-  if (column + 2 > kTextColumn) {
-    startLine();
-  } else {
-    out.append(kTextColumn - column, ' ');
-    column = kTextColumn;
-  }
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (column > kTextColumn && column + 1 + word.size() > kLineWidth) startLine();
-    if (column > kTextColumn) out += ' ';
-    column += word.size() + (column > kTextColumn ? 1 : 0);
-    out += word;
-  }
-  return out + "\n";
+std::string twoColumns(const std::string& head, const std::string& text, std::size_t width) {
+  Lines lines(width);
+  lines.moveTo(2, 6);
+  lines.addColumns(head);
+  lines.moveTo(kTextColumn, kTextColumn);
+  lines.add(text);
+  return lines.text();
 }
 
 std::string optionHead(const Option& option) {
@@ -53,43 +87,60 @@ std::string optionText(const Option& option) {
   return named ? option.help : fmt::format("{} (default: {})", option.help, option.defaultText);
 }
 
-std::string usageText(std::optional<Command> command) {
+std::string usageText(std::optional<Command> command, std::size_t width) {
   std::string out = "Usage:\n";
   for (const CommandInfo& info : commandTable()) {
     if (command && info.command != *command) continue;
-    out += twoColumns("candela " + info.usage, info.summary);
+    out += twoColumns("candela " + info.usage, info.summary, width);
   }
   return out;
 }
 
-std::string groupText(const GroupTitle& title, std::optional<Command> command) {
+std::string groupText(const GroupTitle& title, std::optional<Command> command, std::size_t width) {
   std::string rows;
   for (const Option& option : optionTable()) {
     if (option.group != title.group || (command && !option.isFor(*command))) continue;
-    rows += twoColumns(optionHead(option), optionText(option));
+    rows += twoColumns(optionHead(option), optionText(option), width);
   }
-  return rows.empty() ? "" : fmt::format("\n{}:\n{}", title.title, rows);
+  if (rows.empty()) return "";
+  Lines lines(width);
+  lines.add(std::string(title.title) + ":");
+  return "\n" + lines.text() + rows;
 }
 
-std::string kindsText() {
+std::string kindsText(std::size_t width) {
   std::string out = "\nKinds, with their ranges of sizes and default sizes:\n";
   for (const generate::Kind& kind : generate::kindTable()) {
     const std::string head = fmt::format("{:<17}{} to {} ({})", kind.name, kind.minSize, kind.maxSize(),
                                          kind.defaultSize);
-    out += twoColumns(head, std::string(kind.summary));
+    out += twoColumns(head, std::string(kind.summary), width);
   }
   return out;
 }
 
 }  // namespace
 
-std::string helpText(std::optional<Command> command) {
-  std::string out = "Candela: a path tracer for Vulkan, with an independent reference tracer that checks it.\n\n";
-  out += usageText(command);
-  if (command == Command::generate) out += kindsText();
-  for (const GroupTitle& title : groupTitles()) out += groupText(title, command);
+std::size_t helpWidth() {
+  winsize size{};
+  if (::isatty(STDOUT_FILENO) == 0 || ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return kMaxHelpWidth;
+  return std::clamp<std::size_t>(size.ws_col, kMinHelpWidth, kMaxHelpWidth);
+}
+
+std::string helpText(std::optional<Command> command, std::size_t width) {
+  Lines title(width);
+  title.add("Candela: a path tracer for Vulkan, with an independent reference tracer that checks it.");
+  std::string out = title.text() + "\n" + usageText(command, width);
+  if (command == Command::generate) out += kindsText(width);
+  for (const GroupTitle& group : groupTitles()) out += groupText(group, command, width);
   out += "\nExit codes:\n";
-  for (const auto& [code, text] : exitCodeTexts()) out += fmt::format("  {:>2}  {}\n", static_cast<int>(code), text);
+  for (const auto& [code, text] : exitCodeTexts()) {
+    Lines lines(width);
+    lines.moveTo(2, 6);
+    lines.addColumns(fmt::format("{:>2}", static_cast<int>(code)));
+    lines.moveTo(6, 6);
+    lines.add(text);
+    out += lines.text();
+  }
   return out;
 }
 

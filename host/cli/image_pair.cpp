@@ -21,7 +21,8 @@ ImagePair comparePair(const Arguments& arguments, const image::Image& a, const i
 
 std::string toText(const ImagePair& pair) {
   return toText(pair.comparison) +
-         fmt::format("FLIP mean {:.6g}, maximum {:.6g}\n", pair.flip.mean, pair.flip.maximum) + toText(pair.verdict);
+         fmt::format("FLIP                  mean {:.6g}, maximum {:.6g}\n", pair.flip.mean, pair.flip.maximum) +
+         toText(pair.verdict);
 }
 
 nlohmann::ordered_json toJson(const ImagePair& pair) {

@@ -10,6 +10,7 @@
 #include "host/cli/film_description.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/core/counted.h"
 
 namespace candela::cli {
 
@@ -25,7 +26,7 @@ ExitCode runMerge(const Arguments& arguments, const Log& log) {
   for (const film::SampleBox& box : merged.header.begun) log.warning(boxText(box) + " are incomplete");
   if (merged.header.isMixed())
     log.warning("the films come from different devices or settings; the merged film is marked as mixed");
-  log.note(fmt::format("{} films merged, {} samples{}", files.size(), description.samples,
+  log.note(fmt::format("{} merged, {}{}", counted(files.size(), "film"), counted(description.samples, "sample"),
                        merged.header.isComplete() ? "; the image is complete" : ""));
   writeJson(arguments.json, toJson(description));
   return ExitCode::done;

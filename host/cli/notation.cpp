@@ -16,6 +16,8 @@ std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t low
   return value;
 }
 
+char lowerCase(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20) : letter; }
+
 }  // namespace
 
 Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest) {
@@ -40,7 +42,7 @@ Notation<double> share(std::string metavar, double lowest, double highest) {
 
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest) {
   const auto parse = [=](const std::string& word) -> std::optional<render::Extent> {
-    const std::size_t cross = word.find('x');
+    const std::size_t cross = word.find_first_of("xX");
     if (cross == std::string::npos) return std::nullopt;
     const auto width = parseWhole(std::string_view(word).substr(0, cross), 1, highest);
     const auto height = parseWhole(std::string_view(word).substr(cross + 1), 1, highest);
@@ -143,8 +145,11 @@ Notation<image::LayerSet> layerList() {
     }
     return layers;
   };
-  return {"LAYERS", fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")), parse,
-          image::layerText};
+  return {"LAYERS",
+          fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")),
+          parse,
+          image::layerText,
+          {names.begin(), names.end()}};
 }
 
 Notation<ServerAddress> serverAddress() {
@@ -164,6 +169,16 @@ Notation<std::string> text(std::string metavar, std::string expected, std::strin
   const auto parse = [](const std::string& word) { return word.empty() ? std::nullopt : std::optional(word); };
   const auto print = [empty](const std::string& value) { return value.empty() ? empty : value; };
   return {std::move(metavar), std::move(expected), parse, print};
+}
+
+Notation<std::string> deviceSelector() {
+  Notation<std::string> notation = text("cpu|N|SUBSTRING", "a device", "the best GPU");
+  notation.parse = [](const std::string& word) -> std::optional<std::string> {
+    if (word.empty()) return std::nullopt;
+    const bool isReference = std::ranges::equal(word, std::string_view("cpu"), {}, lowerCase);
+    return isReference ? "cpu" : word;
+  };
+  return notation;
 }
 
 std::string joinAlternatives(const std::vector<std::string>& words) {

@@ -21,6 +21,7 @@ struct Notation {
   std::string expected;  ///< completes "expected ..." in messages
   std::function<std::optional<T>(const std::string&)> parse;
   std::function<std::string(const T&)> print;
+  std::vector<std::string> words{};  ///< all words that a value, or each part of a list, may be; empty: any text
 };
 
 /// A decimal number from `lowest` to `highest`.
@@ -48,6 +49,8 @@ Notation<image::LayerSet> layerList();
 Notation<ServerAddress> serverAddress();
 /// Any text; an empty value, which can only be the default, prints as `empty`.
 Notation<std::string> text(std::string metavar, std::string expected, std::string empty = "");
+/// A device: "cpu" in any case for the reference tracer, else a selector for selectDevice().
+Notation<std::string> deviceSelector();
 /// One of a list of names.
 template <class T>
 Notation<T> choice(std::vector<std::pair<std::string, T>> names);
@@ -94,7 +97,7 @@ Notation<T> choice(std::vector<std::pair<std::string, T>> names) {
     }
     return {};
   };
-  return {metavar, joinAlternatives(words), parse, print};
+  return {metavar, joinAlternatives(words), parse, print, words};
 }
 
 template <class T>
@@ -105,7 +108,10 @@ Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent) {
     return std::nullopt;
   };
   const auto print = [inner, absent](const std::optional<T>& value) { return value ? inner.print(*value) : absent; };
-  return {inner.metavar, inner.expected, parse, print};
+  // Defaults such as "the scene's" are words of the help alone.
+  const bool isWord = !absent.empty() && absent.find(' ') == std::string::npos;
+  const std::string expected = isWord ? inner.expected + ", or " + absent : inner.expected;
+  return {inner.metavar, expected, parse, print, inner.words};
 }
 
 }  // namespace candela::cli

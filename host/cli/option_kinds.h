@@ -21,6 +21,7 @@ struct Row {
 template <class T, class Get>
 Option valued(const Row& row, const Notation<T>& notation, Get get) {
   Option option{row.names, row.commands, row.group, row.help, notation.metavar, notation.expected, "", {}, {}};
+  option.words = notation.words;
   option.apply = [=](Arguments& arguments, const std::string& word) {
     const auto value = notation.parse(word);
     if (value) get(arguments) = *value;

@@ -39,6 +39,7 @@ struct Option {
   /// Returns the value in the notation of `apply` (or the words in help for an empty one). A repeatable option has
   /// several values, an unset flag none.
   std::function<std::vector<std::string>(const Arguments&)> show;
+  std::vector<std::string> words{};  ///< Notation::words
 
   /// Returns the long name with its dashes.
   std::string name() const { return names.substr(names.rfind(',') + 1); }

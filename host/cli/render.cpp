@@ -1,7 +1,9 @@
 // `candela render`: renders a scene file, and writes images and a report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -16,22 +18,39 @@
 #include "host/cli/render_job.h"
 #include "host/cli/statistics_report.h"
 #include "host/cli/trace_film.h"
+#include "host/core/counted.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
 
 namespace candela::cli {
 namespace {
 
+// The samples of a film that was stopped, per pixel: at most one decimal, and none for whole numbers.
+std::string meanSamples(const image::Film& film) {
+  double samples = 0;
+  for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
+  const double mean = samples / std::max<double>(1, static_cast<double>(film.pixels().size()));
+  return fmt::format("{:g}", std::round(10 * mean) / 10);
+}
+
+std::string doneText(const RenderReport& report) {
+  const Arguments& arguments = report.job.arguments;
+  const std::uint32_t total = report.job.settings.image.sampleCount;
+  if (report.result.interrupted) {
+    const bool isTimeUp = arguments.timeLimit && report.totalSeconds >= *arguments.timeLimit;
+    return fmt::format("{} after {} of {} per pixel", isTimeUp ? "stopped by --time-limit" : "interrupted",
+                       meanSamples(report.result.film), counted(total, "sample"));
+  }
+  if (arguments.noiseThreshold) return adaptiveText(report.result.film);
+  if (const auto& range = arguments.samples) {
+    return fmt::format("samples {}:{} of {} per pixel", range->first, range->end, total);
+  }
+  return counted(total, "sample") + " per pixel";
+}
+
 void summarise(const RenderReport& report, const Log& log) {
-  const render::RenderSettings& settings = report.job.settings;
-  const std::string done = report.result.interrupted
-                               ? fmt::format("interrupted; the {} samples rendered so far are written",
-                                             report.result.statistics.samples)
-                           : report.job.arguments.noiseThreshold
-                               ? adaptiveText(report.result.film)
-                               : fmt::format("{} samples per pixel", settings.image.sampleCount);
-  log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(settings.image.window().extent()), done,
-                       report.totalSeconds, report.result.statistics.device));
+  log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings.image.window().extent()),
+                       doneText(report), report.totalSeconds, report.result.statistics.device));
 }
 
 image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
@@ -56,10 +75,10 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   requireCheckpoint(arguments);
   // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
   // render.
-  std::atomic<bool>* const writeRequested = arguments.checkpoint.empty() ? nullptr : &watchWriteRequests();
+  std::atomic<bool>& writeRequested = watchWriteRequests();
   const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
   requireDenoisable(job);
-  TraceControl control{watchInterrupts(), writeRequested};
+  TraceControl control{watchInterrupts(), arguments.checkpoint.empty() ? nullptr : &writeRequested};
   std::optional<DisplayStream> display;
   if (arguments.displayServer) {
     display.emplace(*arguments.displayServer, shownName(job), log);
@@ -76,6 +95,9 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
   report.badSamples.add(result.film, job.settings.image);
   reportFlaws(report, log);
+  if (arguments.checkpoint.empty() && writeRequested) {
+    log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");
+  }
   summarise(report, log);
   if (arguments.printStatistics) std::cout << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "host/cli/adaptive_report.h"
+#include "host/cli/file_kinds.h"
 #include "host/cli/memory_check.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
@@ -33,52 +35,78 @@ void requireCropWithin(const render::ImageSettings& image) {
       fmt::format("--crop {} is not within the image of {} pixels", windowText(*image.crop), extentText(image.size)));
 }
 
+bool usesIntegrator(const Arguments& arguments, render::Integrator integrator) {
+  return arguments.settings.image.integrator == integrator;
+}
+
+bool usesAccel(const Arguments& arguments, render::AccelKind accel) {
+  return arguments.settings.structure.accel == accel;
+}
+
+bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
+
+// Comparisons and the viewer display images as well.
+bool displaysImage(const Arguments& arguments) {
+  return arguments.command != Command::render || std::ranges::any_of(arguments.outputs, image::isEightBit);
+}
+
+bool hasAlphaChannel(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return extension == ".png" || extension == ".exr";
+}
+
 // Options that have an effect only on some renders.
 struct SpecialOption {
   const char* option;
-  bool (*isRead)(const render::RenderSettings& settings);
+  bool (*isRead)(const Arguments& arguments);
   const char* reader;
 };
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee",
-                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
+    SpecialOption{"--nee", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
-    SpecialOption{"--rr-start",
-                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::path; },
+    SpecialOption{"--rr-start", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
     SpecialOption{"--aov-through-specular",
-                  [](const render::RenderSettings& s) { return !withSums(s.image.layers).isEmpty(); },
+                  [](const Arguments& a) { return !withSums(a.settings.image.layers).isEmpty(); },
                   "renders with --aov or --denoise"},
-    SpecialOption{"--max-depth", [](const render::RenderSettings& s) { return !isView(s.image.integrator); },
+    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.settings.image.integrator); },
                   "--integrator path or whitted"},
-    SpecialOption{"--light-size",
-                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::whitted; },
+    SpecialOption{"--light-size", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::whitted); },
                   "--integrator whitted"},
-    SpecialOption{"--ao-distance",
-                  [](const render::RenderSettings& s) { return s.image.integrator == render::Integrator::ao; },
+    SpecialOption{"--ao-distance", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::ao); },
                   "--integrator ao"},
-    SpecialOption{"--grid-density",
-                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::grid; },
+    SpecialOption{"--grid-density", [](const Arguments& a) { return usesAccel(a, render::AccelKind::grid); },
                   "--accel grid"},
-    SpecialOption{"--layout",
-                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
-                  "--accel bvh"},
-    SpecialOption{"--bvh-split",
-                  [](const render::RenderSettings& s) { return s.structure.accel == render::AccelKind::bvh; },
+    SpecialOption{"--layout", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); }, "--accel bvh"},
+    SpecialOption{"--bvh-split", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); },
                   "--accel bvh"},
     SpecialOption{"--bvh-quality",
-                  [](const render::RenderSettings& s) {
-                    return s.structure.accel == render::AccelKind::bvh && s.structure.bvhSplit == render::BvhSplit::sah;
+                  [](const Arguments& a) {
+                    return usesAccel(a, render::AccelKind::bvh) &&
+                           a.settings.structure.bvhSplit == render::BvhSplit::sah;
                   },
-                  "--accel bvh with --bvh-split sah"}};
+                  "--accel bvh with --bvh-split sah"},
+    SpecialOption{"--env-rotate", usesEnvironment, "the environment of --env"},
+    SpecialOption{"--env-scale", usesEnvironment, "the environment of --env"},
+    SpecialOption{"--tonemap", displaysImage, "PNG and JPEG files"},
+    SpecialOption{"--exposure", displaysImage, "PNG and JPEG files"}};
 
 // Such options cause a note rather than an error, so that one command line can be used for all renders.
 void noteIdleOptions(const Arguments& arguments, const Log& log) {
   if (arguments.command == Command::bench) return;  // benchmarks choose the structures themselves
   for (const auto& [option, isRead, reader] : kSpecialOptions) {
-    if (isRead(arguments.settings) || !arguments.given.contains(option)) continue;
+    if (isRead(arguments) || !arguments.given.contains(option)) continue;
     log.note(fmt::format("{} has no effect here; it applies to {}", option, reader));
   }
+}
+
+void noteLostAlpha(const Arguments& arguments, const Log& log) {
+  const bool hasOther = arguments.outputs.empty() || !arguments.checkpoint.empty() || arguments.displayServer;
+  if (arguments.settings.image.backdrop != render::Backdrop::none || hasOther) return;
+  if (std::ranges::any_of(arguments.outputs, hasAlphaChannel)) return;
+  log.note(
+      "--background none: JPEG, HDR and PFM files have no alpha, so that the background is black in them; write a "
+      "PNG or EXR file");
 }
 
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
@@ -114,6 +142,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
   requireAdaptable(arguments);
   requireMemoryForRender(scene, arguments);
   noteIdleOptions(arguments, log);
+  noteLostAlpha(arguments, log);
   warnOfDarkness(arguments.settings, scene, log);
 }
 

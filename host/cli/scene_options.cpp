@@ -66,7 +66,7 @@ std::vector<Option> imageOptions() {
     flag({"--aov-through-specular", kRender | kView, kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
          [](auto& a) -> auto& { return a.settings.image.layersThroughSpecular; }),
     valued({"--noise-threshold", kRender, kGroup, "sample adaptively: stop sampling a pixel when its estimated relative error is at most T, for example 0.1; --spp is the maximum number of samples; `off`: --spp samples everywhere"},
-           orAbsent(realNumber<double>("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.noiseThreshold; }),
+           orAbsent(share("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.noiseThreshold; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.settings.image.oneSided; }),
   };
@@ -79,7 +79,7 @@ std::vector<Option> sceneFileOptions() {
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
-    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
+    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr, .pfm, .png or .jpg), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
            text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
     valued({"--env-rotate", kSurrounding, kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
            realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),

@@ -11,6 +11,7 @@
 #include "host/cli/adaptive_report.h"
 #include "host/cli/bad_samples.h"
 #include "host/cli/option_table.h"
+#include "host/core/counted.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
 #include "host/scene/memory.h"
@@ -99,6 +100,25 @@ void appendRows(const ordered_json& object, const std::string& prefix, std::stri
   }
 }
 
+// Rays that graze the edge of a closed volume may enter it and miss its other side by rounding. Volumes that are not
+// closed affect every ray through the gap.
+constexpr double kMaxRoundingFaults = 1e-4;  ///< per sample
+
+void reportVolumeFaults(const render::RenderStatistics& statistics, const Log& log) {
+  const std::uint64_t faults = statistics.volumeFaults;
+  if (faults == 0) return;
+  const double fraction = ratio(static_cast<double>(faults), static_cast<double>(statistics.samples));
+  if (fraction <= kMaxRoundingFaults) {
+    log.detail(fmt::format("{} entered or left a volume on one side only, {:.2g} % of the samples: probably rounding",
+                           counted(faults, "ray"), 100 * fraction));
+    return;
+  }
+  log.warning(
+      fmt::format("{} ({:.2g} % of the samples) hit volumes that are not closed or that overlap; absorption is "
+                  "wrong there",
+                  counted(faults, "ray"), 100 * fraction));
+}
+
 }  // namespace
 
 ordered_json toJson(const RenderReport& report) {
@@ -160,13 +180,10 @@ std::string toText(const RenderReport& report) {
 
 void reportFlaws(const RenderReport& report, const Log& log) {
   for (const std::string& line : badSampleLines(report.badSamples, report.job)) log.problem(line);
-  if (const std::uint64_t faults = report.result.statistics.volumeFaults; faults > 0) {
-    log.warning(
-        fmt::format("{} rays hit volumes that are not closed or that overlap; absorption is wrong there", faults));
-  }
+  reportVolumeFaults(report.result.statistics, log);
   if (const std::uint64_t count = badLayerCount(report.result.film); count > 0) {
     log.warning(
-        fmt::format("{} samples have layer values that are not finite or above 2^20; these were clamped", count));
+        fmt::format("layer values of {} are not finite or above 2^20; these were clamped", counted(count, "sample")));
   }
 }
 

@@ -10,9 +10,11 @@
 #include "host/cli/commands.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
+#include "host/core/counted.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
 #include "host/device/gpu_renderer.h"
+#include "host/doctor/resources.h"
 #include "host/tune/tune_report.h"
 #include "host/tune/tuning_file.h"
 #include "host/tune/work.h"
@@ -29,6 +31,10 @@ std::filesystem::path requireFile(const cache::DeviceKey& key) {
   const std::optional<std::filesystem::path> folder = cache::cacheFolder();
   if (!folder) {
     throw FileError("no folder for the result: set HOME, XDG_CACHE_HOME or CANDELA_CACHE_DIR, or use --dry-run");
+  }
+  if (const std::string problem = doctor::whyNotWritable(*folder); !problem.empty()) {
+    throw FileError(fmt::format("{}: the result cannot be stored: {}; set CANDELA_CACHE_DIR, or use --dry-run",
+                                folder->string(), problem));
   }
   const std::filesystem::path file = *folder / cache::fileNameOf("tune", key, "json");
   tune::requireTuningFile(file);
@@ -61,15 +67,29 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
   control.stop = &watchInterrupts();
   for (Work& work : works) {
     fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
-    log.note(fmt::format("{}: {} pixels, {} samples", work.scene.name, extentText(work.settings.image.size),
-                         work.settings.image.sampleCount));
+    log.note(fmt::format("{}: {} pixels, {} per pixel", work.scene.name, extentText(work.settings.image.size),
+                         counted(work.settings.image.sampleCount, "sample")));
   }
-  return tune::search(
-      device.info(), arguments.repeats, [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
-        log.note(fmt::format("{} candidates, {} runs of each on {} scenes", candidates.size(), repeats, works.size()));
-        Progress progress(std::cerr, progressStyle(log.verbosity()));
-        return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
-      });
+  return tune::search(device.info(), arguments.repeats,
+                      [&](std::span<const tune::Candidate> candidates, std::uint32_t repeats) {
+                        log.note(fmt::format("{}, {} of each on {}", counted(candidates.size(), "candidate"),
+                                             counted(repeats, "run"), counted(works.size(), "scene")));
+                        Progress progress(std::cerr, progressStyle(log.verbosity()));
+                        return tune::measureWork(*renderer, works, candidates, repeats, makeControl(progress));
+                      });
+}
+
+// Returns false if the file cannot be written. The measurements are published nevertheless.
+bool store(const cache::DeviceKey& key, TuneReport& report, const Log& log) {
+  if (!report.file) return true;
+  try {
+    tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
+    return true;
+  } catch (const FileError& error) {
+    log.problem(error.what());
+    report.file.reset();
+    return false;
+  }
 }
 
 }  // namespace
@@ -90,9 +110,10 @@ ExitCode runTune(const Arguments& arguments, const Log& log) {
   report.repeats = arguments.repeats;
   report.result = measure(arguments, device, works, log);
   if (!report.result.builtInAgrees) report.file.reset();
-  if (report.file) tune::writeTuning(*report.file, key, {report.result.chosen, tune::dateNow()});
-  return publish(report, arguments, log,
-                 "the images of some candidates differ; find the wrong ones with `candela verify`");
+  const bool isStored = store(key, report, log);
+  const ExitCode code = publish(report, arguments, log,
+                                "the images of some candidates differ; find the wrong ones with `candela verify`");
+  return isStored ? code : ExitCode::file;
 }
 
 }  // namespace candela::cli

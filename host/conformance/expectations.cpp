@@ -44,7 +44,9 @@ Baseline parseBaseline(const std::string& text, const std::string& fileName) {
     }
     const std::string word = line.substr(comma + 1, line.find(',', comma + 1) - comma - 1);
     const std::optional<Verdict> verdict = verdictNamed(word);
-    if (!verdict) refuse(fileName, number, fmt::format("unknown result \"{}\"; expected Fail, Crash or Timeout", word));
+    if (!verdict)
+      refuse(fileName, number,
+             fmt::format("unknown result \"{}\"; expected Fail, Crash, Timeout, Pass or ExpectedFail", word));
     const Status status = verdict->status == Status::improvement ? verdict->improvedTo : verdict->status;
     if (!baseline.emplace(line.substr(0, comma), status).second) {
       refuse(fileName, number, fmt::format("{} occurs twice", line.substr(0, comma)));

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/core/counted.h"
 #include "host/core/markup.h"
 #include "host/core/version.h"
 
@@ -58,6 +59,11 @@ std::string countsOf(const RunResult& run) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wordOf(status), count);
   }
   return text;
+}
+
+std::string interruptionOf(const RunResult& run, std::size_t caseCount) {
+  return fmt::format("interrupted: {} of {} were not run", caseCount - run.cases.size(),
+                     candela::counted(caseCount, "case"));
 }
 
 std::string toCsv(const RunResult& run) {

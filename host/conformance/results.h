@@ -11,6 +11,8 @@ namespace candela::conformance {
 std::string lineOf(const CaseResult& result);
 /// Returns the number of cases with each result, e.g. "Pass: 58, ExpectedFail: 2".
 std::string countsOf(const RunResult& run);
+/// Returns how many of `caseCount` cases an interrupted run lacks.
+std::string interruptionOf(const RunResult& run, std::size_t caseCount);
 /// Returns lines `case,Result,seconds`, sorted by case.
 std::string toCsv(const RunResult& run);
 nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& device, double seconds);

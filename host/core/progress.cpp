@@ -15,7 +15,8 @@ namespace {
 constexpr double kTerminalInterval = 0.1;  // seconds
 constexpr double kPlainInterval = 5;
 constexpr double kPlainMaxInterval = 60;
-constexpr double kPlainStep = 0.1;  // fraction of the work
+constexpr double kPlainStep = 0.1;              // fraction of the work
+constexpr double kMinEstimatedFraction = 0.01;  // before, the remaining time is a guess
 constexpr const char* kClearLine = "\r\x1b[K";
 
 }  // namespace
@@ -40,6 +41,7 @@ std::string progressText(double fraction, std::uint64_t samplesDone, double elap
   const auto percent = static_cast<int>(100 * fraction);
   if (fraction <= 0 || elapsedSeconds <= 0) return fmt::format("{} %", percent);
   const double rate = static_cast<double>(samplesDone) / elapsedSeconds / 1e6;
+  if (fraction < kMinEstimatedFraction) return fmt::format("{} %, {:.3g} Msamples/s", percent, rate);
   const double left = elapsedSeconds * (1 - fraction) / fraction;
   return fmt::format("{} %, {:.3g} Msamples/s, {} left", percent, rate, durationText(left));
 }

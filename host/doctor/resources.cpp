@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -59,6 +60,16 @@ Check checkDisk(const fs::path& folder) {
   return check;
 }
 
+// Creates a file and removes it. Permissions alone do not show what file systems such as /proc refuse.
+std::string whyNoFile(const fs::path& folder) {
+  std::string name = (folder / "candela-XXXXXX").string();
+  const int file = ::mkstemp(name.data());
+  if (file < 0) return fmt::format("no file can be created in {}: {}", folder.string(), std::strerror(errno));
+  ::close(file);
+  ::unlink(name.c_str());
+  return "";
+}
+
 }  // namespace
 
 std::string whyNotWritable(const fs::path& folder) {
@@ -68,8 +79,7 @@ std::string whyNotWritable(const fs::path& folder) {
     existing = existing.parent_path();
   }
   if (!fs::is_directory(existing, error)) return existing.string() + " is not a folder";
-  if (::access(existing.c_str(), W_OK | X_OK) != 0) return std::strerror(errno);
-  return "";
+  return whyNoFile(existing);
 }
 
 Checks checkResources(const fs::path& folder) { return {checkMemory(), checkDisk(folder)}; }

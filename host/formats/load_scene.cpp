@@ -37,6 +37,7 @@ scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOpti
 
 scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
   const std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
+  if (bytes.empty()) throw scene::SceneError({{path.string(), 0, 0, "the file is empty"}});
   return loadScene({bytes, path.string(), scene::folderOrCurrent(path.parent_path())}, options);
 }
 

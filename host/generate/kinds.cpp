@@ -33,15 +33,15 @@ std::span<const Kind> kindTable() {
       {"sphere", "bumpy sphere, one mesh in a closed room with a light", 1, 76, spherePrimitives, writeSphere},
       {"cornell", "Cornell box with a mirror and a glass ball, one mesh each", 1, 29, cornellPrimitives, writeCornell},
       {"material-table", "glTF: balls of six roughnesses, of metal, plastic and glass", 8, 32, materialTablePrimitives,
-       writeMaterialTable},
+       writeMaterialTable, true},
       {"material-furnace", "glTF: balls that absorb nothing, for --env white", 8, 32, materialFurnacePrimitives,
-       writeMaterialFurnace},
+       writeMaterialFurnace, true},
       {"brushed-table", "glTF: balls of six roughnesses, with anisotropic highlights", 8, 32, brushedTablePrimitives,
-       writeBrushedTable},
+       writeBrushedTable, true},
       {"brilliants", "glTF: three diamonds of growing dispersion between lamps", 6, 8, brilliantsPrimitives,
-       writeBrilliants},
+       writeBrilliants, true},
       {"still-life", "glTF: a vase, glasses, a bowl and balls on tiles, for --env", 8, 64, stillLifePrimitives,
-       writeStillLife},
+       writeStillLife, true},
   }};
   return table;
 }

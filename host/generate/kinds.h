@@ -18,6 +18,7 @@ struct Kind {
   std::uint32_t defaultSize;
   std::uint64_t (*primitiveCount)(std::uint32_t size);  ///< number of primitives as traced; grows with size
   void (*write)(NffWriter& out, std::uint32_t size);
+  bool isGltf = false;  ///< the scene is written as glTF (JSON), else as NFF
 
   /// Returns the maximum size, with at most kMaxPrimitives primitives.
   std::uint32_t maxSize() const;

@@ -66,7 +66,9 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   checkScene(scene, options, log);
   scene.name = std::filesystem::path(file.name).filename().string();
   scene.hash = hashOf(file, options, buffers, assembly.textures());
-  return {std::move(scene), assembly.counts(), log.warnings(), factsOf(used, view.description, light), buffers.files()};
+  scene::FileFacts facts = factsOf(used, view.description, light);
+  if (assembly.hasOcclusion()) facts.emplace_back("not used", "occlusion textures (light is traced)");
+  return {std::move(scene), assembly.counts(), log.warnings(), std::move(facts), buffers.files()};
 }
 
 }  // namespace

@@ -52,10 +52,6 @@ AlphaMode alphaModeOf(const Value& material) {
   return AlphaMode::blend;
 }
 
-void noteTexture(const Value& object, const char* key, const char* name, GltfMaterial& result) {
-  if (object.find(key)) result.unread.insert(name);
-}
-
 std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
                                                  const TextureReader& readTexture) {
   const std::optional<Value> info = object.find(key);
@@ -237,7 +233,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
   result.isUnlit = material.extension("KHR_materials_unlit").has_value();
-  noteTexture(material, "occlusionTexture", "occlusion texture", result);
+  result.hasOcclusion = material.find("occlusionTexture").has_value();
   noteExtensions(material, result);
   return result;
 }

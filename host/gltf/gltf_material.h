@@ -61,7 +61,8 @@ struct GltfMaterial {
   double anisotropyRotation = 0;         ///< KHR_materials_anisotropy; in radians
   /// CANDELA_materials_conductor, docs/gltf.md
   std::optional<scene::Conductor> conductor{};
-  /// Properties of the material that are not in this structure: "occlusion texture", "EXT_example".
+  bool hasOcclusion = false;  ///< the file has an occlusion texture, which traced light does not need
+  /// Extensions of the material that are not in this structure: "EXT_example".
   std::set<std::string> unread;
 };
 

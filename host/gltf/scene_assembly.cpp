@@ -80,6 +80,7 @@ void SceneAssembly::addMaterials() {
       const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
       scene_.materials.back() = fromGltf(material);
       unread_.insert(material.unread.begin(), material.unread.end());
+      hasOcclusion_ = hasOcclusion_ || material.hasOcclusion;
     });
   }
   scene_.images = textures_.takeImages();

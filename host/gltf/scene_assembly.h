@@ -34,6 +34,8 @@ class SceneAssembly {
   scene::Scene& scene() { return scene_; }
   const scene::StatementCounts& counts() const { return counts_; }
   const Textures& textures() const { return textures_; }
+  /// Returns whether a material has an occlusion texture, which is not used.
+  bool hasOcclusion() const { return hasOcclusion_; }
   /// Returns the bounds of all vertices of triangles; nothing if there are none.
   std::optional<Box> bounds() const;
 
@@ -68,7 +70,8 @@ class SceneAssembly {
   Textures textures_;
   scene::Scene scene_{};
   scene::StatementCounts counts_{};
-  std::set<std::string> unread_{};               ///< names of features of materials and meshes that are not rendered
+  std::set<std::string> unread_{};  ///< names of features of materials and meshes that are not rendered
+  bool hasOcclusion_ = false;
   std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
   std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
   /// By the place of the primitive, the weights of its morph targets, and whether it has influences.

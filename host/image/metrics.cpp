@@ -108,7 +108,9 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
 }
 
 std::string toText(const ImageComparison& c) {
-  std::string text = fmt::format("size                  {} x {}\n", c.width, c.height);
+  const bool isIdentical = c.maximumDifference == 0 && c.notFiniteCount == 0;
+  std::string text = isIdentical ? "the images are identical\n" : "";
+  text += fmt::format("size                  {} x {}\n", c.width, c.height);
   if (c.notFiniteCount > 0) text += fmt::format("not finite            {} pixels, ignored\n", c.notFiniteCount);
   text += fmt::format("mean                  {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.mean.x, c.mean.y, c.mean.z,
                       c.meanLuminance);
@@ -117,7 +119,8 @@ std::string toText(const ImageComparison& c) {
   text += fmt::format("mean difference       {:+.4g} %\n", 100 * c.relativeMeanDifference);
   text += fmt::format("MSE                   {:.6g}\n", c.meanSquaredError);
   text += fmt::format("relMSE                {:.6g}\n", c.relativeMeanSquaredError);
-  text += fmt::format("PSNR                  {:.2f} dB\n", c.peakSignalToNoise);
+  text += fmt::format("PSNR                  {}\n",
+                      isIdentical ? "infinite" : fmt::format("{:.2f} dB", c.peakSignalToNoise));
   text += fmt::format("maximum difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
   text += fmt::format("pixels that differ    {} ({:.4g} %) by more than {:g} relative and {:g} absolute\n",
                       c.differingCount, 100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute);

@@ -39,9 +39,22 @@ std::string toText(const Camera& c) {
                      toText(c.up), view, c.width, c.height, c.aperture, c.focal);
 }
 
+// Returns "point light" for "pointLight".
+std::string wordsOf(const std::string& identifier) {
+  std::string words;
+  for (const char c : identifier) {
+    const bool isCapital = c >= 'A' && c <= 'Z';
+    if (isCapital) words += ' ';
+    words += isCapital ? static_cast<char>(c | 0x20) : c;
+  }
+  return words;
+}
+
 std::string statementsText(const StatementCounts& counts) {
   std::string text;
-  for (const auto& [kind, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+  for (const auto& [kind, count] : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", wordsOf(kind), count);
+  }
   return text.empty() ? "none" : text;
 }
 

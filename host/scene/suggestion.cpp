@@ -8,8 +8,20 @@ namespace candela::scene {
 namespace {
 
 constexpr std::size_t kMaxWordLength = 24;  ///< longer words are not regarded as misspelt keywords
+constexpr std::size_t kMinPrefix = 3;       ///< length from which a word may be the beginning of another
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
+
+// Returns the keyword that `word` is the beginning of; nothing if there are several.
+std::optional<std::string_view> completed(std::string_view word, const std::vector<Spelling>& spellings) {
+  std::optional<std::string_view> found;
+  for (const Spelling& spelling : spellings) {
+    if (editDistance(word, spelling.word.substr(0, word.size())) > 0) continue;
+    if (found && *found != spelling.keyword) return std::nullopt;
+    found = spelling.keyword;
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -33,6 +45,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings) {
   if (word.size() > kMaxWordLength) return std::nullopt;
+  const std::optional<std::string_view> whole = word.size() < kMinPrefix ? std::nullopt : completed(word, spellings);
+  if (whole) return whole;
   std::optional<std::string_view> best;
   std::size_t limit = word.size() / 3 + 1;  // one more than the maximum distance
   for (const Spelling& spelling : spellings) {

@@ -16,8 +16,9 @@ struct Spelling {
 /// ASCII case.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// Returns the keyword of the spelling nearest to `word`, if its distance is at most a third of the length of the word.
-/// The first of several nearest spellings is returned.
+/// Returns the only keyword that begins with `word`, of at least three characters. If there is none, returns the
+/// keyword of the spelling nearest to `word`, if its distance is at most a third of the length of the word; the first
+/// of several nearest spellings.
 std::optional<std::string_view> suggest(std::string_view word, const std::vector<Spelling>& spellings);
 
 }  // namespace candela::scene

@@ -93,6 +93,19 @@ void confirm(std::uint32_t repeats, const Measure& measure, SearchResult& result
   result.chosenNoise = noise(rows[0], rows[1]);
 }
 
+// Scenes of few primitives are traced as a list, for which all layouts are the same program. Only noise would
+// distinguish them.
+bool hasBvh(const Row& row) {
+  return std::ranges::any_of(row.scenes,
+                             [](const bench::SweepRow& scene) { return scene.measurement.statistics.layout != "row"; });
+}
+
+void dropLayouts(Round& round) {
+  const auto layout = std::ranges::find(dimensionTable(), std::string("layout"), &Dimension::option);
+  const auto index = static_cast<std::size_t>(layout - dimensionTable().begin());
+  std::erase_if(round.rows, [&](const Row& row) { return row.candidate[index] != builtIn()[index]; });
+}
+
 }  // namespace
 
 bool Row::agrees() const {
@@ -132,7 +145,9 @@ SearchResult search(const vulkan::DeviceInfo& info, std::uint32_t repeats, const
     const std::vector<std::size_t> dimensions = dimensionsOf(stage);
     const std::vector<Candidate> candidates = candidatesOf(dimensions, result.chosen, info);
     result.rounds.push_back({purposeOf(dimensions), measure(candidates, repeats)});
-    const Round& round = result.rounds.back();
+    Round& round = result.rounds.back();
+    result.tunesLayout = hasBvh(round.rows.front());
+    if (!result.tunesLayout) dropLayouts(round);
     result.builtInAgrees = round.rows.front().agrees();
     if (!result.builtInAgrees) {
       result.chosen = builtIn();

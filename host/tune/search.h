@@ -44,6 +44,7 @@ struct SearchResult {
   double chosenGain = 1;   ///< gain over the built-in choice, as measured by the confirmation
   double chosenNoise = 0;  ///< noise of chosenGain
   bool builtInAgrees = true;
+  bool tunesLayout = true;  ///< false: all scenes have too few primitives for a BVH, so that layouts are not compared
 
   /// Returns whether every candidate gave the correct image.
   bool agree() const;

@@ -67,7 +67,12 @@ std::string storage(const TuneReport& report) {
   return report.file ? fmt::format("stored in {}; --untuned ignores it", report.file->string()) : "nothing is stored";
 }
 
-std::string conclusion(const TuneReport& report) { return verdict(report) + "\n" + storage(report) + "\n"; }
+std::string conclusion(const TuneReport& report) {
+  const char* const layout = report.result.tunesLayout
+                                 ? ""
+                                 : "layout: not tuned, since the scenes have too few primitives for a BVH\n";
+  return layout + verdict(report) + "\n" + storage(report) + "\n";
+}
 
 ordered_json candidateJson(const Candidate& candidate) {
   ordered_json json;

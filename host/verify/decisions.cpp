@@ -166,6 +166,14 @@ DecisionTest testDecisions(const image::Film& device, render::Session& reference
   return DecisionCounts(device, records.replicas).run(reference, level);
 }
 
+std::string DecisionTest::summary() const {
+  if (!isPossible) return "the reference traced no replicas, so only the test for equal light decides";
+  const std::uint64_t decidable = pixels - undecidable;
+  if (odd == 0) return fmt::format("all {} pixels that single precision can decide agree", decidable);
+  return fmt::format("of {} pixels that single precision can decide, {} differ on the device alone", decidable,
+                     oddDevice);
+}
+
 std::string DecisionTest::text() const {
   if (!isPossible) return "the reference traced no replicas, so only the test for equal light decides";
   std::string text = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",

@@ -45,7 +45,9 @@ struct DecisionTest {
   double undecidableShare() const {
     return pixels == 0 ? 0 : static_cast<double>(undecidable) / static_cast<double>(pixels);
   }
-  /// Returns the counts in words, without a newline.
+  /// Returns the result in one clause.
+  std::string summary() const;
+  /// Returns the counts in words, without a newline. Semicolons separate the parts.
   std::string text() const;
   nlohmann::ordered_json json() const;
 };

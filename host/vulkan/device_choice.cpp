@@ -9,13 +9,28 @@
 #include <charconv>
 #include <optional>
 
+#include "host/core/environment.h"
 #include "host/core/errors.h"
 
 namespace candela::vulkan {
 namespace {
 
-constexpr const char*
-    kHowToInstall = "install a driver that runs on any machine, on Debian: apt-get install mesa-vulkan-drivers";
+constexpr const char* kHowToGoOn =
+    "candela doctor reports the cause; --device cpu renders without Vulkan; a driver that runs on any "
+    "machine is installed on Debian by: apt-get install mesa-vulkan-drivers";
+
+// Environment variables by which the Vulkan loader uses the drivers of these files alone. The first one that is set
+// hides the second one.
+constexpr std::array kDriverVariables{"VK_DRIVER_FILES", "VK_ICD_FILENAMES"};
+
+// Returns the environment variable that selects the drivers, in parentheses; empty if none does.
+std::string chosenDrivers() {
+  for (const char* const name : kDriverVariables) {
+    const std::string value = environmentVariable(name);
+    if (!value.empty()) return fmt::format(" (the environment variable {} allows only the driver {})", name, value);
+  }
+  return "";
+}
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -70,15 +85,16 @@ std::string describeDevices(std::span<const DeviceInfo> devices) {
 }
 
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
-  if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found; {}", kHowToInstall));
+  if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found{}; {}", chosenDrivers(), kHowToGoOn));
   const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);
   if (device == nullptr && selector.empty()) {
-    throw NoDeviceError(
-        fmt::format("no usable Vulkan device; {}; available devices:{}", kHowToInstall, describeDevices(devices)));
+    throw NoDeviceError(fmt::format("no usable Vulkan device{}; {}; available devices:{}", chosenDrivers(), kHowToGoOn,
+                                    describeDevices(devices)));
   }
   if (device == nullptr) {
     throw NoDeviceError(
-        fmt::format("no Vulkan device \"{}\"; available devices:{}", selector, describeDevices(devices)));
+        fmt::format("no Vulkan device \"{}\"; available devices:{}\n  cpu: the reference tracer, which needs no device",
+                    selector, describeDevices(devices)));
   }
   if (!device->usable) {
     throw NoDeviceError(fmt::format("Vulkan device {} ({}) is not usable: {}; available devices:{}", device->index,

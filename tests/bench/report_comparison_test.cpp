@@ -17,7 +17,7 @@ using nlohmann::json;
 
 json row(const char* variant, double score) {
   return {{"scene", "a.p3f"},         {"sceneHash", "1"},        {"variant", variant},
-          {"segmentsPerDispatch", 8}, {"mraysPerSecond", score}, {"spread", 0.1}};
+          {"segmentsPerDispatch", 8}, {"mraysPerSecond", score}, {"spread", 0.01}};
 }
 
 json reportOf(std::vector<json> rows) {
@@ -38,6 +38,19 @@ TEST_CASE("a row counts as slower or faster only beyond the threshold") {
   CHECK(verdictOn(100, 94.9) == RowVerdict::slower);
   CHECK(verdictOn(100, 104.9) == RowVerdict::alike);
   CHECK(verdictOn(100, 105.1) == RowVerdict::faster);
+}
+
+TEST_CASE("a change within the spread of both runs is undecided, and no regression") {
+  json before = row("x", 100), after = row("x", 60);
+  before["spread"] = 0.2;
+  after["spread"] = 0.41;
+  const ReportComparison comparison = compare(reportOf({before}), reportOf({after}));
+  CHECK(comparison.rows.at(0).verdict == RowVerdict::undecided);
+  CHECK_FALSE(comparison.regressed());
+  CHECK_THAT(toText(comparison), Contains("undecided") && Contains("larger --repeat"));
+  CHECK(compare(reportOf({after}), reportOf({before})).rows.at(0).verdict == RowVerdict::undecided);
+  after["spread"] = 0.38;  // 100 / 60 > 1.2 * 1.38
+  CHECK(compare(reportOf({before}), reportOf({after})).regressed());
 }
 
 TEST_CASE("a report regresses if and only if a row is slower, missing or without its score") {

@@ -31,6 +31,15 @@ TEST_CASE("the compared structures are a grid, a BVH with midpoint splits and a 
   CHECK(variants[2].settings.structure.bvhSplit == render::BvhSplit::sah);
 }
 
+TEST_CASE("few primitives, which are traced as a list, are not called a BVH") {
+  StructureReport report = structureReportOf({{1}, {1}, {1}});
+  report.rows[2].measurement.statistics.structure = render::AccelKind::bvh;
+  report.rows[2].measurement.statistics.bvhSplit = "sah";
+  CHECK_THAT(toText(report), Contains("BVH, SAH") && !Contains("list"));
+  report.rows[2].measurement.statistics.layout = "row";
+  CHECK_THAT(toText(report), Contains("list (too few primitives for a BVH)") && !Contains("BVH, SAH"));
+}
+
 TEST_CASE("a structure whose image differs has no figures") {
   const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());

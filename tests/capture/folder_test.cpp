@@ -42,6 +42,19 @@ TEST_CASE("A capture is written to a new folder, or to an empty one") {
   CHECK(folder.fileCount() == 3);
 }
 
+TEST_CASE("The README states the values after the reduction, and their number before it") {
+  const TemporaryFolder folder;
+  Capture capture = smallCapture();
+  capture.expectedBy = "the host";
+  writeFolder(capture, folder.path("whole"));
+  const std::string whole = readText(folder.path("whole/README.md"));
+  CHECK_THAT(whole, Catch::Contains("It compares 1 value of the result with those that the host computed. It was"));
+  capture.wholeCount = 32;
+  writeFolder(capture, folder.path("reduced"));
+  CHECK_THAT(readText(folder.path("reduced/README.md")),
+             Catch::Contains("the host computed. They were reduced from 32 values. It was"));
+}
+
 TEST_CASE("A folder with files, a file and a folder in no folder are refused") {
   const TemporaryFolder folder;
   fs::create_directory(folder.path("full"));

@@ -87,6 +87,59 @@ TEST_CASE("a wrong command line names the expected value and the help") {
         "--stats and --json - both write to stdout\nsee candela render --help");
 }
 
+TEST_CASE("a wrong value is named with the words that are allowed, and with a suggestion") {
+  const auto message = [](const std::string& option, const std::string& value) {
+    const std::string text = messageFor({"a.p3f", "-o", "a.png", option, value});
+    return text.substr(0, text.find('\n'));
+  };
+  CHECK(message("--clamp-indirect", "0") ==
+        "--clamp-indirect: expected a number from 1e-06 to 1000000, or off, got \"0\"");
+  CHECK(message("--exposure", "lots") == "--exposure: expected a number from -64 to 64, or auto, got \"lots\"");
+  CHECK(message("--tile", "foo") == "--tile: expected WxH with both from 1 to 65535, or auto, got \"foo\"");
+  CHECK(message("--background", "color") ==
+        "--background: expected env, colour or none, got \"color\"; did you mean colour?");
+  CHECK(message("--tone", "agx") == "unknown option --tone; did you mean --tonemap?");
+  const std::string layers = message("--aov", "normal,zdepth");
+  CHECK(layers.substr(layers.find(", got ")) == ", got \"zdepth\"; did you mean depth?");
+  CHECK(parse({"a.p3f", "-o", "a.png", "--noise-threshold", "20%"}).noiseThreshold == 0.2);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--size", "48X32"}).size == render::Extent{48, 32});
+}
+
+TEST_CASE("a dash as scene is stdin") {
+  CHECK(parse({"-", "-o", "a.png"}).files == std::vector<std::string>{"/dev/stdin"});
+  CHECK(parse({"check", "a.p3f", "-"}).files == std::vector<std::string>{"a.p3f", "/dev/stdin"});
+}
+
+TEST_CASE("a short option takes its value with or without an equals sign") {
+  CHECK(parse({"a.p3f", "-o=a.png"}).outputs == std::vector<std::filesystem::path>{"a.png"});
+  CHECK(parse({"a.p3f", "-oa.png", "-t=4"}).settings.execution.threads == 4);
+  CHECK(parse({"-o", "a.png", "--", "-o=a.p3f"}).files == std::vector<std::string>{"-o=a.p3f"});
+}
+
+TEST_CASE("help of a command can be requested in any usual way") {
+  for (const auto& words :
+       {std::vector<std::string>{"help", "bench"}, {"--help", "bench"}, {"-h", "bench"}, {"bench", "--help"}}) {
+    const Arguments arguments = parse(words);
+    CHECK(arguments.help);
+    CHECK(arguments.commandNamed);
+    CHECK(arguments.command == Command::bench);
+  }
+  CHECK(parse({"help"}).help);
+  CHECK_FALSE(parse({"help"}).commandNamed);
+  CHECK(messageFor({"help", "bnech"}) == "unknown command bnech; did you mean bench?\nsee candela --help");
+  CHECK(messageFor({"help", "zzzzz"}) == "unknown command zzzzz\nsee candela --help");
+}
+
+TEST_CASE("names of other formats are refused with a better name") {
+  CHECK(messageFor({"merge", "a.exr", "-o", "b/picture.png"}) ==
+        "b/picture.png: a film is an OpenEXR file; name it b/picture.exr");
+  CHECK(messageFor({"a.p3f", "--checkpoint", "film.PNG"}) == "film.PNG: a film is an OpenEXR file; name it film.exr");
+  CHECK(messageFor({"compare", "a.exr", "b.exr", "--report", "page.pdf"}) ==
+        "page.pdf: the report is an HTML page; name it page.html");
+  CHECK(parse({"merge", "a.exr", "-o", "film.v2"}).mergedFilm == "film.v2");
+  CHECK(parse({"compare", "a.exr", "b.exr", "--report", "page.htm"}).report == "page.htm");
+}
+
 TEST_CASE("generate has its own --size and -o") {
   const Arguments arguments = parse({"generate", "balls", "--size", "3", "-o", "balls.nff"});
   CHECK(arguments.command == Command::generate);

@@ -26,8 +26,19 @@ TEST_CASE("equal images compare equal, at any tolerance") {
   const TemporaryFolder folder;
   const std::string a = writeGrey(folder, "a.exr", 0.5f);
   const std::string b = writeGrey(folder, "b.pfm", 0.5f);
-  CHECK(runCandela({"compare", a, b}).exitCode == 0);
+  const ProgramResult equal = runCandela({"compare", a, b});
+  CHECK(equal.exitCode == 0);
+  CHECK(contains(equal.out, "the images are identical\n"));
+  CHECK(contains(equal.out, "\nPSNR                  infinite\n"));
+  CHECK(contains(equal.out, "\nFLIP                  mean 0, maximum 0\n"));
   CHECK(runCandela({"compare", a, b, "--tolerance", "0"}).exitCode == 0);
+}
+
+TEST_CASE("arguments that are neither two images nor one scene are refused with the reason") {
+  const ProgramResult scenes = runCandela({"compare", "a.p3f", "b.GLB"});
+  CHECK(scenes.exitCode == 1);
+  CHECK(contains(scenes.err, "compare takes two images or one scene, and a.p3f is a scene"));
+  CHECK(contains(runCandela({"compare", "a.exr"}).err, "compare a.exr: the second image is missing"));
 }
 
 TEST_CASE("the verdict is relMSE against the tolerance") {
@@ -36,6 +47,7 @@ TEST_CASE("the verdict is relMSE against the tolerance") {
   const std::string b = writeGrey(folder, "b.exr", 0.5f);
   // (0.75 - 0.5)^2 / (0.5^2 + 0.01) = 0.0625 / 0.26 = 0.24038...
   CHECK(runCandela({"compare", a, b}).exitCode == 0);
+  CHECK_FALSE(contains(runCandela({"compare", a, b}).out, "identical"));
   CHECK(runCandela({"compare", a, b, "--tolerance", "0.2404"}).exitCode == 0);
   CHECK(runCandela({"compare", a, b, "--tolerance", "0.2403"}).exitCode == 3);
   const json report = json::parse(runCandela({"compare", a, b, "--json", "-"}).out);

@@ -10,6 +10,7 @@ namespace candela {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
 using nlohmann::json;
 
 }  // namespace
@@ -77,11 +78,17 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(other, {}), Contains("film.exr: the scene's hash is"));
   CHECK_THAT(refusal(scene, {"--seed", "1"}), Contains("--seed is 0 in the film and 1 in this render"));
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
-  CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36"));
+  CHECK_THAT(refusal(scene, {"--seed", "1", "--one-sided", "--time", "3"}),
+             Contains("; use --seed 0, and leave out --one-sided and --time; --resume-anyway resumes nevertheless"));
+  CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36") && EndsWith("; use --size 48x36\n"));
+  CHECK_THAT(refusal(scene, {"--size", "24x36", "--resume-anyway"}),
+             Contains("an image of 48x36 pixels, and the render of one of 24x36; use --size 48x36"));
   CHECK_THAT(refusal(scene, {"--spp", "0"}), Contains("--antialiasing is absent in the film and off"));
   CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("use --crop 0,0,48,36"));
   CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and ends before sample 4"));
   CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("ends before sample 4"));
+  CHECK_THAT(refusal(scene, {"--spp", "3"}),
+             Contains("the film already has 4 samples per pixel; use --spp 5 or more") && Contains("candela film "));
   CHECK_THAT(refusal(folder.path("none.p3f"), {}), Contains("none.p3f"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", folder.path("none.exr")}), Contains("none.exr: No such file"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
@@ -172,6 +179,9 @@ TEST_CASE("ranges of --samples and windows of --crop beyond the image are refuse
     CHECK(result.exitCode == 1);
     CHECK_THAT(result.err, Contains("not within the image of 48x36 pixels"));
   }
+  CHECK_THAT(kReference.run(scene, {"--samples", "0:1", "--spp", "4", "--stats"}).err,
+             Contains("48x36 pixels, samples 0:1 of 4 per pixel, "));
+  CHECK_THAT(kReference.run(scene, {"--spp", "1", "--stats"}).err, Contains("48x36 pixels, 1 sample per pixel, "));
   CHECK(runCandela({scene, "--checkpoint-every", "1s", "--stats"}).exitCode == 1);
   CHECK(runCandela({scene, "--resume-anyway", "--stats"}).exitCode == 1);
   CHECK(runCandela({"merge", scene}).exitCode == 1);

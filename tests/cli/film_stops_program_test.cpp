@@ -56,6 +56,8 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
     const ProgramResult result = kLong.run(scene, {"--checkpoint", film, "--time-limit", "0.2s"});
     CHECK(result.exitCode == 7);
     CHECK_THAT(result.err, Contains("the time limit is reached") && Contains("--resume " + film));
+    CHECK_THAT(result.err,
+               Contains("64x48 pixels, stopped by --time-limit after ") && Contains(" of 256 samples per pixel"));
     const ProgramResult description = runCandela({"film", film});
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);
@@ -66,7 +68,9 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
       Surroundings surroundings;
       surroundings.interruptAfter = milliseconds(200);
       surroundings.signal = signal;
-      CHECK(kLong.run(scene, {"--checkpoint", film}, surroundings).exitCode == 7);
+      const ProgramResult result = kLong.run(scene, {"--checkpoint", film}, surroundings);
+      CHECK(result.exitCode == 7);
+      CHECK_THAT(result.err, Contains("64x48 pixels, interrupted after ") && Contains(" of 256 samples per pixel"));
       finish(film);
     }
   }
@@ -87,6 +91,17 @@ TEST_CASE("SIGUSR1 writes the film each time, and changes nothing") {
   for (std::size_t at = 0; (at = result.err.find("a.exr: written after", at)) != std::string::npos; ++at) ++writes;
   CHECK(writes >= 3);
   CHECK(folder.fileCount() == 5);  // the scene, and two films with their reports
+}
+
+TEST_CASE("SIGUSR1 does not end a render without a film file, which says so") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  Surroundings surroundings;
+  surroundings.interruptAfter = milliseconds(300);
+  surroundings.signal = SIGUSR1;
+  const ProgramResult result = kLong.run(scene, {"-o", folder.path("a.png")}, surroundings);
+  CHECK(result.exitCode == 0);
+  CHECK_THAT(result.err, Contains("SIGUSR1 was ignored") && Contains("--checkpoint"));
 }
 
 TEST_CASE("a render that is killed at any moment resumes from its checkpoint to the same bytes") {

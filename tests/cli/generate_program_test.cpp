@@ -45,6 +45,17 @@ TEST_CASE("an unknown kind is refused with the most similar kind, or with all ki
   CHECK(contains(far.err, " or still-life\n"));
 }
 
+TEST_CASE("a scene is not written under the name of another format") {
+  const TemporaryFolder folder;
+  const ProgramResult nff = runCandela({"generate", "cornell", "-o", folder.path("c.gltf")});
+  CHECK(nff.exitCode == 1);
+  CHECK(contains(nff.err, "cornell is written as NFF; name it " + folder.path("c.nff")));
+  CHECK(contains(runCandela({"generate", "still-life", "-o", folder.path("s.glb")}).err, "s.gltf\n"));
+  const std::string scene = folder.write("a.p3f", smallScene());
+  CHECK(contains(runCandela({"boxes", scene, "-o", folder.path("b.png")}).err, "b.nff\n"));
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("a size out of the kind's range is refused with the range and the reason") {
   const TemporaryFolder folder;
   for (const char* size : {"0", "8", "4294967295"}) {

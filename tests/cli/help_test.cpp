@@ -2,6 +2,7 @@
 #include "host/cli/help.h"
 
 #include <catch2/catch.hpp>
+#include <iterator>
 #include <sstream>
 
 #include "host/cli/arguments.h"
@@ -45,6 +46,19 @@ TEST_CASE("the help of generate has every kind with its sizes, and only its own 
   CHECK(help.find("--size WxH") == std::string::npos);
   CHECK(helpText(Command::render).find("--size N") == std::string::npos);
   CHECK(helpText(Command::render).find("balls") == std::string::npos);
+}
+
+TEST_CASE("the help is wrapped to the width of the terminal, with the same words") {
+  const auto wordsOf = [](const std::string& text) {
+    std::istringstream words(text);
+    return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+  };
+  for (const std::optional<Command> command : {std::optional<Command>(), std::optional(Command::generate)}) {
+    const std::string narrow = helpText(command, kMinHelpWidth);
+    std::istringstream lines(narrow);
+    for (std::string line; std::getline(lines, line);) CHECK(line.size() <= kMinHelpWidth);
+    CHECK(wordsOf(narrow) == wordsOf(helpText(command)));
+  }
 }
 
 TEST_CASE("the help fits into 100 columns and states every exit code") {

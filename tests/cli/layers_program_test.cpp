@@ -55,7 +55,7 @@ TEST_CASE("values of layers beyond the range are limited, with a warning") {
     all.push_back(layers);
     return runCandela(all);
   };
-  CHECK(contains(with("depth").err, "4 samples have layer values that are not finite or above 2^20"));
+  CHECK(contains(with("depth").err, "layer values of 4 samples are not finite or above 2^20"));
   CHECK_FALSE(contains(with("normal").err, "values of layers"));
 }
 

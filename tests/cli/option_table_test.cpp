@@ -229,7 +229,7 @@ TEST_CASE("a value out of range or of another kind is refused") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> bad{
       {"--spp", {"-1", "1.5", "", "16x", "4294967296", "1e3", " 4"}},
       {"--seed", {"-1", "4294967296"}},
-      {"--size", {"0x1", "1x0", "65536x1", "1x65536", "12", "x", "1x", "x1", "1x1x1", "1X1"}},
+      {"--size", {"0x1", "1x0", "65536x1", "1x65536", "12", "x", "1x", "x1", "1x1x1"}},
       {"--max-depth", {"0"}},
       {"--light-size", {"-1", "inf"}},
       {"--integrator", {"Path", "normals"}},

@@ -102,6 +102,29 @@ TEST_CASE("a note says that --bvh-quality has no effect without a SAH BVH") {
   CHECK_FALSE(saysSo({}));
 }
 
+TEST_CASE("notes say that options of environments and displays have no effect here") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const auto notes = [&](const std::string& output, std::vector<std::string> options) {
+    std::vector<std::string> words{scene, "-o", folder.path(output), "--device", "cpu", "--spp", "1"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProgramResult result = runCandela(words);
+    REQUIRE(result.exitCode == 0);
+    return result.err;
+  };
+  const std::string env = notes("a.png", {"--env-scale", "2", "--env-rotate", "9", "--exposure", "1"});
+  CHECK(contains(env, "--env-scale has no effect here; it applies to the environment of --env"));
+  CHECK(contains(env, "--env-rotate has no effect here"));
+  CHECK_FALSE(contains(env, "--exposure"));
+  const std::string linear = notes("a.exr",
+                                   {"--tonemap", "agx", "--exposure", "1", "--env", "white", "--env-scale", "2"});
+  CHECK(contains(linear, "--tonemap has no effect here; it applies to PNG and JPEG files"));
+  CHECK(contains(linear, "--exposure has no effect here"));
+  CHECK_FALSE(contains(linear, "--env-scale"));
+  CHECK(contains(notes("a.jpg", {"--background", "none"}), "--background none: JPEG, HDR and PFM files have no alpha"));
+  CHECK_FALSE(contains(notes("a.png", {"--background", "none"}), "alpha"));
+}
+
 TEST_CASE("the Whitted integrator reports rays by kind and options without effect") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("l 0 0 9\n"));
@@ -221,6 +244,15 @@ TEST_CASE("an invalid scene gives no image, but a message for every invalid line
   CHECK(contains(result.err, "broken.p3f:18:1: "));
   CHECK(contains(result.err, "broken.p3f:19:"));
   CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("an empty file is refused without warnings about the scene") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("empty.p3f", "");
+  const ProgramResult result = runCandela({scene, "-o", folder.path("a.png"), "--device", "cpu"});
+  CHECK(result.exitCode == 2);
+  CHECK(result.err == "candela: " + scene + ": the file is empty\n");
+  CHECK(contains(runCandela({"check", scene}).err, "the file is empty"));
 }
 
 TEST_CASE("a missing scene exits with the code of a file error") {

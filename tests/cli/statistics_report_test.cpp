@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace candela::cli {
 namespace {
@@ -65,6 +66,22 @@ TEST_CASE("the report of a render without samples divides nothing by 0") {
   CHECK(json["msamplesPerSecond"] == 0.0);
   CHECK(json["verticesPerSample"] == 0.0);
   CHECK(json["dispatch"]["median"] == 0.0);
+}
+
+TEST_CASE("faults of volumes are reported where they are too many for rounding") {
+  render::RenderResult result = exampleResult();
+  const auto reported = [&](std::uint64_t faults, Verbosity verbosity) {
+    result.statistics.volumeFaults = faults;
+    std::ostringstream sink;
+    reportFlaws(RenderReport{RenderJob{}, result, 0, 0}, Log(sink, verbosity));
+    return sink.str();
+  };
+  CHECK(reported(0, Verbosity::verbose).empty());
+  CHECK(reported(400, Verbosity::normal).empty());
+  CHECK(reported(1, Verbosity::verbose).find("1 ray entered") != std::string::npos);
+  CHECK(reported(400, Verbosity::verbose).find("0.01 % of the samples: probably rounding") != std::string::npos);
+  CHECK(reported(8000, Verbosity::normal).find("8000 rays (0.2 % of the samples) hit volumes that are not closed") !=
+        std::string::npos);
 }
 
 TEST_CASE("settings are typed: numbers, words and flags") {

@@ -25,6 +25,15 @@ TEST_CASE("conformance --list prints the names without a device") {
   CHECK(runConformance({"--list", "--cases", "leaf.film.*"}).out == "leaf.film.sums\nleaf.film.carry\n");
 }
 
+TEST_CASE("a baseline with a name that no case has causes a warning") {
+  const TemporaryFolder folder;
+  const std::string baseline = folder.write("fails.txt", "control.loop.iteration,Fail\nleaf.film.sums,Fail\n");
+  const ProgramResult result = runConformance({"--baseline", baseline});
+  CHECK(contains(result.err, baseline + ": there is no case control.loop.iteration; did you mean "
+                                        "control.loop.iterations?\n"));
+  CHECK_FALSE(contains(result.err, "leaf.film.sums"));
+}
+
 TEST_CASE("conformance refuses what it cannot do, and says what to do instead") {
   struct Refusal {
     std::vector<std::string> words;
@@ -33,6 +42,7 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
   };
   const TemporaryFolder folder;
   const std::string wrong = folder.write("wrong.txt", "control.loop.iterations\n");
+  const std::string passing = folder.write("passing.txt", "control.loop.iterations,Passes\n");
   for (const Refusal& refusal :
        std::vector<Refusal>{{{"--cases", "nothing.*"}, 1, "--cases nothing.*: no case has such a name"},
                             {{"--device", "cpu"}, 1, "choose a Vulkan device"},
@@ -41,6 +51,7 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
                             {{"scene.p3f"}, 1, "scene.p3f"},
                             {{"--baseline", "/nonexistent/fails.txt"}, 2, "/nonexistent/fails.txt"},
                             {{"--baseline", wrong}, 2, "wrong.txt:1: expected `case,Result`"},
+                            {{"--baseline", passing}, 2, "expected Fail, Crash, Timeout, Pass or ExpectedFail"},
                             {{"--csv", "/nonexistent/results.csv"}, 2, "/nonexistent"},
                             {{}, 4, "apt-get install mesa-vulkan-drivers"}}) {
     const ProgramResult result = runConformance(refusal.words);

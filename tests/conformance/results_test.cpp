@@ -60,6 +60,7 @@ TEST_CASE("JUnit XML has a failure for each unexpected result, escaped") {
 
 TEST_CASE("the text names the result, the case and what differs") {
   CHECK(lineOf(madeRun().cases[1]) == "Fail b.fail (1.50 s)\n    x < y & \"z\"\n    second line\n");
+  CHECK(interruptionOf(madeRun(), 42) == "interrupted: 38 of 42 cases were not run");
   CHECK(countsOf(madeRun()) == "Pass: 1, Fail: 1, Skip: 1, UnexpectedImprovement: 1");
 }
 

@@ -73,6 +73,8 @@ TEST_CASE("a render that hardly advances prints its progress every minute") {
 TEST_CASE("the progress shows percentage, rate and remaining time") {
   CHECK(progressText(0.25, 5'000'000, 2) == "25 %, 2.5 Msamples/s, 6 s left");
   CHECK(progressText(0, 0, 0) == "0 %");
+  CHECK(progressText(0.009, 1'000'000, 2) == "0 %, 0.5 Msamples/s");
+  CHECK(progressText(0.01, 1'000'000, 2) == "1 %, 0.5 Msamples/s, 3 min 18 s left");
   CHECK(durationText(59.4) == "59 s");
   CHECK(durationText(125) == "2 min 5 s");
   CHECK(durationText(12000) == "3 h 20 min");

@@ -36,6 +36,14 @@ TEST_CASE("a file in place of the cache folder is a warning, since root may writ
   }
 }
 
+TEST_CASE("a folder in which no file can be created is a warning, whatever its permissions") {
+  const EnvironmentGuard own("CANDELA_CACHE_DIR", "/proc/candela");
+  const Checks checks = checkCaches(std::nullopt);
+  REQUIRE(checks.size() == 1);
+  CHECK(checks[0].status == Status::warning);
+  CHECK_THAT(checks[0].text, Contains("no file can be created in /proc: "));
+}
+
 TEST_CASE("without a home there is no cache folder, which is a warning") {
   const EnvironmentGuard own("CANDELA_CACHE_DIR", "");
   const EnvironmentGuard caches("XDG_CACHE_HOME", "");

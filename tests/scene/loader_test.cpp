@@ -67,12 +67,13 @@ TEST_CASE("NFF is recognised under any name, and read by its extension if it is 
                     "\xef\xbb\xbf"
                     "f 1 1 1 1 0 1 0 1\ns 0 0 0 1\n")
             .spheres.size() == 1);
-  CHECK(sceneOfFile("empty.NFF", "").primitives.empty());
+  CHECK(sceneOfFile("empty.NFF", "# nothing\n").primitives.empty());
+  CHECK(errorOfFile("empty.NFF", "").message == "the file is empty");
   CHECK(contains(errorOfFile("scene.p3f", "spehre 0 0 0 1\n").message, "unknown keyword"));
 }
 
 TEST_CASE("a file that is no scene is refused as a whole") {
-  for (const char* text : {"", "solid cube\n", "\x89PNG\r\n", "[\"asset\"]"}) {
+  for (const char* text : {"solid cube\n", "\x89PNG\r\n", "[\"asset\"]"}) {
     CAPTURE(text);
     const Diagnostic error = errorOfFile("scene.stl", text);
     CHECK(contains(error.message, "unknown scene format"));

@@ -82,6 +82,11 @@ TEST_CASE("triangles take no more memory than three positions and a normal index
   CHECK(bytesPerTriangle("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1\n") < kSmooth);
 }
 
+TEST_CASE("the text names statements in words, with their numbers") {
+  const std::string text = toText(makeReport(load("l 1 2 3\nl 1 2 3\n")));
+  CHECK(text.find("statements  point light 2\n") != std::string::npos);
+}
+
 TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   const LoadedScene loaded = load(kScene);
   const nlohmann::json json = toJson(makeReport(loaded));

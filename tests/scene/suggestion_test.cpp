@@ -28,4 +28,14 @@ TEST_CASE("only similar words are suggested, the most similar first") {
   CHECK_FALSE(suggest(std::string(5000, 's'), spellings));
 }
 
+TEST_CASE("the only word that begins as the mistyped one comes before similar words") {
+  const std::vector<Spelling> spellings{{"time", "time"}, {"tonemap", "tonemap"}, {"tonemaps", "tonemap"}};
+  CHECK(suggest("tone", spellings) == "tonemap");
+  CHECK(suggest("TONE", spellings) == "tonemap");
+  CHECK(suggest("tim", spellings) == "time");
+  CHECK_FALSE(suggest("to", spellings));
+  const std::vector<Spelling> several{{"timex", "timex"}, {"timeyes", "timeyes"}, {"dime", "dime"}};
+  CHECK(suggest("time", several) == "timex");
+}
+
 }  // namespace candela::scene

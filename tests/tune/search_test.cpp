@@ -28,12 +28,14 @@ class MadeDevice {
       for (const Candidate& candidate : candidates) {
         const auto found = times_.find(nameOf(candidate));
         rows.push_back(madeRow(candidate, found == times_.end() ? kOneSecond : found->second, repeats));
+        for (bench::SweepRow& scene : rows.back().scenes) scene.measurement.statistics.layout = layout;
       }
       if (afterFirstRound) times_ = *afterFirstRound;
       return rows;
     });
   }
 
+  std::string layout = "cwbvh";  ///< that the device uses
   std::vector<std::uint32_t> repeatsOfRounds;
   std::optional<Times> afterFirstRound;
 
@@ -61,6 +63,16 @@ TEST_CASE("noise is two standard errors of the medians, less over more runs and 
   CHECK(noise(two, two) == Approx(noise(one, one) / std::sqrt(2)));
   CHECK(noise(one, madeRow(builtIn(), {{1, 0}})) == Approx(2 * error));
   CHECK(noise(madeRow(builtIn(), {{1, 0.1}}, 9), madeRow(builtIn(), {{1, 0.1}}, 9)) < noise(one, one));
+}
+
+TEST_CASE("layouts are not compared where all scenes are traced as lists") {
+  MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
+  CHECK(device.search().chosen == candidateWith({{"layout", "bvh2"}}));
+  device.layout = "row";
+  const SearchResult result = device.search();
+  CHECK(result.chosen == builtIn());
+  CHECK_FALSE(result.tunesLayout);
+  for (const Row& row : result.rounds.front().rows) CHECK_THAT(nameOf(row.candidate), Catch::Contains("layout=cwbvh"));
 }
 
 TEST_CASE("the candidate with the best geometric mean is chosen, not the best of any one scene") {

@@ -40,6 +40,13 @@ TEST_CASE("the text has a row for each candidate, the choice, its gain over the 
   CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel |"));
 }
 
+TEST_CASE("the text says that scenes are too small to tune the layout") {
+  TuneReport report = reportOf({0.2});
+  CHECK_THAT(toText(report), !Contains("not tuned"));
+  report.result.tunesLayout = false;
+  CHECK_THAT(toText(report), Contains("layout: not tuned, since the scenes have too few primitives for a BVH"));
+}
+
 TEST_CASE("the text says if nothing is faster or nothing is stored") {
   const std::string text = toText(reportOf({0.2}));
   CHECK_THAT(text, Contains("the built-in choice; no other is clearly faster") && Contains("nothing is stored"));

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
+#include "tests/vulkan/environment_guard.h"
 
 using namespace candela;
 using namespace candela::vulkan;
@@ -76,11 +77,25 @@ TEST_CASE("selecting an unusable device names the reason") {
   CHECK_THAT(messageOf(kDevices, "640"), Contains("not usable"));
 }
 
+TEST_CASE("the message without a device names the variable that selects drivers, and what else renders") {
+  const EnvironmentGuard older("VK_ICD_FILENAMES", "/other.json");
+  {
+    const EnvironmentGuard driver("VK_DRIVER_FILES", "/nosuch.json");
+    CHECK_THAT(messageOf({}, ""), Contains("VK_DRIVER_FILES allows only the driver /nosuch.json"));
+  }
+  const EnvironmentGuard none("VK_DRIVER_FILES", "");
+  CHECK_THAT(messageOf({}, ""), Contains("VK_ICD_FILENAMES allows only the driver /other.json"));
+  CHECK_THAT(messageOf({}, ""), Contains("candela doctor") && Contains("--device cpu"));
+  const EnvironmentGuard noneAtAll("VK_ICD_FILENAMES", "");
+  CHECK_THAT(messageOf({}, ""), !Contains("environment variable"));
+}
+
 TEST_CASE("an unknown device is refused with the list of devices") {
   const std::string message = messageOf(kDevices, "radeon");
   CHECK_THAT(message, Contains("no Vulkan device \"radeon\""));
   CHECK_THAT(message, Contains("\n  0: llvmpipe (LLVM 15.0.6, 256 bits) (CPU)\n"));
   CHECK_THAT(message, Contains("\n  3: GeForce RTX 3060 (discrete GPU)"));
+  CHECK_THAT(message, Contains("\n  cpu: the reference tracer"));
 }
 
 TEST_CASE("the message without a usable device names the packages to install") {

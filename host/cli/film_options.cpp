@@ -1,0 +1,80 @@
+// Writes settings of films as options.
+#include "host/cli/film_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "host/cli/option_table.h"
+
+namespace candela::cli {
+namespace {
+
+constexpr const char* kAntialiasing = "antialiasing";  // a setting of films that --spp 0 gives
+
+const Option* settingNamed(const std::string& name) {
+  const auto& table = optionTable();
+  const auto found = std::ranges::find_if(
+      table, [&](const Option& option) { return option.isFor(Command::render) && option.name() == "--" + name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string settingOf(const film::FilmHeader& header, const std::string& name) {
+  const auto found = header.settings.find(name);
+  return found == header.settings.end() ? "" : found->second;
+}
+
+bool isDefault(const Option& option, const std::string& value) {
+  return value.empty() || value == (option.isFlag() ? "off" : option.defaultText);
+}
+
+// The changes that make the settings of a render those of a film.
+struct Changes {
+  std::vector<std::string> added;
+  std::vector<std::string> removed;
+
+  void adopt(const std::string& name, const std::string& value) {
+    const Option* const option = settingNamed(name);
+    if (const std::optional<std::string> words = optionOf(name, value)) {
+      added.push_back(*words);
+    } else if (option != nullptr && isDefault(*option, value)) {
+      removed.push_back(option->name());
+    }
+  }
+};
+
+}  // namespace
+
+std::optional<std::string> optionOf(const std::string& name, const std::string& value) {
+  if (name == kAntialiasing) return value == "off" ? std::optional<std::string>("--spp 0") : std::nullopt;
+  const Option* const option = settingNamed(name);
+  if (option == nullptr || isDefault(*option, value)) return std::nullopt;
+  if (option->isFlag()) return option->name();
+  Arguments scratch;
+  if (!option->apply(scratch, value)) return std::nullopt;
+  return fmt::format("{} {}", option->name(), shellQuoted(value));
+}
+
+bool isValue(const std::string& name, const std::string& setting) {
+  const Option* const option = settingNamed(name);
+  return option == nullptr || setting != option->defaultText || setting.find(' ') == std::string::npos;
+}
+
+std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& render) {
+  Changes changes;
+  if (film.size != render.size) changes.added.push_back("--size " + render::extentText(film.size));
+  if (film.seed != render.seed) changes.added.push_back(fmt::format("--seed {}", film.seed));
+  std::map<std::string, std::string> names = film.settings;
+  names.insert(render.settings.begin(), render.settings.end());
+  for (const auto& [name, ignored] : names) {
+    const std::string value = settingOf(film, name);
+    if (value != settingOf(render, name)) changes.adopt(name, value);
+  }
+  std::vector<std::string> steps;
+  if (!changes.added.empty()) steps.push_back(fmt::format("use {}", fmt::join(changes.added, " ")));
+  if (!changes.removed.empty()) steps.push_back(fmt::format("leave out {}", fmt::join(changes.removed, " and ")));
+  return fmt::format("{}", fmt::join(steps, ", and "));
+}
+
+}  // namespace candela::cli

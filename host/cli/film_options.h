@@ -1,0 +1,21 @@
+// The settings of films in the notation of the command line.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "host/film/film_header.h"
+
+namespace candela::cli {
+
+/// Returns the option that gives a setting of FilmHeader::settings its value, e.g. "--max-depth 4" or "--one-sided".
+/// Returns nothing if the setting has the default of the option, or if no option gives it.
+std::optional<std::string> optionOf(const std::string& name, const std::string& value);
+
+/// Returns whether a setting has a value, rather than words that describe a default, such as "the pose at rest".
+bool isValue(const std::string& name, const std::string& setting);
+
+/// Returns what to change on the command line so that a render with the header `render` continues `film`, e.g.
+/// "use --size 96x96 --seed 3, and leave out --one-sided". Empty if no options achieve that.
+std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& render);
+
+}  // namespace candela::cli
