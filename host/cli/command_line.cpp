@@ -196,6 +196,7 @@ void requireTogether(const Arguments& arguments, const char* option, const char*
 void requireCompleteOptions(const Arguments& arguments) {
   requireTogether(arguments, "--checkpoint-every", "--checkpoint");
   requireTogether(arguments, "--resume-anyway", "--resume");
+  requireTogether(arguments, "--animation", "--time");
 }
 
 void requireFormats(const Arguments& arguments) {

@@ -34,7 +34,8 @@ std::string structureText(const RenderJob& job, const render::RenderStatistics& 
 
 // Films of versions without these options can be resumed, because films record these options only if they do not
 // have their defaults.
-constexpr std::array<std::string_view, 3> kLateSettings{"--background", "--noise-threshold", "--aov-through-specular"};
+constexpr std::array<std::string_view, 4> kLateSettings{"--background", "--noise-threshold", "--aov-through-specular",
+                                                        "--animation"};
 
 std::map<std::string, std::string> settingsOf(const RenderJob& job, const render::RenderStatistics& statistics) {
   std::map<std::string, std::string> settings;

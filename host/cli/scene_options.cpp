@@ -87,8 +87,10 @@ std::vector<Option> sceneFileOptions() {
            realNumber<double>("S", 0, 1e30), [](auto& a) -> auto& { return a.loadOptions.environment.scale; }),
     valued({"--camera", kReadingScenes, kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
            orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
-    valued({"--time", kReadingScenes, kGroup, "for glTF: time in the first animation, in seconds"},
+    valued({"--time", kReadingScenes, kGroup, "for glTF: time in the animation, in seconds"},
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),
+    valued({"--animation", kReadingScenes, kGroup, "for glTF: name or index of the animation that --time applies to"},
+           orAbsent(text("NAME|N", "an animation"), "the first"), [](auto& a) -> auto& { return a.loadOptions.animation; }),
   };
 }
 // clang-format on

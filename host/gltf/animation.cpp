@@ -126,12 +126,33 @@ void setPath(const Value& path, const Value& sampler, double seconds, Accessors&
   }
 }
 
+[[noreturn]] void refuseWish(const Value& animations, const std::string& wish) {
+  std::string names;
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    const std::string name = animations[i].textOr("name", "");
+    names += fmt::format("{} {}{}", i == 0 ? "" : ",", i, name.empty() ? "" : " " + scene::quote(name));
+  }
+  throw FileError(fmt::format("no animation {}; the file has the animations{}", scene::quote(wish), names));
+}
+
+// Names come before indices, since an animation may be called "1".
+Value chosenAnimation(const Value& animations, const std::optional<std::string>& wish) {
+  if (!wish) return animations[0];
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    if (animations[i].textOr("name", "") == *wish) return animations[i];
+  }
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    if (fmt::to_string(i) == *wish) return animations[i];
+  }
+  refuseWish(animations, *wish);
+}
+
 }  // namespace
 
-Pose poseAt(const Value& root, double seconds, Accessors& accessors) {
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors) {
   Pose pose;
   if (root.sizeOf("animations") == 0) return pose;
-  const Value animation = root.require("animations")[0];
+  const Value animation = chosenAnimation(root.require("animations"), wish);
   const Value channels = animation.require("channels");
   const Value samplers = animation.require("samplers");
   for (std::size_t i = 0; i < channels.size(); ++i) {

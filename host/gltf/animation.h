@@ -1,9 +1,10 @@
-// The first animation at a point in time.
+// An animation at a point in time.
 #pragma once
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "host/gltf/accessor.h"
@@ -21,8 +22,10 @@ struct NodePose {
 /// By node index.
 using Pose = std::map<std::size_t, NodePose>;
 
-/// Evaluates every channel of animation 0 at `seconds`; before the first and after the last key frame, the values
-/// of that frame apply. Empty if there is no animation. Throws PlaceError.
-Pose poseAt(const Value& root, double seconds, Accessors& accessors);
+/// Evaluates every channel of an animation at `seconds`; before the first and after the last key frame, the values
+/// of that frame apply. `wish` is the name or the index of the animation, and the first one if it is empty. The pose is
+/// empty if there is no animation. Throws PlaceError, and FileError with the names of all animations if none is the
+/// wish.
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors);
 
 }  // namespace candela::gltf

@@ -19,6 +19,7 @@ std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& opt
   std::uint64_t hash = textures.hashFiles(buffers.hashFiles(scene::fnv1aOfText(file.bytes)));
   if (options.camera) hash = scene::fnv1aOfText("camera " + *options.camera, hash);
   if (options.time) hash = scene::fnv1aOfText(fmt::format("time {}", *options.time), hash);
+  if (options.animation) hash = scene::fnv1aOfText("animation " + *options.animation, hash);
   return hash;
 }
 
@@ -49,7 +50,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   if (options.time && root.sizeOf("animations") == 0) {
     log.warn("time", {}, "--time has no effect: the file has no animation");
   }
-  const Pose pose = options.time ? poseAt(root, *options.time, accessors) : Pose{};
+  const Pose pose = options.time ? poseAt(root, options.animation, *options.time, accessors) : Pose{};
   const NodeTree nodes(root, pose, options.lenient, log);
   SceneAssembly assembly(root, nodes, pose, accessors, buffers, options.lenient, log);
   assembly.addMaterials();

@@ -16,7 +16,8 @@ using cli::Command;
 using cli::OptionGroup;
 
 const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
-const FunctionOptions kSceneOptions{"Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time"}};
+const FunctionOptions kSceneOptions{
+    "Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time", "--animation"}};
 const FunctionOptions kRenderOptions{"render",
                                      Command::render,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::film},

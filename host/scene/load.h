@@ -17,9 +17,10 @@ namespace candela::scene {
 struct LoadOptions {
   bool lenient = false;  ///< warn of deviations that docs/scene-format.md and docs/gltf.md list, and read on
   std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which a scene may read
-  std::optional<std::string> camera{};  ///< name or index of one of the file's cameras; "none": a view of everything
-  std::optional<double> time{};         ///< seconds at which the first animation is evaluated; empty: at rest
-  EnvironmentRequest environment{};     ///< replaces the background, and the default light of glTF
+  std::optional<std::string> camera{};     ///< name or index of one of the file's cameras; "none": a view of everything
+  std::optional<double> time{};            ///< seconds at which an animation is evaluated; empty: at rest
+  std::optional<std::string> animation{};  ///< name or index of one of the file's animations; empty: the first
+  EnvironmentRequest environment{};        ///< replaces the background, and the default light of glTF
 
   bool hasEnvironment() const { return !environment.source.empty(); }
 };

@@ -108,6 +108,8 @@ TEST_CASE("a wrong value is named with the words that are allowed, and with a su
 TEST_CASE("a dash as scene is stdin") {
   CHECK(parse({"-", "-o", "a.png"}).files == std::vector<std::string>{"/dev/stdin"});
   CHECK(parse({"check", "a.p3f", "-"}).files == std::vector<std::string>{"a.p3f", "/dev/stdin"});
+  CHECK(messageFor({"a.glb", "-o", "a.png", "--animation", "Walk"}) ==
+        "--animation has no effect without --time\nsee candela render --help");
 }
 
 TEST_CASE("a short option takes its value with or without an equals sign") {

@@ -65,6 +65,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--env-scale", "S", "1"},
       {"--camera", "NAME|N", "the first, else none"},
       {"--time", "SECONDS", "the pose at rest"},
+      {"--animation", "NAME|N", "the first"},
       {"--device", "cpu|N|SUBSTRING", "the best GPU"},
       {"--kernel", "auto|megakernel|wavefront", "auto"},
       {"--workgroup", "XxY", "auto"},

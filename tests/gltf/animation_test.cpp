@@ -51,6 +51,27 @@ TEST_CASE("rotations are interpolated on the sphere, along the shorter way") {
   CHECK(glm::distance(x, glm::vec3(a, a, 0)) < 1e-6f);  // half of 90 degrees
 }
 
+TEST_CASE("an animation is chosen by its name, else by its index; the first is the default") {
+  GltfFile file = animated("translation", {1, 0, 0, 1, 0, 0}, "VEC3", 3, "STEP");
+  nlohmann::json other = file.root["animations"][0];
+  other["samplers"][0]["output"] = file.vectors({2, 0, 0, 2, 0, 0}, "VEC3", 3);
+  other["name"] = "Walk";
+  file.root["animations"].push_back(other);
+  other["samplers"][0]["output"] = file.vectors({3, 0, 0, 3, 0, 0}, "VEC3", 3);
+  other["name"] = "0";
+  file.root["animations"].push_back(other);
+  const auto x = [&](const std::optional<std::string>& animation) {
+    return sceneOf(file, {.time = 1, .animation = animation}).meshes.at(0).positions.at(0).x;
+  };
+  CHECK(x(std::nullopt) == 1);
+  CHECK(x("Walk") == 2);
+  CHECK(x("1") == 2);
+  CHECK(x("0") == 3);
+  CHECK_THROWS_WITH(x("Run"),
+                    Catch::Contains("no animation \"Run\"; the file has the animations 0, 1 \"Walk\", 2 \"0\""));
+  CHECK(sceneOf(file, {.time = 1}).hash != sceneOf(file, {.time = 1, .animation = "Walk"}).hash);
+}
+
 TEST_CASE("weights of morph targets are animated") {
   GltfFile file = animated("weights", {0, 0, 1, 0.5f}, "SCALAR", 1, "LINEAR");
   file.primitive()["targets"] = {{{"POSITION", file.positions({4, 0, 0, 0, 0, 0, 0, 0, 0})}},

@@ -233,6 +233,7 @@ def load(
     env_scale: float | None = None,
     camera: str | int | None = None,
     time: float | None = None,
+    animation: str | int | None = None,
 ) -> Scene: ...
 def render(
     scene: Scene,
