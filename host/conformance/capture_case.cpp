@@ -21,14 +21,14 @@ void requireCapturable(const Case& question, const Finding& finding, const vulka
   }
 }
 
-// The text of the case describes the difference better than words of buffers do.
+// The text of the case describes the difference better than words of buffers do, if all of its values are kept.
 capture::Capture captureOf(const vulkan::Recording& recording, const Finding& finding,
                            const vulkan::DeviceInfo& device) {
   capture::Capture capture = capture::cutDown(recording);
   capture.expected = finding.expected;
   check(capture, device);
   if (finding.isPerInvocation) takeFewestInvocations(capture, device, kRunGroup);
-  if (capture.differing > 0) capture.found = finding.text;
+  if (capture.differing > 0 && capture.wholeCount == 0) capture.found = finding.text;
   return capture;
 }
 

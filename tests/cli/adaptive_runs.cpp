@@ -1,22 +1,26 @@
-// Stops renders after increasing times.
+// Stops renders after increasing fractions of the time that they take.
 #include "tests/cli/adaptive_runs.h"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 
 namespace candela {
 namespace {
 
 using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
 
-// Renders until the film is complete, and stops each run after a time. Returns the number of runs that were stopped.
-int renderWithStops(const FilmRuns& runs, const std::string& scene, const std::string& film, int stops) {
+// Renders until the film is complete, which takes about `duration` without stops, and stops each run after a part of
+// this time. Returns the number of runs that were stopped.
+int renderWithStops(const FilmRuns& runs, const std::string& scene, const std::string& film, int stops,
+                    milliseconds duration) {
   int stopped = 0;
   for (int i = 0; i < stops; ++i) {
     std::vector<std::string> options{"--checkpoint", film, "--checkpoint-every", "0.02s"};
     if (i > 0) options.insert(options.end(), {"--resume", film});
     Surroundings surroundings;
-    surroundings.interruptAfter = milliseconds(60 + 30 * i);
+    surroundings.interruptAfter = duration * (2 + i) / 10;
     surroundings.signal = SIGINT;
     const int code = runs.run(scene, options, surroundings).exitCode;
     REQUIRE((code == 0 || code == 7));
@@ -30,7 +34,9 @@ int renderWithStops(const FilmRuns& runs, const std::string& scene, const std::s
 
 void requireEqualAdaptiveFilms(const FilmRuns& runs, const TemporaryFolder& folder, int stops) {
   const std::string scene = folder.write("scene.p3f", causticScene());
+  const Clock::time_point start = Clock::now();
   const std::string whole = runs.film(scene, folder.path("whole.exr"));
+  const auto duration = std::chrono::duration_cast<milliseconds>(Clock::now() - start);
   const std::string left = folder.path("left.exr");
   const std::string right = folder.path("right.exr");
   runs.film(scene, left, {"--crop", "0,0,64,68"});
@@ -39,7 +45,7 @@ void requireEqualAdaptiveFilms(const FilmRuns& runs, const TemporaryFolder& fold
   REQUIRE(runCandela({"merge", right, left, "-o", merged}).exitCode == 0);
   CHECK(readText(merged) == whole);
   const std::string film = folder.path("stopped.exr");
-  const int stopped = renderWithStops(runs, scene, film, stops);
+  const int stopped = renderWithStops(runs, scene, film, stops, duration);
   INFO(stopped << " stops");
   CHECK(stopped > 0);
   CHECK(runs.film(scene, film, {"--resume", film}) == whole);

@@ -51,7 +51,7 @@ TEST_CASE("rotations are interpolated on the sphere, along the shorter way") {
   CHECK(glm::distance(x, glm::vec3(a, a, 0)) < 1e-6f);  // half of 90 degrees
 }
 
-TEST_CASE("an animation is chosen by its name, else by its index; the first is the default") {
+TEST_CASE("an animation is chosen by its name, else by its index, and the first one by default") {
   GltfFile file = animated("translation", {1, 0, 0, 1, 0, 0}, "VEC3", 3, "STEP");
   nlohmann::json other = file.root["animations"][0];
   other["samplers"][0]["output"] = file.vectors({2, 0, 0, 2, 0, 0}, "VEC3", 3);

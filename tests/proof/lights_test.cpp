@@ -184,7 +184,7 @@ TEST_CASE("a light that is hit in the direction of a sample has the density and 
   }
 }
 
-TEST_CASE("lights are chosen by power, with probability 1/2 a point light, and never one of weight 0") {
+TEST_CASE("lights are chosen by power, emitters or point lights by flux, and never one of weight 0") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1, 2, 3))).sphere({0, 0, 0}, 0.5f);
   b.material(diffuseMaterial(vec3(1), vec3(9, 1, 0.5f)));
@@ -192,9 +192,13 @@ TEST_CASE("lights are chosen by power, with probability 1/2 a point light, and n
   b.pointLight({0, 0, 5}, {0.2f, 0.2f, 0.2f}).pointLight({0, 0, 6}, vec3(0)).pointLight({0, 0, 7}, {0, 0, 1});
   const double first = image::luminance({1, 2, 3}), second = image::luminance({9, 1, 0.5});
   const double emitters[] = {std::numbers::pi * first, 1.5 * second, 0.0625 * second}, points[] = {0.2, 0, 0.0722};
+  const double emitterSum = emitters[0] + emitters[1] + emitters[2], pointSum = points[0] + points[2];
+  const double squaredRadius = (1.5 * 1.5 + 3.5 * 3.5 + 2.5 * 2.5) / 4;  // of the box from -1/2 to (1, 3, 2)
+  const double pointFlux = std::numbers::pi * squaredRadius * pointSum;
+  const double ofPoints = 0.2 + 0.6 * pointFlux / (emitterSum + pointFlux);
   std::vector<double> shares;
-  for (const double weight : emitters) shares.push_back(weight / (emitters[0] + emitters[1] + emitters[2]) / 2);
-  for (const double weight : points) shares.push_back(weight / (points[0] + points[2]) / 2);
+  for (const double weight : emitters) shares.push_back(weight / emitterSum * (1 - ofPoints));
+  for (const double weight : points) shares.push_back(weight / pointSum * ofPoints);
 
   std::vector<std::uint32_t> words;
   for (const glm::vec3& u : manyNumbers()) words.push_back(static_cast<std::uint32_t>(u.x * 0x1p24f) << 8 | 0xabu);
