@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/reference/light_flux.h"
+#include "host/reference/sampling.h"
 #include "host/reference/textured_material.h"
 
 namespace candela::reference {
