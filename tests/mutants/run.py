@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Plants faults in a copy of the tree, one at a time, and reports which test layer finds each.
 
-    python3 tests/mutants/run.py [--check] [--only REGEX] [--build DIR] [--markdown FILE]
+    python3 tests/mutants/run.py [--check] [--only REGEX] [--build DIR] [--work FILE] [--no-means] [--markdown FILE]
 
 The faults are those of mutants.toml. Only the layers that could see a fault are built and run, on lavapipe, until one
-fails. --check plants nothing: it says whether every edit still has its place. Exit code: 0 enough faults were found
-(or every edit has its place), 3 too few, 1 usage, 2 the unchanged program does not pass.
+fails. Results are appended to --work, and faults whose results it has are not planted again. --check plants nothing: it
+says whether every edit still has its place. Exit code: 0 enough faults were found (or every edit has its place), 3 too
+few, 1 usage, 2 the unchanged program does not pass.
 """
 import argparse
 import glob
@@ -18,7 +19,7 @@ import sys
 import time
 import tomllib
 import xml.etree.ElementTree as ElementTree
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -29,7 +30,8 @@ LAYER_SECONDS = 300  # a fault may make a loop endless
 
 @dataclass
 class Outcome:
-    mutant: dict
+    name: str
+    side: str
     layer: str = ""  # that found the fault; empty: none did
     by: str = ""
     mean_change: float | None = None  # of the device's picture; None where the fault leaves no picture
@@ -148,7 +150,7 @@ def scene_of(mutant):
 
 
 def examine(workshop: Workshop, mutant, means):
-    outcome = Outcome(mutant)
+    outcome = Outcome(mutant["name"], mutant["side"])
     start = time.monotonic()
     plant(mutant, workshop.source)
     try:
@@ -158,9 +160,11 @@ def examine(workshop: Workshop, mutant, means):
                 outcome.layer = layer
                 break
         scene, arguments = scene_of(mutant)
-        mean = workshop.mean(scene, arguments)
-        if mean is not None:
-            outcome.mean_change = mean / means[scene, *arguments] - 1
+        if (scene, *arguments) in means:
+            mean = workshop.mean(scene, arguments)
+            outcome.mean_change = None if mean is None else mean / means[scene, *arguments] - 1
+    except RuntimeError as error:
+        outcome.by = str(error)
     finally:
         workshop.restore(mutant)
     outcome.seconds = time.monotonic() - start
@@ -168,13 +172,22 @@ def examine(workshop: Workshop, mutant, means):
 
 
 def require_soundness(workshop: Workshop, mutants):
-    """Requires that the unchanged program passes every layer. Returns its means by scene."""
+    """Requires that the unchanged program passes every layer."""
     for layer in dict.fromkeys(layer for mutant in mutants for layer in mutant["layers"]):
         failure = workshop.find_fault(layer)
         if failure:
             print(f"the unchanged program fails in {layer}: {failure}", file=sys.stderr)
             sys.exit(2)
+
+
+def means_by_scene(workshop: Workshop, mutants):
     return {(scene, *arguments): workshop.mean(scene, arguments) for scene, arguments in map(scene_of, mutants)}
+
+
+def read_results(work: Path | None):
+    if work is None or not work.exists():
+        return []
+    return [Outcome(**json.loads(line)) for line in work.read_text().splitlines()]
 
 
 def percent(change):
@@ -185,7 +198,7 @@ def markdown(outcomes):
     lines = ["| fault | side | mean | found by |", "|---|---|---:|---|"]
     for o in outcomes:
         found = f"{o.layer}: {o.by}" if o.layer else "**nothing**"
-        lines.append(f"| {o.mutant['name']} | {o.mutant['side']} | {percent(o.mean_change)} | {found} |")
+        lines.append(f"| {o.name} | {o.side} | {percent(o.mean_change)} | {found} |")
     return "\n".join(lines) + "\n"
 
 
@@ -194,6 +207,8 @@ def main():
     parser.add_argument("--check", action="store_true", help="only say whether every edit has its place")
     parser.add_argument("--only", default="", metavar="REGEX", help="only faults whose name has this")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", metavar="DIR")
+    parser.add_argument("--work", type=Path, metavar="FILE", help="results as JSON, one a line")
+    parser.add_argument("--no-means", action="store_true", help="do not render the picture of each fault")
     parser.add_argument("--markdown", type=Path, metavar="FILE", help="write the table here")
     options = parser.parse_args()
 
@@ -203,15 +218,21 @@ def main():
     if options.check or problems:
         return 1 if problems else 0
 
-    chosen = [mutant for mutant in mutants if re.search(options.only, mutant["name"])]
+    outcomes = read_results(options.work)
+    done_before = {(o.name, o.side) for o in outcomes}
+    chosen = [mutant for mutant in mutants
+              if re.search(options.only, mutant["name"]) and (mutant["name"], mutant["side"]) not in done_before]
     workshop = Workshop(options.build, layers)
     workshop.prepare()
-    means = require_soundness(workshop, chosen)
-    outcomes = []
+    require_soundness(workshop, chosen)
+    means = {} if options.no_means else means_by_scene(workshop, chosen)
     for mutant in chosen:
-        outcomes.append(examine(workshop, mutant, means))
-        o = outcomes[-1]
-        print(f"{o.seconds:5.0f} s  {percent(o.mean_change):>10}  {o.layer or 'NOT FOUND':12}  {mutant['name']}  [{o.by}]", flush=True)
+        o = examine(workshop, mutant, means)
+        outcomes.append(o)
+        print(f"{o.seconds:5.0f} s  {percent(o.mean_change):>10}  {o.layer or 'NOT FOUND':12}  {o.name}  [{o.by}]", flush=True)
+        if options.work:
+            with options.work.open("a") as file:
+                file.write(json.dumps(asdict(o)) + "\n")
     found = sum(1 for o in outcomes if o.layer)
     print(f"{found} of {len(outcomes)} found, {sum(o.seconds for o in outcomes) / 60:.0f} minutes")
     if options.markdown:
