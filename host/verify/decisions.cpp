@@ -2,12 +2,12 @@
 #include "host/verify/decisions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <vector>
 
 #include "host/statistics/error_rates.h"
 
@@ -174,14 +174,18 @@ std::string DecisionTest::summary() const {
                      oddDevice);
 }
 
+std::vector<std::string> DecisionTest::details() const {
+  if (!isPossible) return {};
+  std::string undecided = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",
+                                      100 * undecidableShare(), pixels);
+  if (undecidable > 0) undecided += fmt::format(" (amplification up to {:.1e} at vertex {})", amplification, vertex);
+  return {undecided, fmt::format("among the others, the device's value is the outlier in {}, a replica's in {} "
+                                 "(p = {:.1e})",
+                                 oddDevice, odd - oddDevice, pValue)};
+}
+
 std::string DecisionTest::text() const {
-  if (!isPossible) return "the reference traced no replicas, so only the test for equal light decides";
-  std::string text = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",
-                                 100 * undecidableShare(), pixels);
-  if (undecidable > 0) text += fmt::format(" (amplification up to {:.1e} at vertex {})", amplification, vertex);
-  return text +
-         fmt::format("; among the others, the device's value is the outlier in {}, a replica's in {} (p = {:.1e})",
-                     oddDevice, odd - oddDevice, pValue);
+  return isPossible ? fmt::format("{}", fmt::join(details(), "; ")) : summary();
 }
 
 nlohmann::ordered_json DecisionTest::json() const {

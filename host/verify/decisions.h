@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "host/image/film.h"
 #include "host/render/session.h"
@@ -47,7 +48,9 @@ struct DecisionTest {
   }
   /// Returns the result in one clause.
   std::string summary() const;
-  /// Returns the counts in words, without a newline. Semicolons separate the parts.
+  /// Returns the counts in words, a clause each; nothing if the test is not possible.
+  std::vector<std::string> details() const;
+  /// Returns the details in one sentence, or the summary if there are none.
   std::string text() const;
   nlohmann::ordered_json json() const;
 };

@@ -21,17 +21,6 @@ std::size_t differingTiles(const LightTestResult& light) {
   return count;
 }
 
-// Returns each part of a text, which semicolons separate, as a line below a result.
-std::string indentedLines(const std::string& text) {
-  std::string lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find("; ", start), text.size());
-    lines += fmt::format("{:29}{}\n", "", text.substr(start, end - start));
-    start = end + 2;
-  }
-  return lines;
-}
-
 std::string pathsText(const VerifyReport& report) {
   const PixelAgreement& paths = report.paths;
   std::string text = fmt::format("1 Same numbers, same paths?  {}: {}\n",
@@ -39,7 +28,7 @@ std::string pathsText(const VerifyReport& report) {
                                  : paths.agree()             ? "yes"
                                                              : "NO",
                                  paths.decisions.summary());
-  if (paths.decisions.isPossible) text += indentedLines(paths.decisions.text());
+  for (const std::string& line : paths.decisions.details()) text += fmt::format("{:29}{}\n", "", line);
   return text + fmt::format(
                     "                             {:.3f} % of {} pixels are equal to {:.0e}\n"
                     "                             first differences of the others:{}\n",
