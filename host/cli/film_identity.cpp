@@ -44,7 +44,7 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     const std::vector<std::string> values = option.show(job.arguments);
     const std::string value = values.empty() ? "off" : values.front();
     const bool isLate = std::ranges::find(kLateSettings, option.name()) != kLateSettings.end();
-    if (isLate && value == (option.isFlag() ? "off" : option.defaultText)) continue;
+    if (isLate && option.isDefault(value)) continue;
     settings[option.name().substr(2)] = film::validText(value);
   }
   if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;

@@ -25,9 +25,7 @@ std::string settingOf(const film::FilmHeader& header, const std::string& name) {
   return found == header.settings.end() ? "" : found->second;
 }
 
-bool isDefault(const Option& option, const std::string& value) {
-  return value.empty() || value == (option.isFlag() ? "off" : option.defaultText);
-}
+bool isAbsent(const Option& option, const std::string& value) { return value.empty() || option.isDefault(value); }
 
 // The changes that make the settings of a render those of a film.
 struct Changes {
@@ -38,7 +36,7 @@ struct Changes {
     const Option* const option = settingNamed(name);
     if (const std::optional<std::string> words = optionOf(name, value)) {
       added.push_back(*words);
-    } else if (option != nullptr && isDefault(*option, value)) {
+    } else if (option != nullptr && isAbsent(*option, value)) {
       removed.push_back(option->name());
     }
   }
@@ -49,7 +47,7 @@ struct Changes {
 std::optional<std::string> optionOf(const std::string& name, const std::string& value) {
   if (name == kAntialiasing) return value == "off" ? std::optional<std::string>("--spp 0") : std::nullopt;
   const Option* const option = settingNamed(name);
-  if (option == nullptr || isDefault(*option, value)) return std::nullopt;
+  if (option == nullptr || isAbsent(*option, value)) return std::nullopt;
   if (option->isFlag()) return option->name();
   Arguments scratch;
   if (!option->apply(scratch, value)) return std::nullopt;

@@ -41,6 +41,9 @@ struct Option {
   std::function<std::vector<std::string>(const Arguments&)> show;
   std::vector<std::string> words{};  ///< Notation::words
 
+  /// Returns whether a value as films record it ("off" for a flag that is not given) is the default.
+  bool isDefault(const std::string& value) const { return value == (isFlag() ? "off" : defaultText); }
+
   /// Returns the long name with its dashes.
   std::string name() const { return names.substr(names.rfind(',') + 1); }
   bool isFlag() const { return metavar.empty(); }
