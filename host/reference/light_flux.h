@@ -1,4 +1,4 @@
-// What the flux that a scene receives from its lights is estimated from: docs/light-transport.md section 6.
+// Measures of a scene by which the flux of its lights is estimated: docs/light-transport.md section 6.
 #pragma once
 #include "host/scene/scene.h"
 

@@ -96,7 +96,7 @@ struct PunctualLight {
   glm::vec3 direction{0, 0, -1};  ///< unit vector along which a spot or directional light shines
   /// Radiant intensity, W/sr; of a directional light the irradiance of a surface that faces it, W/m^2. >= 0.
   glm::vec3 intensity{1, 1, 1};
-  /// Of a spot light: intensity is full within the inner angle from its direction and zero beyond the outer one. Both
+  /// A spot light has its full intensity within the inner angle from its direction, and none beyond the outer one. Both
   /// are given as 1 - cos, because cosines close to 1 do not distinguish small angles. 0 <= inner < outer.
   float versineInner = 0;
   float versineOuter = 1;
