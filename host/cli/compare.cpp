@@ -4,6 +4,7 @@
 #include "host/cli/commands.h"
 #include "host/cli/comparison.h"
 #include "host/cli/file_kinds.h"
+#include "host/image/image.h"
 
 namespace candela::cli {
 namespace {
@@ -13,7 +14,7 @@ void requireComparable(const std::vector<std::string>& files) {
   if (files.size() == 2 && scene != files.end()) {
     throw UsageError("compare takes two images or one scene, and " + *scene + " is a scene");
   }
-  if (files.size() == 1 && isImageName(files.front())) {
+  if (files.size() == 1 && image::hasImageExtension(files.front())) {
     throw UsageError("compare " + files.front() + ": the second image is missing");
   }
 }

@@ -6,13 +6,8 @@
 
 namespace candela::cli {
 
-/// Returns the extension of a file in lower case, e.g. ".exr".
-std::string extensionOf(const std::filesystem::path& file);
-
 /// Returns whether the extension is that of a format in which scenes are read.
 bool isSceneName(const std::filesystem::path& file);
-/// Returns whether the extension is that of a format in which images are read.
-bool isImageName(const std::filesystem::path& file);
 
 /// Throws UsageError if `file` has an extension of a known format that is not one of `extensions`. The message suggests
 /// the first of these. `what` is what is written, with the name of its format: "a film is an OpenEXR file".

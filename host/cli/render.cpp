@@ -1,7 +1,6 @@
 // `candela render`: renders a scene file, and writes images and a report.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <iostream>
@@ -21,16 +20,14 @@
 #include "host/core/counted.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
+#include "host/render/adaptive_summary.h"
 
 namespace candela::cli {
 namespace {
 
-// The samples of a film that was stopped, per pixel: at most one decimal, and none for whole numbers.
+// At most one decimal, and none for whole numbers.
 std::string meanSamples(const image::Film& film) {
-  double samples = 0;
-  for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
-  const double mean = samples / std::max<double>(1, static_cast<double>(film.pixels().size()));
-  return fmt::format("{:g}", std::round(10 * mean) / 10);
+  return fmt::format("{:g}", std::round(10 * render::sampleCountsOf(film).meanSamples) / 10);
 }
 
 std::string doneText(const RenderReport& report) {

@@ -7,11 +7,11 @@
 #include <array>
 
 #include "host/cli/adaptive_report.h"
-#include "host/cli/file_kinds.h"
 #include "host/cli/memory_check.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
+#include "host/core/file_extension.h"
 #include "host/core/interrupt.h"
 #include "host/device/gpu_renderer.h"
 #include "host/device/kernel.h"

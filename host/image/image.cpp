@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <numeric>
 
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/file_extension.h"
 #include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"
 
@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 enum class Format { png, jpeg, hdr, pfm, exr };
 
 std::optional<Format> formatByExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extensionOf(file);
   if (extension == ".png") return Format::png;
   if (extension == ".jpg" || extension == ".jpeg") return Format::jpeg;
   if (extension == ".hdr") return Format::hdr;
@@ -201,6 +199,8 @@ Image toImage(const Pixels8& pixels) {
   }
   return image;
 }
+
+bool hasImageExtension(const fs::path& file) { return formatByExtension(file).has_value(); }
 
 void checkImageFormat(const fs::path& file) { requireFormat(file); }
 

@@ -89,6 +89,8 @@ Image toImage(const Pixels8& pixels);
 /// `samples` and `badSamples`, and the channels of layers; the metadata as string attributes). The other formats show
 /// an image with alpha over black. Throws UsageError for any other extension.
 void checkImageFormat(const std::filesystem::path& file);
+/// Returns whether the extension is that of a format in which images are read and written.
+bool hasImageExtension(const std::filesystem::path& file);
 /// Returns whether such a file has 8-bit pixels, made by a display transform. Throws as checkImageFormat does.
 bool isEightBit(const std::filesystem::path& file);
 /// Returns whether such a file is an EXR file, which has the channels of layers. Throws as checkImageFormat does.

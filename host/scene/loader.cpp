@@ -6,16 +6,10 @@
 
 #include <algorithm>
 
+#include "host/core/file_extension.h"
+
 namespace candela::scene {
 namespace {
-
-/// Returns the extension in lower case.
-std::string extensionOf(const std::string& fileName) {
-  std::string extension = std::filesystem::path(fileName).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c; });
-  return extension;
-}
 
 std::string formatsOf(std::span<const Loader> loaders) {
   std::vector<std::string> formats;
