@@ -10,6 +10,7 @@
 #include "host/capture/scene_capture.h"
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
+#include "host/cli/option_table.h"
 #include "host/cli/render_job.h"
 #include "host/cli/requirements.h"
 #include "host/conformance/capture_case.h"
