@@ -137,17 +137,18 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   path.throughput *= next.weight;
   path.pdf = next.pdf;
   path.ray = rayFrom(surface, direction);
-  if (kHasVolumes && next.lobe == kLobeRefract) {
-    countVolumeFault(material, shading.outside, path.volume);
-    path.volume = volumeBeyond(material, shading.outside, path.volume);
-  }
   noteScattering(next, direction);
   // A value that is not finite must not end a path silently: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {
     path.radiance = vec3(uintBitsToFloat(kNotANumber));
     return false;
   }
-  return kept && largest(path.throughput) > 0.0;
+  bool continues = kept && largest(path.throughput) > 0.0;
+  if (kHasVolumes && continues && next.lobe == kLobeRefract) {
+    countVolumeFault(material, shading.outside, path.volume);
+    path.volume = volumeBeyond(material, shading.outside, path.volume);
+  }
+  return continues;
 }
 
 // Plays Russian roulette. Returns true if the path survives. For the same number of rays, the square root of the

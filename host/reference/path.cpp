@@ -173,6 +173,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     beta *= rounding.relative(next.weight, kRoundingBounds.throughput);
     if (beta == dvec3(0)) return radiance;
     notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
+    if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
 
     if (depth > settings_.image.rouletteStart) {
       const double survival = rounding.relative(std::min(1.0, std::sqrt(largestChannel(beta))),
@@ -183,7 +184,6 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
       if (!survives) return radiance;
       beta /= survival;
     }
-    if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
     ray = vertex.rayTowards(next.wi);
     pdf = next.pdf;
     ++counters.bounceRays;

@@ -3,6 +3,7 @@
 
 #include "host/formats/load_scene.h"
 #include "host/verify/agreement.h"
+#include "tests/reference/scene_builder.h"
 #include "tests/render/render_support.h"
 
 using namespace candela;
@@ -157,4 +158,21 @@ TEST_CASE("walls of radius 1e5 show neither acne nor leaks") {
   CAPTURE(different);
   CHECK(different < device.width() * device.height() / 50);
   CHECK(meanLuminance(device) == Approx(meanLuminance(reference)).epsilon(1e-3));
+}
+
+TEST_CASE("both tracers count the same volume faults, with Russian roulette and rejected directions") {
+  scene::Material glass;
+  glass.surface = {.roughness = 0.5f, .transmissionWeight = 1, .isThinWalled = false, .absorption = glm::vec3(2)};
+  test::SceneBuilder b;
+  b.material(glass).box({-50, -50, -1}, {50, 50, 0}).material(glass).box({-50, -50, -2}, {50, 50, -0.5f});
+  b.scene.background = glm::vec3(1);
+  b.view({0, -2, 1.5f}, {0, 0, 0}, {0, 0, 1}, 60);
+  render::RenderSettings settings = squareSettings(64, 16);
+  settings.image.rouletteStart = 0;
+  const auto faults = [&](const auto& render) {
+    return static_cast<double>(render(b.scene, settings).statistics.volumeFaults);
+  };
+  const double expected = faults(renderOnReference);
+  CHECK(expected > 64 * 64 * 4);
+  CHECK(faults(renderOnDevice) == Approx(expected).epsilon(1e-3));
 }
