@@ -25,7 +25,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
     return verify::compareTracers(job.scene, job.settings, *device, *reference, arguments.verification.alpha,
                                   makeControl(progress));
   }();
-  requireComplete(report.deviceStatistics);
+  render::requireComplete(report.deviceStatistics);
   if (arguments.wantsText()) std::cout << report.toText() << std::flush;
   reportBadSamples(report.badSamples, job, log);
   nlohmann::ordered_json json = report.toJson();

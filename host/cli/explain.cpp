@@ -17,7 +17,7 @@ namespace {
 using explain::Explanation;
 
 void publish(const Explanation& explanation, const Arguments& arguments) {
-  requireComplete(explanation.statistics);
+  render::requireComplete(explanation.statistics);
   if (arguments.wantsText()) std::cout << toText(explanation) << std::flush;
   writeJson(arguments.json, toJson(explanation));
 }
@@ -35,6 +35,7 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
     log.note("interrupted before a sample was explained");
     return ExitCode::interrupted;
   }
+  render::requireComplete(pixels->deviceStatistics);
   if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device,
                                                                      reference)) {
     publish(*worst, job.arguments);

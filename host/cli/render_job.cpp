@@ -185,18 +185,4 @@ render::RenderControl makeControl(Progress& progress) {
   return control;
 }
 
-void requireComplete(const render::RenderStatistics& statistics) {
-  if (statistics.truncated == 0) return;
-  if (statistics.structure == render::AccelKind::grid) {
-    throw FileError(
-        fmt::format("the device stopped {} traversals of the grid early, so the image would be wrong and is not "
-                    "written; use --accel bvh",
-                    statistics.truncated));
-  }
-  throw InternalError(
-      fmt::format("the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
-                  "--segments-per-dispatch or another --accel may help",
-                  statistics.truncated));
-}
-
 }  // namespace candela::cli

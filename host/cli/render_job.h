@@ -45,8 +45,4 @@ std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const
 /// Reports progress on stderr; SIGINT and SIGTERM stop the render.
 render::RenderControl makeControl(Progress& progress);
 
-/// Throws if work was truncated, since the image would be wrong: FileError if a grid exceeds the loop limit of the
-/// device, else InternalError.
-void requireComplete(const render::RenderStatistics& statistics);
-
 }  // namespace candela::cli

@@ -179,7 +179,7 @@ void FilmTrace::scheduleWrite(double start) {
 void FilmTrace::pause(bool mustWrite) {
   const double start = monotonicSeconds();
   const render::RenderStatistics statistics = session_->statistics();
-  requireComplete(statistics);
+  render::requireComplete(statistics);
   if (hasFile() && mustWrite) checkpoints_->write(loop_->storableFilm(), statistics, start);
   scheduleWrite(start);
   show();
@@ -217,7 +217,7 @@ TracedFilm FilmTrace::end() {
   traced.result.interrupted = isInterrupted_;
   traced.result.film = loop_->storableFilm();
   traced.result.statistics = session_->statistics();
-  requireComplete(traced.result.statistics);
+  render::requireComplete(traced.result.statistics);
   traced.header = headerOf(traced.result.film);
   if (control_.show) control_.show(traced.result.film);
   if (checkpoints_) {
@@ -247,7 +247,7 @@ void FilmTrace::salvage() {
   session_.reset();
   renderer_.reset();
   isReady_ = false;
-  if (kept_) requireComplete(kept_->statistics);
+  if (kept_) render::requireComplete(kept_->statistics);
   if (!kept_ && reader_) reader_.emplace(job_.arguments.resume);
 }
 

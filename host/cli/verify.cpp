@@ -25,7 +25,7 @@ void explainWorst(const verify::VerifyReport& report, const RenderJob& job, rend
                   render::Renderer& reference, bool asText, nlohmann::ordered_json& json) {
   const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,
                                                                           reference);
-  if (worst) requireComplete(worst->statistics);
+  if (worst) render::requireComplete(worst->statistics);
   json["explanation"] = worst ? toJson(*worst) : nlohmann::ordered_json();
   if (asText)
     std::cout << "\n" << (worst ? toText(*worst) : explain::nothingToExplain(report.paths) + "\n") << std::flush;

@@ -86,7 +86,7 @@ class ViewedScene {
             const render::RenderStatistics& statistics, const view::Choice& choice,
             const image::DisplayTransform& display) {
     image::checkImageFormat(file);
-    requireComplete(statistics);
+    render::requireComplete(statistics);
     const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
     const image::Image image = pictureOf(film, job.settings.image.hasAlpha(),
                                          metadataOf(job, {film, statistics, isPartial(film, job), {}}));

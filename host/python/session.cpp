@@ -52,7 +52,7 @@ cli::RenderJob PythonSession::jobSoFar() const {
 
 std::shared_ptr<PythonFilm> PythonSession::film() {
   render::RenderResult result{.film = session_->film(), .statistics = session_->statistics(), .paths = {}};
-  cli::requireComplete(result.statistics);
+  render::requireComplete(result.statistics);
   result.interrupted = done_ < wanted_;
   const cli::RenderJob job = jobSoFar();
   film::FilmHeader header = filmHeaderOf(job, result.statistics);

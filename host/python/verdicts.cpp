@@ -67,7 +67,7 @@ Verdict verify(const PythonScene& scene, const py::object& progress, const py::k
 }
 
 Explanation outcomeOf(const explain::Explanation& explanation) {
-  cli::requireComplete(explanation.statistics);
+  render::requireComplete(explanation.statistics);
   return {!explanation.firstDifference, explanation.verdict(), toText(explanation), toJson(explanation).dump()};
 }
 
@@ -77,6 +77,7 @@ Explanation explainWorst(Tracers& tracers) {
   const auto pixels = verify::comparePaths(tracers.job.scene, tracers.job.settings, *tracers.device, *tracers.reference,
                                            tracers.job.arguments.verification.alpha, tracers.control, badSamples);
   if (!pixels) throw InterruptedError("interrupted before a sample was explained");
+  render::requireComplete(pixels->deviceStatistics);
   const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings, *pixels, *tracers.device,
                                            *tracers.reference);
   if (worst) return outcomeOf(*worst);
@@ -105,7 +106,7 @@ Comparison compareTracers(const PythonScene& scene, const cli::Arguments& argume
   const verify::AgreementReport report = verify::compareTracers(tracers.job.scene, tracers.job.settings,
                                                                 *tracers.device, *tracers.reference,
                                                                 arguments.verification.alpha, tracers.control);
-  cli::requireComplete(report.deviceStatistics);
+  render::requireComplete(report.deviceStatistics);
   reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = report.toJson();
   json["badSamples"] = badSamplesJson(report.badSamples, tracers.job);

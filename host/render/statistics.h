@@ -72,4 +72,8 @@ struct RenderStatistics {
   std::uint64_t deviceBytes = 0;                   ///< device memory of the session's buffers
 };
 
+/// Throws if work was truncated, since the image would be wrong: FileError if a grid exceeds the loop limit of the
+/// device, else InternalError.
+void requireComplete(const RenderStatistics& statistics);
+
 }  // namespace candela::render

@@ -98,6 +98,7 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
   PixelAgreement result = comparePixels(a, b);
   result.decisions = testDecisions(a.film, *session, level);
   result.referenceMean = meanLuminance(b.film);
+  result.deviceStatistics = a.statistics;
   return result;
 }
 
@@ -137,6 +138,7 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   report.badSamples.device.add(many.film, settings.image);
   report.badSamples.reference.add(report.referenceFilm, settings.image);
   report.deviceStatistics = many.statistics;
+  report.deviceStatistics.truncated += report.pixels.deviceStatistics.truncated;
   report.deviceFilm = std::move(many.film);
   if (!report.interrupted) testRegions(report, session->replicas().deviations, alpha / 2);
   return report;

@@ -33,6 +33,7 @@ struct PixelAgreement {
   std::uint32_t worstX = 0, worstY = 0;
   DecisionTest decisions;
   double referenceMean = 0;  ///< luminance
+  render::RenderStatistics deviceStatistics;
 
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
@@ -46,7 +47,7 @@ struct PixelAgreement {
 
 struct AgreementReport {
   std::string scene;
-  render::RenderStatistics deviceStatistics;
+  render::RenderStatistics deviceStatistics;  ///< of the films; `truncated` counts the pixels' images, too
   PixelAgreement pixels;
   std::uint32_t samples = 0;              ///< per pixel, of the films
   double level = 0;                       ///< of each region's test
@@ -68,7 +69,8 @@ Cause causeOf(const render::PathRecord& device, const render::PathRecord& refere
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
 /// Renders and compares images of one sample per pixel, tests their decisions at `level`, and adds the bad samples of
-/// both to `badSamples`. Returns nothing if a render was interrupted, since its records are incomplete.
+/// both to `badSamples`. Returns nothing if a render was interrupted, since its records are incomplete. The caller
+/// checks `deviceStatistics.truncated`: truncated paths differ without a fault of the device's arithmetic.
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference, double level,
                                            const render::RenderControl& control, render::BadSampleTallies& badSamples);

@@ -47,9 +47,7 @@ bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::Re
     if (batch > 0) session->reset(settings_.image.seed);
     if (!session->advance({0, samples}, control)) return false;
     statistics_ = session->statistics();
-    if (statistics_.truncated > 0) {
-      throw InternalError(fmt::format("the device stopped {} loops early", statistics_.truncated));
-    }
+    render::requireComplete(statistics_);
     addFilm(session->film(), batch);
   }
   samples_ += samples;

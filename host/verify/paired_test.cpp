@@ -18,11 +18,6 @@ namespace {
 constexpr std::uint64_t kMinValues = 65536;
 constexpr std::uint64_t kMaxPairedSamples = std::uint64_t{1} << 24;  // per pixel
 
-void requireComplete(const render::RenderStatistics& statistics) {
-  if (statistics.truncated == 0) return;
-  throw InternalError(fmt::format("the device stopped {} loops early", statistics.truncated));
-}
-
 class PairedTest {
  public:
   PairedTest(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
@@ -101,7 +96,7 @@ class PairedTest {
 
   void addBatch(render::Session& device, render::Session& reference, const render::ImageSettings& image) {
     result_.deviceStatistics = device.statistics();
-    requireComplete(result_.deviceStatistics);
+    render::requireComplete(result_.deviceStatistics);
     const image::Film deviceFilm = device.film();
     const image::Film referenceFilm = reference.film();
     sums_.add(deviceFilm, referenceFilm, reference.replicas().deviations);

@@ -20,6 +20,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
                                                            report.tallies);
   report.interrupted = !paths;
   if (report.interrupted) return report;
+  render::requireComplete(paths->deviceStatistics);
   report.paths = *paths;
 
   report.light = options.method == LightTestMethod::paired

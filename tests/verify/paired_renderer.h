@@ -18,6 +18,7 @@ struct PairedOptions {
   /// Factor of the device's pixel x, y.
   std::function<double(std::uint32_t, std::uint32_t)> factor = [](std::uint32_t, std::uint32_t) { return 1.0; };
   double referenceFactor = 1;
+  std::uint64_t truncated = 0;  ///< loops of the device that end early in images of one sample
 };
 
 enum class PairedRole { device, reference };
@@ -55,7 +56,12 @@ class PairedRenderer final : public render::Renderer {
     void reset(std::uint32_t seed) override { settings_.image.seed = seed; }
     void setCamera(const scene::Camera&) override {}
     void load(const image::Film&, std::uint32_t) override {}
-    render::RenderStatistics statistics() override { return {}; }
+    render::RenderStatistics statistics() override {
+      render::RenderStatistics statistics;
+      const bool isTruncated = renderer_.role_ == PairedRole::device && settings_.image.sampleCount == 1;
+      statistics.truncated = isTruncated ? renderer_.options_.truncated : 0;
+      return statistics;
+    }
     render::PathRecords paths() override { return {}; }
     render::ReplicaRecords replicas() override { return records_; }
     render::Replay replay(const render::PixelSample&) override { throw std::logic_error("noise has no paths"); }

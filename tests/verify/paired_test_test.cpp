@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
+#include "host/verify/verify.h"
 #include "tests/verify/paired_renderer.h"
 
 namespace candela::verify {
@@ -117,6 +118,18 @@ TEST_CASE("a time limit ends the run after the current look, and an interrupted 
   render::RenderControl control;
   control.stop = &stop;
   CHECK(runPaired({}, 1, {}, {16, 16}, control).interrupted);
+}
+
+TEST_CASE("loops that a device ends early in the images of one sample are counted, and end a verdict") {
+  const PairedOptions options{.rounding = 0, .truncated = 3};
+  PairedRenderer device(PairedRole::device, options);
+  PairedRenderer reference(PairedRole::reference, options);
+  render::RenderSettings settings;
+  settings.image.size = {16, 16};
+  settings.image.sampleCount = 4;
+  CHECK(compareTracers(scene::Scene{}, settings, device, reference, 1e-4, {}).deviceStatistics.truncated == 3);
+  CHECK_THROWS_WITH(verifyScene(scene::Scene{}, settings, device, reference, {}, {}),
+                    Contains("stopped 3 loops early"));
 }
 
 }  // namespace
