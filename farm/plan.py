@@ -6,52 +6,54 @@ that folder, so that the files alone show the progress.
 import json
 import os
 import subprocess
+from bisect import bisect_right
 from dataclasses import asdict, dataclass, field
+from itertools import accumulate
 from pathlib import Path
 
-FORMAT = 1
+from frames import Frame, PlanError
+
+FORMAT = 2
 UNUSABLE = 2  # of candela: an invalid or unreadable file
-PICTURE_OPTIONS = ("--tonemap", "--exposure")  # of `candela film`, which makes the pictures
-REFUSED_OPTIONS = ("--checkpoint", "--resume", "--resume-anyway", "--samples", "--crop", "--time-limit", "--json",
-                   "--checkpoint-every")
 
 
-class PlanError(Exception):
-    """A wrong request: a message for the user."""
-
-
-@dataclass
-class Frame:
-    render: list  # arguments of `candela render` that decide the image
-    pictures: list  # pairs of option and value for `candela film`
-
-    def outputs(self):
-        return [value for option, value in self.pictures if option == "-o"]
+def write_json(path: Path, content):
+    """Replaces the file at once: other processes read either the old or the new content."""
+    temporary = path.with_name(f"{path.name}.{os.getpid()}")
+    temporary.write_text(json.dumps(content, indent=1))
+    temporary.replace(path)
 
 
 @dataclass
 class Plan:
     candela: str
+    folder: str  # absolute; relative names of files in the frames are those of this folder
     frames: list
-    samples: int  # per pixel
-    shards: int  # of each frame
+    samples: list  # per pixel, of each frame
+    shards: list  # number of shards of each frame
+    division: str  # the option that decided the number of shards, with its value
     minutes: int  # time limit of a shard
     checkpoint_every: str  # of candela: minimum time between two writes of a shard's film
     sbatch: list = field(default_factory=list)
     running: int = 0  # maximum number of shards at a time; 0: no limit
 
-    def task_count(self):
-        return len(self.frames) * self.shards
+    def tasks(self):
+        """Returns pairs of frame and shard. The index of a task is its position in this list."""
+        return [(frame, shard) for frame, count in enumerate(self.shards) for shard in range(count)]
 
-    def range_of(self, shard):
-        """Returns the samples of a shard: ranges differ in length by at most 1."""
-        return shard * self.samples // self.shards, (shard + 1) * self.samples // self.shards
+    def task(self, index):
+        """Returns the frame and the shard of a task."""
+        ends = list(accumulate(self.shards))
+        frame = bisect_right(ends, index)
+        return frame, index - ends[frame] + self.shards[frame]
+
+    def range_of(self, frame, shard):
+        """Returns the samples of a shard: the ranges of a frame differ in length by at most 1."""
+        samples, shards = self.samples[frame], self.shards[frame]
+        return shard * samples // shards, (shard + 1) * samples // shards
 
     def save(self, folder: Path):
-        text = json.dumps({"format": FORMAT, **asdict(self)}, indent=1)
-        temporary = folder / f"plan.json.{os.getpid()}"
-        temporary.write_text(text)
-        temporary.replace(folder / "plan.json")
+        write_json(folder / "plan.json", {"format": FORMAT, **asdict(self)})
 
     @staticmethod
     def load(folder: Path):
@@ -59,44 +61,13 @@ class Plan:
         try:
             content = json.loads((folder / "plan.json").read_text())
             if content.pop("format") != FORMAT:
-                raise PlanError(f"{folder}/plan.json: written by another version of this program")
+                raise PlanError(f"{folder}/plan.json: was written by another version of this program; let that version "
+                                "finish the job, or choose another --job")
             return Plan(**{**content, "frames": [Frame(**frame) for frame in content["frames"]]})
         except FileNotFoundError:
             raise PlanError(f"{folder}: has no plan.json") from None
         except (ValueError, KeyError, TypeError, AttributeError) as error:
             raise PlanError(f"{folder}/plan.json: is damaged ({error}); delete it and submit again") from None
-
-
-def frame_of(arguments):
-    """Divides the arguments of one `candela` command into those that render and those that make pictures."""
-    render, pictures = [], []
-    position = 0
-    while position < len(arguments):
-        option, equals, value = arguments[position].partition("=")
-        if option in REFUSED_OPTIONS:
-            raise PlanError(f"{option}: is set for each shard; leave it out")
-        position += 1
-        if option not in ("-o", "--output", *PICTURE_OPTIONS):
-            render.append(arguments[position - 1])
-            continue
-        if not equals:
-            if position == len(arguments):
-                raise PlanError(f"{option}: needs a value")
-            value = arguments[position]
-            position += 1
-        pictures.append(["-o" if option == "--output" else option, value])
-    return Frame(render, pictures)
-
-
-def check_outputs(frames):
-    """Raises PlanError if two frames would write the same file, or a file has no folder."""
-    seen = set()
-    for output in (Path(value).resolve() for frame in frames for value in frame.outputs()):
-        if output in seen:
-            raise PlanError(f"{output}: is the output of two frames")
-        if not output.parent.is_dir():
-            raise PlanError(f"{output}: its folder does not exist")
-        seen.add(output)
 
 
 def folder_of(job: Path, frame: int):
@@ -109,6 +80,11 @@ def shard_file(job: Path, frame: int, shard: int):
 
 def film_file(job: Path, frame: int):
     return folder_of(job, frame) / "film.exr"
+
+
+def pictures_mark(job: Path, frame: int):
+    """An empty file that exists while the pictures are those of the film."""
+    return folder_of(job, frame) / "pictures.done"
 
 
 def describe(candela, film: Path):
@@ -138,16 +114,16 @@ def read_whole(file: Path):
             pass
 
 
-def covers_shard(plan: Plan, shard: int, description):
+def covers_shard(plan: Plan, frame: int, shard: int, description):
     """Returns whether a film with this description has all samples of the shard. `description` may be None."""
     if description is None:
         return False
-    first, end = plan.range_of(shard)
+    first, end = plan.range_of(frame, shard)
     return f"samples {first}:{end} of crop {description['crop']}" in description["covered"]
 
 
 def is_shard_done(plan: Plan, job: Path, frame: int, shard: int):
-    return covers_shard(plan, shard, describe(plan.candela, shard_file(job, frame, shard)))
+    return covers_shard(plan, frame, shard, describe(plan.candela, shard_file(job, frame, shard)))
 
 
 def is_film_done(plan: Plan, job: Path, frame: int):
@@ -155,5 +131,7 @@ def is_film_done(plan: Plan, job: Path, frame: int):
     return description is not None and description["complete"]
 
 
-def has_pictures(plan: Plan, frame: int):
-    return all(Path(output).exists() for output in plan.frames[frame].outputs())
+def has_pictures(plan: Plan, job: Path, frame: int):
+    """Returns whether the pictures were made from the film. Files that only have their names are not pictures of it."""
+    files = [Path(plan.folder) / output for output in plan.frames[frame].outputs()]
+    return not files or (pictures_mark(job, frame).exists() and all(file.exists() for file in files))

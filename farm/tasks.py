@@ -3,6 +3,7 @@ import fcntl
 import os
 import signal
 import subprocess
+import time
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -12,19 +13,32 @@ SUCCESS = 0
 USAGE = 1
 INTERRUPTED = 7  # of candela: the film is written and can be resumed
 STOPS = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
+LOCK_POLL_SECONDS = 1
+
+
+def try_lock(file):
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return True
+    except BlockingIOError:
+        return False
 
 
 @contextmanager
-def exclusive(path: Path):
-    """Holds a lock on `path`; yields whether it was free. A requeued task may overlap with its earlier run."""
+def exclusive(path: Path, child):
+    """Holds a lock on `path`; waits until it is free, since a requeued task may overlap with its earlier run.
+
+    Yields False, without the lock, if the task is stopped while it waits.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            yield False
-            return
-        yield True
+        is_locked = try_lock(file)
+        if not is_locked:
+            print(f"{path}: is locked by another task; waiting for its end", flush=True)
+        while not is_locked and not child.is_stopped:
+            time.sleep(LOCK_POLL_SECONDS)
+            is_locked = try_lock(file)
+        yield is_locked
 
 
 class Child:
@@ -62,24 +76,23 @@ class Child:
 
 
 def shard_command(plan, job: Path, frame: int, shard: int):
-    first, end = plan.range_of(shard)
+    first, end = plan.range_of(frame, shard)
     film = planning.shard_file(job, frame, shard)
-    command = [plan.candela, "render", *plan.frames[frame].render, "--spp", str(plan.samples), "--samples",
-               f"{first}:{end}", "--checkpoint", str(film), "--checkpoint-every", plan.checkpoint_every]
+    command = [plan.candela, "render", *plan.frames[frame].render, "--samples", f"{first}:{end}", "--checkpoint", str(film),
+               "--checkpoint-every", plan.checkpoint_every]
     return command + (["--resume", str(film)] if film.exists() else [])
 
 
 def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
     """Renders the missing samples of the shard. Returns candela's exit code, or SUCCESS if none were missing."""
     film = planning.shard_file(job, frame, shard)
-    with exclusive(film.with_suffix(".lock")) as is_free:
-        if not is_free:
-            print(f"{film}: another task renders it", flush=True)
+    with exclusive(film.with_suffix(".lock"), child) as is_locked:
+        if not is_locked:
             return INTERRUPTED
         description = planning.describe(plan.candela, film)
         if child.is_stopped:
             return INTERRUPTED
-        if planning.covers_shard(plan, shard, description):
+        if planning.covers_shard(plan, frame, shard, description):
             print(f"{film}: is complete", flush=True)
             return SUCCESS
         if film.exists() and description is None:
@@ -89,18 +102,27 @@ def render_shard(plan, job: Path, frame: int, shard: int, child: Child):
         return child.run(shard_command(plan, job, frame, shard))
 
 
+def merge_shards(plan, job: Path, frame: int, child: Child):
+    """Makes the film of a frame, unless it is complete. Returns candela's exit code."""
+    if planning.is_film_done(plan, job, frame):
+        return SUCCESS
+    shards = [str(planning.shard_file(job, frame, shard)) for shard in range(plan.shards[frame])]
+    return child.run([plan.candela, "merge", *shards, "-o", str(planning.film_file(job, frame))])
+
+
+def make_pictures(plan, job: Path, frame: int, child: Child):
+    if not plan.frames[frame].outputs():
+        return SUCCESS
+    code = child.run(plan.frames[frame].picture_command(plan.candela, planning.film_file(job, frame)))
+    if code == SUCCESS:
+        planning.pictures_mark(job, frame).touch()
+    return code
+
+
 def merge_frame(plan, job: Path, frame: int, child: Child):
     """Merges the shards of a frame and makes its pictures. Returns candela's exit code."""
-    film = planning.film_file(job, frame)
-    with exclusive(film.with_suffix(".lock")) as is_free:
-        if not is_free:
+    with exclusive(planning.film_file(job, frame).with_suffix(".lock"), child) as is_locked:
+        if not is_locked:
             return INTERRUPTED
-        if not planning.is_film_done(plan, job, frame):
-            shards = [str(planning.shard_file(job, frame, shard)) for shard in range(plan.shards)]
-            code = child.run([plan.candela, "merge", *shards, "-o", str(film)])
-            if code != SUCCESS:
-                return code
-        pictures = [argument for pair in plan.frames[frame].pictures for argument in pair]
-        if not plan.frames[frame].outputs():
-            return SUCCESS
-        return child.run([plan.candela, "film", str(film), *pictures])
+        planning.pictures_mark(job, frame).unlink(missing_ok=True)
+        return merge_shards(plan, job, frame, child) or make_pictures(plan, job, frame, child)

@@ -2,20 +2,22 @@
 
     python3 test_plan.py CANDELA
 """
-import importlib.machinery
-import importlib.util
 import json
 import os
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
+from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "farm"))
+sys.path[:0] = [str(ROOT / "farm"), str(ROOT / "farm/slurm")]
+import commands  # noqa: E402
+import frames as framing  # noqa: E402
 import plan as planning  # noqa: E402
 import simulate  # noqa: E402
 import tasks  # noqa: E402
@@ -24,61 +26,60 @@ CANDELA = "candela"
 SCENE = str(ROOT / "scenes/furnace.p3f")
 
 
-def submitter():
-    loader = importlib.machinery.SourceFileLoader("candela_render", str(ROOT / "farm/slurm/candela-render"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("candela_render", loader))
-    loader.exec_module(module)
-    return module
-
-
-def plan_of(shards, samples=10, frames=None):
-    frame = planning.Frame([SCENE, "--device", "cpu", "--size", "8x8"], [])
-    return planning.Plan(CANDELA, frames or [frame], samples, shards, 5, "60s")
+def plan_of(*shards, samples=10, render=("--device", "cpu", "--size", "8x8")):
+    """Returns a plan of frames with these numbers of shards."""
+    frame = framing.Frame([SCENE, *render, "--spp", str(samples)], [])
+    return planning.Plan(CANDELA, "/", [frame] * len(shards), [samples] * len(shards), list(shards), "--shards", 5, "60s")
 
 
 class PlanTest(unittest.TestCase):
     def test_shards_cover_every_sample_once_and_evenly(self):
         for samples, shards in ((10, 3), (7, 7), (1000, 64), (5, 1)):
-            plan = plan_of(shards, samples)
-            ranges = [plan.range_of(shard) for shard in range(shards)]
+            plan = plan_of(1, shards, samples=samples)
+            ranges = [plan.range_of(1, shard) for shard in range(shards)]
             self.assertEqual([index for first, end in ranges for index in range(first, end)], list(range(samples)))
             lengths = [end - first for first, end in ranges]
             self.assertLessEqual(max(lengths) - min(lengths), 1)
 
+    def test_tasks_are_numbered_frame_by_frame(self):
+        plan = plan_of(3, 1, 2)
+        self.assertEqual(plan.tasks(), [(0, 0), (0, 1), (0, 2), (1, 0), (2, 0), (2, 1)])
+        self.assertEqual([plan.task(index) for index in range(6)], plan.tasks())
+
     def test_a_command_is_divided_into_render_and_pictures(self):
-        frame = planning.frame_of(["a.glb", "--spp", "16", "-o", "a.png", "--exposure=2", "--output", "b.exr"])
+        frame = framing.frame_of(["a.glb", "--spp", "16", "-o", "a.png", "--exposure=2", "--output", "b.exr", "-oc.png"])
         self.assertEqual(frame.render, ["a.glb", "--spp", "16"])
-        self.assertEqual(frame.pictures, [["-o", "a.png"], ["--exposure", "2"], ["-o", "b.exr"]])
-        self.assertEqual(frame.outputs(), ["a.png", "b.exr"])
+        self.assertEqual(frame.pictures, [["-o", "a.png"], ["--exposure", "2"], ["-o", "b.exr"], ["-o", "c.png"]])
+        self.assertEqual(frame.outputs(), ["a.png", "b.exr", "c.png"])
 
     def test_options_that_belong_to_shards_are_refused_by_name(self):
-        for option in planning.REFUSED_OPTIONS:
-            with self.assertRaisesRegex(planning.PlanError, option):
-                planning.frame_of(["a.glb", option, "1"])
-        with self.assertRaisesRegex(planning.PlanError, "-o: needs a value"):
-            planning.frame_of(["a.glb", "-o"])
+        for option in framing.REFUSED_OPTIONS:
+            with self.assertRaisesRegex(framing.PlanError, option):
+                framing.frame_of(["a.glb", option, "1"])
+        with self.assertRaisesRegex(framing.PlanError, "-o: needs a value"):
+            framing.frame_of(["a.glb", "-o"])
 
     def test_two_frames_never_write_the_same_file(self):
-        frame = planning.frame_of(["a.glb", "-o", "a.png"])
-        with self.assertRaisesRegex(planning.PlanError, "a.png: is the output of two frames"):
-            planning.check_outputs([frame, planning.frame_of(["b.glb", "-o", "./a.png"])])
-        with self.assertRaisesRegex(planning.PlanError, "folder does not exist"):
-            planning.check_outputs([planning.frame_of(["b.glb", "-o", "/nowhere/a.png"])])
+        frame = framing.frame_of(["a.glb", "-o", "a.png"])
+        with self.assertRaisesRegex(framing.PlanError, "a.png: is the output of two frames"):
+            framing.check_outputs([frame, framing.frame_of(["b.glb", "-o", "./a.png"])])
+        with self.assertRaisesRegex(framing.PlanError, "folder does not exist"):
+            framing.check_outputs([framing.frame_of(["b.glb", "-o", "/nowhere/a.png"])])
 
     def test_a_plan_is_read_as_it_was_written_and_damage_is_named(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            with self.assertRaisesRegex(planning.PlanError, "no plan.json"):
+            with self.assertRaisesRegex(framing.PlanError, "no plan.json"):
                 planning.Plan.load(folder)
             plan = plan_of(3)
             plan.save(folder)
             self.assertEqual(planning.Plan.load(folder), plan)
             (folder / "plan.json").write_text((folder / "plan.json").read_text()[:-9])
-            with self.assertRaisesRegex(planning.PlanError, "damaged"):
+            with self.assertRaisesRegex(framing.PlanError, "damaged"):
                 planning.Plan.load(folder)
 
     def test_array_indices_are_written_as_sbatch_reads_them(self):
-        self.assertEqual(submitter().compact([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
+        self.assertEqual(commands.compact([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
 
     def test_wrong_usage_ends_with_1_and_an_unusable_file_with_2(self):
         program = str(ROOT / "farm/slurm/candela-render")
@@ -113,7 +114,7 @@ class TaskTest(unittest.TestCase):
         self.assertNotEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
         self.assertEqual(self.render(1), tasks.SUCCESS)
         self.assertEqual(tasks.merge_frame(self.plan, self.job, 0, self.child), tasks.SUCCESS)
-        self.assertTrue(planning.has_pictures(self.plan, 0))
+        self.assertTrue(planning.has_pictures(self.plan, self.job, 0))
 
     def test_a_damaged_shard_is_set_aside_and_rendered_again(self):
         self.film(0).parent.mkdir()
@@ -130,7 +131,7 @@ class TaskTest(unittest.TestCase):
             broken.write_text(f"#!/bin/sh\n{end}\n")
             broken.chmod(0o755)
             self.plan.candela = str(broken)
-            with self.assertRaisesRegex(planning.PlanError, "cannot be examined"):
+            with self.assertRaisesRegex(framing.PlanError, "cannot be examined"):
                 self.render(0)
         self.assertEqual(self.film(0).read_bytes(), good)
         self.assertEqual(len(list(self.film(0).parent.glob("*.damaged-*"))), 0)
@@ -149,10 +150,38 @@ class TaskTest(unittest.TestCase):
         self.assertEqual(self.render(0), tasks.INTERRUPTED)
         self.assertTrue(self.film(0).exists())
 
-    def test_two_tasks_never_render_the_same_shard(self):
-        with tasks.exclusive(self.film(0).with_suffix(".lock")) as is_free:
-            self.assertTrue(is_free)
-            self.assertEqual(self.render(0), tasks.INTERRUPTED)
+    @contextmanager
+    def rendered_beside_another_task(self):
+        """Starts to render a shard whose lock another task has until the end of the block. Gives the list that the exit
+        code is added to."""
+        codes = []
+        thread = threading.Thread(target=lambda: codes.append(self.render(0)))
+        with tasks.exclusive(self.film(0).with_suffix(".lock"), self.child) as is_locked:
+            self.assertTrue(is_locked)
+            thread.start()
+            time.sleep(2 * tasks.LOCK_POLL_SECONDS)
+            self.assertEqual(codes, [], "the task waits")
+            self.assertFalse(self.film(0).exists())
+            yield codes
+        thread.join(60)
+
+    def test_a_task_waits_for_another_one_that_renders_its_shard(self):
+        with self.rendered_beside_another_task() as codes:
+            pass
+        self.assertEqual(codes, [tasks.SUCCESS])
+        self.assertTrue(planning.is_shard_done(self.plan, self.job, 0, 0))
+
+    def test_a_shard_that_another_task_has_rendered_is_not_rendered_again(self):
+        with self.rendered_beside_another_task() as codes:
+            subprocess.run(tasks.shard_command(self.plan, self.job, 0, 0), check=True)
+        self.assertEqual(codes, [tasks.SUCCESS])
+        self.assertEqual(planning.describe(CANDELA, self.film(0))["work"]["runs"], 1)
+
+    def test_a_task_that_waits_can_be_stopped(self):
+        with self.rendered_beside_another_task() as codes:
+            self.child.forward(signal.SIGUSR2, None)
+            time.sleep(3 * tasks.LOCK_POLL_SECONDS)
+            self.assertEqual(codes, [tasks.INTERRUPTED])
         self.assertFalse(self.film(0).exists())
 
 
@@ -192,8 +221,9 @@ class StopTest(unittest.TestCase):
         self.assertNotEqual(int(self.wait_for(file).read_text()), os.getpgid(self.task.pid))
 
     def test_a_render_whose_group_is_stopped_writes_its_film(self):
-        frame = planning.Frame([SCENE, "--device", "cpu", "--threads", "1", "--size", "64x64"], [])
-        planning.Plan(CANDELA, [frame], 1 << 16, 1, 5, "0.01s").save(self.folder)
+        plan = plan_of(1, samples=1 << 16, render=("--device", "cpu", "--threads", "1", "--size", "64x64"))
+        plan.checkpoint_every = "0.01s"
+        plan.save(self.folder)
         film = planning.shard_file(self.folder, 0, 0)
         for number in tasks.STOPS:
             film.unlink(missing_ok=True)

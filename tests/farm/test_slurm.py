@@ -105,7 +105,7 @@ class SlurmTest(unittest.TestCase):
         job = self.jobs()[0]
         task = self.run_in_the_middle(job)
         self.cluster.run("scancel", "--batch", "--signal=USR2", task)
-        self.cluster.wait_for(lambda: any("is requeued" in log.read_text() for log in self.job.glob("logs/candela-shard*")),
+        self.cluster.wait_for(lambda: any("is asked to requeue" in log.read_text() for log in self.job.glob("logs/candela-shard*")),
                               "the task asks to be requeued")
         self.finish()
         self.check_equals_one_run(self.job / "frame-00000/film.exr")
