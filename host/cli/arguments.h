@@ -9,8 +9,8 @@
 #include "host/core/log.h"
 #include "host/core/tcp_client.h"
 #include "host/image/image.h"
+#include "host/render/request.h"
 #include "host/render/session.h"
-#include "host/render/settings.h"
 #include "host/scene/load.h"
 #include "host/verify/light_test.h"
 #include "host/view/view_state.h"
@@ -74,13 +74,7 @@ struct Arguments {
   bool commandNamed = false;       ///< false if `render` was implied
   std::vector<std::string> files;  ///< positional arguments: scenes, images or a kind of scene
 
-  /// Options that may be given by the scene file; empty if they are not on the command line. `settings` has the others.
-  /// resolveRequests() combines both.
-  std::optional<std::uint32_t> sampleCount;
-  std::optional<render::Extent> size;
-  std::optional<render::AccelKind> accel;
-  std::optional<std::uint32_t> maxDepth;  ///< empty: the default of the integrator
-  render::RenderSettings settings;
+  render::RenderRequest request;  ///< resolveRequests() completes it
 
   scene::LoadOptions loadOptions;
 

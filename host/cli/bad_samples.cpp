@@ -17,9 +17,9 @@ using nlohmann::ordered_json;
 // The number of samples is always stated, since the default could be that of the scene file, which may not include the
 // sample.
 std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
-  arguments.sampleCount.reset();
+  arguments.request.sampleCount.reset();
   arguments.noiseThreshold.reset();  // the sample is the same without it
-  arguments.settings.image.seed = pixel.seed;
+  arguments.request.settings.image.seed = pixel.seed;
   std::string words = shellQuoted(arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {
     const std::string options = commandLineOf(arguments, group, true);
@@ -36,7 +36,7 @@ std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::Rende
 }
 
 std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
-  const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings);
+  const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings());
   return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
 }
 
@@ -61,7 +61,8 @@ ordered_json sideJson(const render::BadSampleTally& tally, const RenderJob& job)
 }  // namespace
 
 std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
-  return job.settings.image.integrator == render::Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
+  return job.settings().image.integrator == render::Integrator::path ? explainPath(pixel, job)
+                                                                     : renderAgain(pixel, job);
 }
 
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {

@@ -33,7 +33,7 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
     Arguments resolved = swept.arguments;
     resolveRequests(resolved, job.scene, log);
     requirePossible(resolved, job.scene, log);
-    variants.push_back({swept.name, resolved.settings, commandLineOf(resolved, OptionGroup::image, false)});
+    variants.push_back({swept.name, resolved.request.settings, commandLineOf(resolved, OptionGroup::image, false)});
   }
   return variants;
 }

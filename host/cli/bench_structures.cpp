@@ -66,12 +66,13 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
   for (const PublishedScene& published : kTable1) {
     const scene::Scene scene = scene::parseScene(std::string(published.text), published.name, ".").scene;
     Arguments resolved = arguments;
-    if (!resolved.sampleCount) resolved.sampleCount = kTable1Samples;
-    if (!resolved.given.contains("--sampler")) resolved.settings.image.sampler = render::SamplerKind::stratified;
-    resolved.settings.image.oneSided |= published.oneSided;
+    if (!resolved.request.sampleCount) resolved.request.sampleCount = kTable1Samples;
+    if (!resolved.given.contains("--sampler"))
+      resolved.request.settings.image.sampler = render::SamplerKind::stratified;
+    resolved.request.settings.image.oneSided |= published.oneSided;
     resolveRequests(resolved, scene, log);
     requirePossible(resolved, scene, log);
-    std::vector<StructureRow> rows = measureScene(scene, resolved.settings, resolved, *renderer, log);
+    std::vector<StructureRow> rows = measureScene(scene, resolved.request.settings, resolved, *renderer, log);
     for (StructureRow& row : rows) {
       const render::RenderSettings& settings = row.measurement.variant.settings;
       if (!isPublishedWork(settings)) break;
@@ -92,7 +93,7 @@ bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& r
     Arguments one = arguments;
     one.files = {arguments.files[i]};
     const RenderJob job = loadJob(one, log);
-    if (!append(measureScene(job.scene, job.settings, job.arguments, *renderer, log), report)) return false;
+    if (!append(measureScene(job.scene, job.settings(), job.arguments, *renderer, log), report)) return false;
   }
   return true;
 }

@@ -73,7 +73,7 @@ Capture captureOfScene(const Arguments& arguments, const Log& log) {
   const RenderJob job = loadJob(arguments, log);
   capture::SceneRequest request;
   request.sample = sampleAskedFor(job);
-  request.settings = job.settings;
+  request.settings = job.settings();
   request.device.info = vulkan::selectDevice(arguments.device);
   if (const auto other = otherDevice(arguments, request.device.info)) request.expect = {*other};
   request.shrinkSeconds = arguments.capture.shrinkSeconds;

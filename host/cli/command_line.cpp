@@ -213,10 +213,10 @@ void requireMergedFilm(const Arguments& arguments) {
 }
 
 void requireTreeDepth(const Arguments& arguments) {
-  const bool tooDeep = arguments.maxDepth && *arguments.maxDepth > render::kMaxTreeDepth;
-  if (arguments.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
+  const bool tooDeep = arguments.request.maxDepth && *arguments.request.maxDepth > render::kMaxTreeDepth;
+  if (arguments.request.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
   fail(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
-                                      *arguments.maxDepth, render::kMaxTreeDepth));
+                                      *arguments.request.maxDepth, render::kMaxTreeDepth));
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {

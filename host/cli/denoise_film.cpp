@@ -39,17 +39,17 @@ std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics
 }  // namespace
 
 void requireDenoisable(const Arguments& arguments) {
-  if (!arguments.denoise || arguments.settings.image.integrator == render::Integrator::path) return;
+  if (!arguments.denoise || arguments.request.settings.image.integrator == render::Integrator::path) return;
   throw UsageError("--denoise: only the path tracer has the statistics that it needs; use --integrator path");
 }
 
 void requireDenoisable(const RenderJob& job) {
-  if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
+  if (!job.arguments.denoise || job.settings().image.sampleCount >= 2) return;
   throw UsageError("--denoise needs at least two samples per pixel; use --spp 2 or more");
 }
 
 Arguments withDenoiseLayers(Arguments arguments) {
-  if (arguments.denoise) arguments.settings.image.layers.add(image::Layer::moments);
+  if (arguments.denoise) arguments.request.settings.image.layers.add(image::Layer::moments);
   return arguments;
 }
 

@@ -29,7 +29,7 @@ bool isSetting(const Option& option) {
 
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
   return fmt::format("{} {} {} {} density {}", render::structureName(statistics.structure), statistics.bvhSplit,
-                     statistics.bvhQuality, statistics.layout, job.settings.structure.gridDensity);
+                     statistics.bvhQuality, statistics.layout, job.settings().structure.gridDensity);
 }
 
 // Films of versions without these options can be resumed, because films record these options only if they do not
@@ -48,18 +48,18 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     settings[option.name().substr(2)] = film::validText(value);
   }
   if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;
-  if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
-  if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
+  if (!job.settings().image.antialiasing) settings["antialiasing"] = "off";
+  if (job.settings().image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;
 }
 
 // Returns the reason, as a clause, why a film with another number of samples per pixel cannot be resumed by the job;
 // null: it can.
 const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
-  render::ImageSettings before = job.settings.image;
+  render::ImageSettings before = job.settings().image;
   before.sampleCount = begunWith;
   if (before.sampler == render::SamplerKind::stratified) return "the strata of --sampler stratified depend on --spp";
-  if (before.jittersPixels() != job.settings.image.jittersPixels()) {
+  if (before.jittersPixels() != job.settings().image.jittersPixels()) {
     return "rays of one sample per pixel are not jittered, and those of several are";
   }
   return nullptr;
@@ -67,7 +67,7 @@ const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
 
 // A film may be resumed with another --spp if its samples do not depend on it.
 void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
-  const std::uint32_t wanted = job.settings.image.sampleCount;
+  const std::uint32_t wanted = job.settings().image.sampleCount;
   if (film.samplesPerPixel == wanted) return;
   const char* const why = whyFixedCount(job, film.samplesPerPixel);
   if (why == nullptr) {
@@ -143,12 +143,12 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
 film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics) {
   film::FilmHeader header;
   header.sceneHash = hashText(job.scene.hash);
-  header.size = job.settings.image.size;
-  header.samplesPerPixel = job.settings.image.sampleCount;
-  header.seed = job.settings.image.seed;
+  header.size = job.settings().image.size;
+  header.samplesPerPixel = job.settings().image.sampleCount;
+  header.seed = job.settings().image.seed;
   header.settings = settingsOf(job, statistics);
-  header.layers = withSums(job.settings.image.layers);
-  header.window = job.settings.image.window();
+  header.layers = withSums(job.settings().image.layers);
+  header.window = job.settings().image.window();
   header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
   return header;
@@ -173,7 +173,7 @@ void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffe
 }
 
 render::SampleRange samplesOf(const RenderJob& job) {
-  const std::uint32_t total = job.settings.image.sampleCount;
+  const std::uint32_t total = job.settings().image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
   if (range.end <= total) return range;
   throw UsageError(fmt::format("--samples {}:{} exceeds the {} samples per pixel; set the total with --spp",

@@ -36,11 +36,11 @@ void requireCropWithin(const render::ImageSettings& image) {
 }
 
 bool usesIntegrator(const Arguments& arguments, render::Integrator integrator) {
-  return arguments.settings.image.integrator == integrator;
+  return arguments.request.settings.image.integrator == integrator;
 }
 
 bool usesAccel(const Arguments& arguments, render::AccelKind accel) {
-  return arguments.settings.structure.accel == accel;
+  return arguments.request.settings.structure.accel == accel;
 }
 
 bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
@@ -67,9 +67,9 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--rr-start", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
     SpecialOption{"--aov-through-specular",
-                  [](const Arguments& a) { return !withSums(a.settings.image.layers).isEmpty(); },
+                  [](const Arguments& a) { return !withSums(a.request.settings.image.layers).isEmpty(); },
                   "renders with --aov or --denoise"},
-    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.settings.image.integrator); },
+    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.request.settings.image.integrator); },
                   "--integrator path or whitted"},
     SpecialOption{"--light-size", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::whitted); },
                   "--integrator whitted"},
@@ -83,7 +83,7 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--bvh-quality",
                   [](const Arguments& a) {
                     return usesAccel(a, render::AccelKind::bvh) &&
-                           a.settings.structure.bvhSplit == render::BvhSplit::sah;
+                           a.request.settings.structure.bvhSplit == render::BvhSplit::sah;
                   },
                   "--accel bvh with --bvh-split sah"},
     SpecialOption{"--env-rotate", usesEnvironment, "the environment of --env"},
@@ -102,7 +102,7 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 
 void noteLostAlpha(const Arguments& arguments, const Log& log) {
   const bool hasOther = arguments.outputs.empty() || !arguments.checkpoint.empty() || arguments.displayServer;
-  if (arguments.settings.image.backdrop != render::Backdrop::none || hasOther) return;
+  if (arguments.request.settings.image.backdrop != render::Backdrop::none || hasOther) return;
   if (std::ranges::any_of(arguments.outputs, hasAlphaChannel)) return;
   log.note(
       "--background none: JPEG, HDR and PFM files have no alpha, so that the background is black in them; write a "
@@ -119,31 +119,28 @@ void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& 
 }  // namespace
 
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
-  if (!arguments.sampleCount && scene.requestedSamples) {
+  if (!arguments.request.sampleCount && scene.requestedSamples) {
     log.detail(fmt::format("{} samples per pixel, as requested by the scene", *scene.requestedSamples));
   }
-  const render::RenderRequest request{.sampleCount = arguments.sampleCount,
-                                      .size = arguments.size,
-                                      .accel = arguments.accel,
-                                      .maxDepth = arguments.maxDepth,
-                                      .settings = arguments.settings};
-  arguments.settings = render::resolve(request, scene);
-  arguments.sampleCount = render::requestedSampleCount(request, scene);
-  arguments.size = arguments.settings.image.size;
-  arguments.accel = arguments.settings.structure.accel;
-  arguments.maxDepth = arguments.settings.image.maxDepth;
+  render::RenderRequest& request = arguments.request;
+  const std::uint32_t sampleCount = render::requestedSampleCount(request, scene);
+  request.settings = render::resolve(request, scene);
+  request.sampleCount = sampleCount;
+  request.size = request.settings.image.size;
+  request.accel = request.settings.structure.accel;
+  request.maxDepth = request.settings.image.maxDepth;
 }
 
 void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
-  device::requireKernel(arguments.settings);
-  render::requireIntegrator(scene, arguments.settings);
-  requirePixelLimit(arguments.settings.image.size);
-  requireCropWithin(arguments.settings.image);
+  device::requireKernel(arguments.request.settings);
+  render::requireIntegrator(scene, arguments.request.settings);
+  requirePixelLimit(arguments.request.settings.image.size);
+  requireCropWithin(arguments.request.settings.image);
   requireAdaptable(arguments);
   requireMemoryForRender(scene, arguments);
   noteIdleOptions(arguments, log);
   noteLostAlpha(arguments, log);
-  warnOfDarkness(arguments.settings, scene, log);
+  warnOfDarkness(arguments.request.settings, scene, log);
 }
 
 scene::Scene readScene(const Arguments& arguments, const Log& log) {
@@ -155,9 +152,8 @@ scene::Scene readScene(const Arguments& arguments, const Log& log) {
 }
 
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
-  RenderJob job{arguments, {}, std::move(scene)};
+  RenderJob job{arguments, std::move(scene)};
   resolveRequests(job.arguments, job.scene, log);
-  job.settings = job.arguments.settings;
   requirePossible(job.arguments, job.scene, log);
   return job;
 }

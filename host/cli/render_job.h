@@ -13,11 +13,12 @@ namespace candela::cli {
 
 struct RenderJob {
   Arguments arguments;  ///< complete: nothing depends on the scene file any more
-  render::RenderSettings settings;
   /// Jobs may share a scene, which lives as long as one of them.
   std::shared_ptr<const scene::Scene> sharedScene = std::make_shared<scene::Scene>();
   double parseSeconds = 0;
   const scene::Scene& scene = *sharedScene;
+
+  const render::RenderSettings& settings() const { return arguments.request.settings; }
 };
 
 /// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws

@@ -58,7 +58,7 @@ class FilmTrace {
         log_(log),
         control_(control),
         range_(samplesOf(job)),
-        settings_(job.settings),
+        settings_(job.settings()),
         usesReference_(job.arguments.device == "cpu"),
         reader_(openFilm(job)),
         watch_(deadlineOf(job, start), control.stop, control.writeRequested),

@@ -45,7 +45,7 @@ Work workOf(const Arguments& arguments, scene::Scene scene, const Log& log) {
   Arguments resolved = arguments;
   resolveRequests(resolved, scene, log);
   requirePossible(resolved, scene, log);
-  return {std::move(scene), resolved.settings};
+  return {std::move(scene), resolved.request.settings};
 }
 
 std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
@@ -66,7 +66,7 @@ tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, s
   render::RenderControl control;
   control.stop = &watchInterrupts();
   for (Work& work : works) {
-    fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
+    fitToDevice(*renderer, {arguments.request.size, arguments.request.sampleCount}, control, work);
     log.note(fmt::format("{}: {} pixels, {} per pixel", work.scene.name, extentText(work.settings.image.size),
                          counted(work.settings.image.sampleCount, "sample")));
   }

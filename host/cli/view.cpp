@@ -27,15 +27,15 @@ constexpr render::Extent kWarmUpSize{8, 8};
 
 Arguments withChoice(Arguments arguments, const view::Choice& choice) {
   arguments.device = choice.device;
-  arguments.settings.image.integrator = choice.integrator;
-  arguments.settings.execution.dispatchSeconds = kDispatchSeconds;
-  if (!arguments.sampleCount) arguments.sampleCount = kDefaultSamples;
+  arguments.request.settings.image.integrator = choice.integrator;
+  arguments.request.settings.execution.dispatchSeconds = kDispatchSeconds;
+  if (!arguments.request.sampleCount) arguments.request.sampleCount = kDefaultSamples;
   return arguments;
 }
 
 // Returns whether a pixel lacks samples.
 bool isPartial(const image::Film& film, const RenderJob& job) {
-  return render::minSampleCount(film.pixels()) < job.settings.image.sampleCount;
+  return render::minSampleCount(film.pixels()) < job.settings().image.sampleCount;
 }
 
 /// Provides the engine with scenes and sessions, and writes its image files.
@@ -55,7 +55,7 @@ class ViewedScene {
     const RenderJob job = this->job(choice, reads);
     view::Sessions sessions;
     sessions.scene = job.sharedScene;
-    sessions.settings = job.settings;
+    sessions.settings = job.settings();
     sessions.referenceRenderer = reference::makeReferenceRenderer();
     sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
     return sessions;
@@ -88,7 +88,7 @@ class ViewedScene {
     image::checkImageFormat(file);
     render::requireComplete(statistics);
     const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
-    const image::Image image = pictureOf(film, job.settings.image.hasAlpha(),
+    const image::Image image = pictureOf(film, job.settings().image.hasAlpha(),
                                          metadataOf(job, {film, statistics, isPartial(film, job), {}}));
     writeImage(file, image, display);
   }
@@ -144,7 +144,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   requireWritableReport(arguments.json);
   ViewedScene scene(arguments, log);
-  const view::Choice choice{arguments.device, arguments.settings.image.integrator};
+  const view::Choice choice{arguments.device, arguments.request.settings.image.integrator};
   const RenderJob first = scene.job(choice, true);
   image::DisplayTransform display = arguments.display;
   display.exposure = arguments.exposure.value_or(0);
@@ -153,7 +153,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
        .choice = choice,
        .devices = deviceNames(),
        .scene = arguments.files.front(),
-       .size = first.settings.image.size,
+       .size = first.settings().image.size,
        .mode = arguments.viewMode,
        .display = display,
        .openDevice =

@@ -51,7 +51,7 @@ Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHe
             const film::WorkReport& work, double seconds, const Log& log) {
   auto film = std::make_shared<PythonFilm>();
   cli::RenderReport report{job, result, 0, seconds, {}, work};
-  report.badSamples.add(result.film, job.settings.image);
+  report.badSamples.add(result.film, job.settings().image);
   reportFlaws(report, log);
   film->report = toJson(report).dump();
   film->metadata = metadataOf(job, result);

@@ -51,7 +51,7 @@ Result watched(const std::function<Result(const Watch&, const Log&)>& work, cons
 
 Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
-  const verify::VerifyReport report = verify::verifyScene(tracers.job.scene, tracers.job.settings, *tracers.device,
+  const verify::VerifyReport report = verify::verifyScene(tracers.job.scene, tracers.job.settings(), *tracers.device,
                                                           *tracers.reference, arguments.verification, tracers.control);
   reportBadSamples(report.tallies, tracers.job, log);
   nlohmann::ordered_json json = toJson(report);
@@ -74,11 +74,12 @@ Explanation outcomeOf(const explain::Explanation& explanation) {
 // The pixel that differs most is found by images of one sample per pixel.
 Explanation explainWorst(Tracers& tracers) {
   render::BadSampleTallies badSamples;  // compare() reports them
-  const auto pixels = verify::comparePaths(tracers.job.scene, tracers.job.settings, *tracers.device, *tracers.reference,
-                                           tracers.job.arguments.verification.alpha, tracers.control, badSamples);
+  const auto pixels = verify::comparePaths(tracers.job.scene, tracers.job.settings(), *tracers.device,
+                                           *tracers.reference, tracers.job.arguments.verification.alpha,
+                                           tracers.control, badSamples);
   if (!pixels) throw InterruptedError("interrupted before a sample was explained");
   render::requireComplete(pixels->deviceStatistics);
-  const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings, *pixels, *tracers.device,
+  const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings(), *pixels, *tracers.device,
                                            *tracers.reference);
   if (worst) return outcomeOf(*worst);
   const std::string text = explain::nothingToExplain(*pixels);
@@ -89,7 +90,7 @@ Explanation explainScene(const PythonScene& scene, const cli::Arguments& argumen
                          const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   if (!tracers.job.arguments.pixel) return explainWorst(tracers);
-  return outcomeOf(explain::explainSample(tracers.job.scene, tracers.job.settings, sampleAskedFor(tracers.job),
+  return outcomeOf(explain::explainSample(tracers.job.scene, tracers.job.settings(), sampleAskedFor(tracers.job),
                                           *tracers.device, *tracers.reference));
 }
 
@@ -103,7 +104,7 @@ Explanation explain(const PythonScene& scene, const py::object& progress, const 
 Comparison compareTracers(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
                           const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
-  const verify::AgreementReport report = verify::compareTracers(tracers.job.scene, tracers.job.settings,
+  const verify::AgreementReport report = verify::compareTracers(tracers.job.scene, tracers.job.settings(),
                                                                 *tracers.device, *tracers.reference,
                                                                 arguments.verification.alpha, tracers.control);
   render::requireComplete(report.deviceStatistics);

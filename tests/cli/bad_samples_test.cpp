@@ -13,9 +13,9 @@ const render::BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .
 RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
   RenderJob job;
   job.arguments.files = {"a scene.p3f"};
-  job.arguments.sampleCount = 64;
-  job.arguments.settings.image.integrator = job.settings.image.integrator = integrator;
-  job.arguments.settings.image.sampler = job.settings.image.sampler = sampler;
+  job.arguments.request.sampleCount = 64;
+  job.arguments.request.settings.image.integrator = integrator;
+  job.arguments.request.settings.image.sampler = sampler;
   return job;
 }
 

@@ -36,23 +36,23 @@ TEST_CASE("the command render may be omitted") {
 
 TEST_CASE("defaults of options are those of the settings") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png"});
-  CHECK_FALSE(arguments.sampleCount);
-  CHECK_FALSE(arguments.size);
-  CHECK_FALSE(arguments.accel);
-  CHECK_FALSE(arguments.maxDepth);
+  CHECK_FALSE(arguments.request.sampleCount);
+  CHECK_FALSE(arguments.request.size);
+  CHECK_FALSE(arguments.request.accel);
+  CHECK_FALSE(arguments.request.maxDepth);
   CHECK(arguments.device.empty());
-  CHECK(arguments.settings.image.seed == 0);
-  CHECK(arguments.settings.image.maxDepth == 64);
-  CHECK(arguments.settings.image.rouletteStart == 4);
-  CHECK(arguments.settings.image.nextEventEstimation);
-  CHECK(arguments.settings.image.sampler == render::SamplerKind::sobol);
+  CHECK(arguments.request.settings.image.seed == 0);
+  CHECK(arguments.request.settings.image.maxDepth == 64);
+  CHECK(arguments.request.settings.image.rouletteStart == 4);
+  CHECK(arguments.request.settings.image.nextEventEstimation);
+  CHECK(arguments.request.settings.image.sampler == render::SamplerKind::sobol);
   CHECK(arguments.verbosity() == Verbosity::normal);
 }
 
 TEST_CASE("repeated outputs add up, and of other repeated options the last one counts") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
   CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
-  CHECK(arguments.settings.image.seed == 2);
+  CHECK(arguments.request.settings.image.seed == 2);
 }
 
 TEST_CASE("a negative number is a value, not an option") {
@@ -102,7 +102,7 @@ TEST_CASE("a wrong value is named with the words that are allowed, and with a su
   const std::string layers = message("--aov", "normal,zdepth");
   CHECK(layers.substr(layers.find(", got ")) == ", got \"zdepth\"; did you mean depth?");
   CHECK(parse({"a.p3f", "-o", "a.png", "--noise-threshold", "20%"}).noiseThreshold == 0.2);
-  CHECK(parse({"a.p3f", "-o", "a.png", "--size", "48X32"}).size == render::Extent{48, 32});
+  CHECK(parse({"a.p3f", "-o", "a.png", "--size", "48X32"}).request.size == render::Extent{48, 32});
 }
 
 TEST_CASE("a dash as scene is stdin") {
@@ -114,7 +114,7 @@ TEST_CASE("a dash as scene is stdin") {
 
 TEST_CASE("a short option takes its value with or without an equals sign") {
   CHECK(parse({"a.p3f", "-o=a.png"}).outputs == std::vector<std::filesystem::path>{"a.png"});
-  CHECK(parse({"a.p3f", "-oa.png", "-t=4"}).settings.execution.threads == 4);
+  CHECK(parse({"a.p3f", "-oa.png", "-t=4"}).request.settings.execution.threads == 4);
   CHECK(parse({"-o", "a.png", "--", "-o=a.p3f"}).files == std::vector<std::string>{"-o=a.p3f"});
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("generate has its own --size and -o") {
   CHECK(arguments.files == std::vector<std::string>{"balls"});
   CHECK(arguments.generatedSize == 3u);
   CHECK(arguments.generatedFile == "balls.nff");
-  CHECK_FALSE(arguments.size);
+  CHECK_FALSE(arguments.request.size);
   CHECK(arguments.outputs.empty());
   CHECK(messageFor({"generate", "balls", "--size", "3x3"}) ==
         "--size: expected a whole number from 0 to 4294967295, got \"3x3\"\nsee candela generate --help");
@@ -160,8 +160,8 @@ TEST_CASE("generate has its own --size and -o") {
 }
 
 TEST_CASE("the maximum depth of a tree of rays is lower than that of a path") {
-  CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).maxDepth == 5000);
-  CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).maxDepth == 20);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).request.maxDepth == 5000);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).request.maxDepth == 20);
   CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
         "--max-depth 21: the maximum with --integrator whitted is 20\nsee candela render --help");
 }

@@ -24,28 +24,28 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
 
   Arguments byDefault;
   resolveRequests(byDefault, scene, log);
-  CHECK(byDefault.settings.image.sampleCount == 16);
-  CHECK(byDefault.settings.structure.accel == render::AccelKind::bvh);
-  CHECK(byDefault.settings.image.size.width == 40);
-  CHECK(byDefault.settings.image.size.height == 30);
+  CHECK(byDefault.request.settings.image.sampleCount == 16);
+  CHECK(byDefault.request.settings.structure.accel == render::AccelKind::bvh);
+  CHECK(byDefault.request.settings.image.size.width == 40);
+  CHECK(byDefault.request.settings.image.size.height == 30);
   CHECK(sink.str().empty());
 
   scene.requestedSamples = 225;
   scene.requestedAccel = 0;
   Arguments byFile;
   resolveRequests(byFile, scene, log);
-  CHECK(byFile.settings.image.sampleCount == 225);
-  CHECK(byFile.settings.structure.accel == render::AccelKind::none);
+  CHECK(byFile.request.settings.image.sampleCount == 225);
+  CHECK(byFile.request.settings.structure.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel, as requested by the scene\n");
 
   Arguments byOption;
-  byOption.sampleCount = 3;
-  byOption.accel = render::AccelKind::bvh;
-  byOption.size = render::Extent{5, 6};
+  byOption.request.sampleCount = 3;
+  byOption.request.accel = render::AccelKind::bvh;
+  byOption.request.size = render::Extent{5, 6};
   resolveRequests(byOption, scene, log);
-  CHECK(byOption.settings.image.sampleCount == 3);
-  CHECK(byOption.settings.structure.accel == render::AccelKind::bvh);
-  CHECK(byOption.settings.image.size.height == 6);
+  CHECK(byOption.request.settings.image.sampleCount == 3);
+  CHECK(byOption.request.settings.structure.accel == render::AccelKind::bvh);
+  CHECK(byOption.request.settings.image.size.height == 6);
 }
 
 TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
@@ -54,13 +54,13 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   scene.requestedSamples = 0;
   Arguments byFile;
   resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.settings.image.sampleCount == 1);
-  CHECK_FALSE(byFile.settings.image.jittersPixels());
-  CHECK(byFile.sampleCount == 0u);
+  CHECK(byFile.request.settings.image.sampleCount == 1);
+  CHECK_FALSE(byFile.request.settings.image.jittersPixels());
+  CHECK(byFile.request.sampleCount == 0u);
   Arguments byOption;
-  byOption.sampleCount = 1;
+  byOption.request.sampleCount = 1;
   resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK(byOption.settings.image.jittersPixels());
+  CHECK(byOption.request.settings.image.jittersPixels());
 }
 
 TEST_CASE("a structure that only the scene requests is a preference") {
@@ -69,11 +69,11 @@ TEST_CASE("a structure that only the scene requests is a preference") {
   scene.requestedAccel = 0;
   Arguments byFile;
   resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.settings.structure.accelIsPreference);
+  CHECK(byFile.request.settings.structure.accelIsPreference);
   Arguments byOption;
-  byOption.accel = render::AccelKind::none;
+  byOption.request.accel = render::AccelKind::none;
   resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK_FALSE(byOption.settings.structure.accelIsPreference);
+  CHECK_FALSE(byOption.request.settings.structure.accelIsPreference);
 }
 
 TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
@@ -81,16 +81,16 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
   const Log log(sink, Verbosity::normal);
   Arguments path;
   resolveRequests(path, sceneWithCamera(), log);
-  CHECK(path.settings.image.maxDepth == 64);
+  CHECK(path.request.settings.image.maxDepth == 64);
   Arguments whitted;
-  whitted.settings.image.integrator = render::Integrator::whitted;
+  whitted.request.settings.image.integrator = render::Integrator::whitted;
   resolveRequests(whitted, sceneWithCamera(), log);
-  CHECK(whitted.settings.image.maxDepth == 4);
+  CHECK(whitted.request.settings.image.maxDepth == 4);
   Arguments stated;
-  stated.settings.image.integrator = render::Integrator::whitted;
-  stated.maxDepth = 7;
+  stated.request.settings.image.integrator = render::Integrator::whitted;
+  stated.request.maxDepth = 7;
   resolveRequests(stated, sceneWithCamera(), log);
-  CHECK(stated.settings.image.maxDepth == 7);
+  CHECK(stated.request.settings.image.maxDepth == 7);
 }
 
 TEST_CASE("a file can request each of the structures") {
@@ -101,7 +101,7 @@ TEST_CASE("a file can request each of the structures") {
     scene.requestedAccel = number;
     Arguments arguments;
     resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
-    CHECK(arguments.settings.structure.accel == accel);
+    CHECK(arguments.request.settings.structure.accel == accel);
   }
   CHECK(sink.str().empty());
 }

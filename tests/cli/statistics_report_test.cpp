@@ -86,9 +86,9 @@ TEST_CASE("faults of volumes are reported where they are too many for rounding")
 
 TEST_CASE("settings are typed: numbers, words and flags") {
   RenderJob job;
-  job.arguments.settings.image.oneSided = true;
-  job.arguments.maxDepth = 64;
-  job.arguments.settings.image.seed = 4294967295u;
+  job.arguments.request.settings.image.oneSided = true;
+  job.arguments.request.maxDepth = 64;
+  job.arguments.request.settings.image.seed = 4294967295u;
   const auto settings = toJson(RenderReport{job, render::RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);
   CHECK(settings["seed"] == 4294967295u);
