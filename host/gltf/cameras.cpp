@@ -134,6 +134,23 @@ scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::
   return view;
 }
 
+double coverageOf(const scene::Camera& camera, const Box& bounds) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.at) - glm::dvec3(camera.from));
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+  const glm::dvec3 up = glm::cross(right, forward);
+  const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0 - glm::dvec3(camera.from);
+  const double radius = glm::length(bounds.max - bounds.min) / 2;
+  if (glm::length(centre) <= radius) return 1;
+  const double depth = glm::dot(centre, forward);
+  if (depth <= 0) return depth > -radius ? 1 : 0;
+  const double halfHeight = camera.orthographicHeight ? double{*camera.orthographicHeight} / 2
+                                                      : depth * std::tan(radians(camera.angle) / 2);
+  const double halfWidth = halfHeight * camera.width / camera.height;
+  const bool isOutside = std::abs(glm::dot(centre, right)) - radius > halfWidth ||
+                         std::abs(glm::dot(centre, up)) - radius > halfHeight;
+  return isOutside ? 0 : std::min(1.0, std::numbers::pi * radius * radius / (4 * halfWidth * halfHeight));
+}
+
 scene::Camera framingCamera(const std::optional<Box>& bounds) {
   const glm::dvec3 centre = bounds ? (bounds->min + bounds->max) / 2.0 : glm::dvec3(0);
   const double radius = bounds ? glm::length(bounds->max - bounds->min) / 2 : 0;

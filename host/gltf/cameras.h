@@ -24,6 +24,10 @@ struct View {
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
                 const std::optional<Box>& bounds);
 
+/// Returns the maximum fraction of the picture that the sphere around `bounds` covers: 1 if the camera is in it, 0 if
+/// it is outside the view. Its size is taken at its centre.
+double coverageOf(const scene::Camera& camera, const Box& bounds);
+
 /// The view of a perspective or an orthographic camera at a node, without the node's scale.
 scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
 

@@ -40,6 +40,14 @@ scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, co
   return facts;
 }
 
+// Cameras that a program left in the file often show the model as a few pixels, or not at all.
+void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
+  constexpr double kMinCoverage = 0.01;
+  if (!bounds || coverageOf(view.camera, *bounds) >= kMinCoverage) return;
+  log.warn("view", {},
+           view.description + " shows the model in less than 1 % of the picture; --camera none frames the model");
+}
+
 scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptions& options,
                             scene::DiagnosticLog& log) {
   const Container container = readContainer(file);
@@ -61,6 +69,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   scene::Scene& scene = assembly.scene();
   const View view = chooseView(root, nodes, options.camera, assembly.bounds());
   scene.camera = view.camera;
+  if (!options.camera) warnOfSmallModel(view, assembly.bounds(), log);
   const std::string light = lightUp(scene, assembly.bounds(), options);
   warnOfShadows(scene, log);
   setReach(assembly.bounds(), scene);

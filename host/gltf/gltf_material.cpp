@@ -23,17 +23,24 @@ constexpr std::array kOfMetallicRoughness{"KHR_materials_ior",          "KHR_mat
                                           "KHR_materials_transmission", "KHR_materials_volume",
                                           "KHR_materials_dispersion",   "CANDELA_materials_conductor"};
 
+/// Returns a factor, clamped to 0 to 1 if it is outside by no more than the rounding of a program that wrote it.
+double clampedFraction(const Value& place, double value) {
+  constexpr double kRounding = 1e-5;
+  if (value < -kRounding || value > 1 + kRounding) place.fail(fmt::format("{} is outside 0 to 1", value));
+  return std::clamp(value, 0.0, 1.0);
+}
+
 double fraction(const Value& object, const char* key, double absent) {
-  const double value = object.numberOr(key, absent);
-  if (value < 0 || value > 1) object.require(key).fail(fmt::format("{} is outside 0 to 1", value));
-  return value;
+  const std::optional<Value> value = object.find(key);
+  return value ? clampedFraction(*value, value->number()) : absent;
 }
 
 template <class Vector>
 Vector fractions(const Value& object, const char* key, const Vector& absent) {
-  const Vector value = object.vectorOr(key, absent);
-  for (glm::length_t c = 0; c < Vector::length(); ++c) {
-    if (value[c] < 0 || value[c] > 1) object.require(key).fail(fmt::format("{} is outside 0 to 1", value[c]));
+  Vector value = object.vectorOr(key, absent);
+  const std::optional<Value> place = object.find(key);
+  for (glm::length_t c = 0; place && c < Vector::length(); ++c) {
+    value[c] = static_cast<float>(clampedFraction(*place, double{value[c]}));
   }
   return value;
 }
@@ -66,8 +73,12 @@ void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, G
   result.metallicRoughnessTexture = textureIn(pbr, "metallicRoughnessTexture", readTexture);
 }
 
+/// Factors above 1, which exporters wrote before KHR_materials_emissive_strength existed, are used as they are.
 void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  result.emission = fractions(material, "emissiveFactor", glm::vec3(0));
+  result.emission = material.vectorOr("emissiveFactor", glm::vec3(0));
+  for (int c = 0; c < 3; ++c) {
+    if (result.emission[c] < 0) material.require("emissiveFactor").fail("a component is negative");
+  }
   if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }

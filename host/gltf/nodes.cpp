@@ -15,8 +15,12 @@ glm::dmat4 matrixOf(const Value& matrix) {
   for (std::size_t i = 0; i < 16; ++i) {
     result[static_cast<glm::length_t>(i / 4)][static_cast<glm::length_t>(i % 4)] = matrix[i].number();
   }
-  if (glm::row(result, 3) != glm::dvec4(0, 0, 0, 1)) matrix.fail("the last row is not 0 0 0 1");
-  return result;
+  constexpr double kRounding = 1e-5;  // of programs that multiply matrices in single precision
+  const glm::dvec4 affine(0, 0, 0, 1);
+  if (glm::any(glm::greaterThan(glm::abs(glm::row(result, 3) - affine), glm::dvec4(kRounding)))) {
+    matrix.fail("the last row is not 0 0 0 1");
+  }
+  return glm::row(result, 3, affine);
 }
 
 glm::dquat rotationOf(const Value& node) {
@@ -49,7 +53,7 @@ NodeTree::NodeTree(const Value& root, const Pose& pose, bool lenient, scene::Dia
   isHidden_.resize(count);
   worlds_.resize(count, glm::dmat4(1));
   if (count == 0) return;
-  collectChildren(root);
+  collectChildren(root, lenient, log);
   std::vector<std::size_t> tops;
   for (std::size_t i = 0; i < count; ++i) {
     if (parents_[i] == kNone) tops.push_back(i);
@@ -70,13 +74,18 @@ NodeTree::NodeTree(const Value& root, const Pose& pose, bool lenient, scene::Dia
   visible_ = descend(roots);
 }
 
-void NodeTree::collectChildren(const Value& root) {
+void NodeTree::collectChildren(const Value& root, bool lenient, scene::DiagnosticLog& log) {
   const Value nodes = root.require("nodes");
   for (std::size_t i = 0; i < children_.size(); ++i) {
     const std::optional<Value> list = nodes[i].find("children");
     for (std::size_t c = 0; list && c < list->size(); ++c) {
       const std::size_t child = (*list)[c].indexInto("nodes", children_.size());
-      if (parents_[child] != kNone) (*list)[c].fail(fmt::format("node {} has another parent already", child));
+      if (parents_[child] != kNone) {
+        const std::string message = fmt::format("node {} has another parent already", child);
+        if (!lenient) (*list)[c].fail(message + "; --lenient keeps it below the first one only");
+        log.warn("parents", {}, fmt::format("{}: {}, and stays below that one only", (*list)[c].pointer(), message));
+        continue;
+      }
       parents_[child] = i;
       children_[i].push_back(child);
     }

@@ -32,7 +32,8 @@ class NodeTree {
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  void collectChildren(const Value& root);
+  /// A second parent of a node is an error, or with `lenient` ignored with a warning.
+  void collectChildren(const Value& root, bool lenient, scene::DiagnosticLog& log);
   /// Sets the transforms of the nodes at and below some nodes that are placed as if they had no parents. Returns these
   /// nodes, in the order of visible().
   std::vector<std::size_t> placeSubtrees(const std::vector<std::size_t>& tops, const Value& nodes, const Pose& pose);

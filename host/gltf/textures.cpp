@@ -66,8 +66,8 @@ std::string nameOf(const Value& image) {
 }  // namespace
 
 std::optional<scene::TextureReference> Textures::read(const Value& info) {
-  const Value list = root_.require("textures");
-  const Value texture = list[info.require("index").indexInto("textures", list.size())];
+  const std::size_t textureIndex = info.require("index").indexInto("textures", root_.sizeOf("textures"));
+  const Value texture = root_.require("textures")[textureIndex];
   scene::TextureReference reference;
   const std::optional<Value> transform = info.extension("KHR_texture_transform");
   if (transform) readTransform(*transform, reference);

@@ -110,6 +110,28 @@ TEST_CASE("orthographic cameras are chosen as others are, and turn with their no
   CHECK(sceneOf(file).camera->orthographicHeight == std::nullopt);
 }
 
+TEST_CASE("a camera of the file that shows less than 1 percent of the model causes a warning") {
+  // The radius of the sphere around the triangle is sqrt(1/2), its centre is (1/2, 1/2, 0).
+  const auto warnsAt = [](const json& lens, double x, double z, const std::optional<std::string>& wish = std::nullopt) {
+    GltfFile file = triangleFile();
+    file.root["cameras"] = {lens};
+    file.addNode({{"camera", 0}, {"translation", {x, 0.5, z}}});
+    return warns(load(file, {.camera = wish}), "camera 0 of the file shows the model in less than 1 % of the picture");
+  };
+  // Half a unit of height at distance 1: the sphere covers pi / 2 / (z * z) / 2 of the picture.
+  const json wide = perspective(2 * std::atan(0.5), 2);
+  CHECK_FALSE(warnsAt(wide, 0.5, 8.8));
+  CHECK(warnsAt(wide, 0.5, 8.9));
+  CHECK_FALSE(warnsAt(wide, 0.5, 8.9, "0"));
+  CHECK_FALSE(warnsAt(wide, 0.5, 0.5));
+  CHECK_FALSE(warnsAt(wide, 0.5, -0.8, "none"));
+  CHECK(warnsAt(wide, 0.5, -0.8));     // behind the camera
+  CHECK_FALSE(warnsAt(wide, 2.1, 1));  // one unit on each side
+  CHECK(warnsAt(wide, 2.3, 1));
+  CHECK_FALSE(warnsAt(orthographic(6, 6), 0.5, 100));
+  CHECK(warnsAt(orthographic(6.5, 6.5), 0.5, 100));
+}
+
 TEST_CASE("cameras without an extent or of another type are errors") {
   const auto errorOf = [](const json& camera) {
     GltfFile file = withCameras();

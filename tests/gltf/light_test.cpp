@@ -120,9 +120,9 @@ TEST_CASE("emission that is too faint or too small to see the model by does not 
     return load(file).facts.at(1).second;
   };
   file.addMesh({{"attributes", {{"POSITION", small}}}, {"material", 0}});
-  // The radius is sqrt(1/2), so that the mean radiance is 0.005 strength / (2 pi): 0.001 at 1.2566.
-  CHECK(lightWith(1.25).starts_with("too faint in the file: a background of 0.25"));
-  CHECK(lightWith(1.26) == "as in the file");
+  // The radius is sqrt(1/2), so that the mean radiance is 0.005 strength / (2 pi): 0.02 at 25.13.
+  CHECK(lightWith(25.1).starts_with("too faint in the file: a background of 0.25"));
+  CHECK(lightWith(25.2) == "as in the file");
 }
 
 }  // namespace candela::gltf

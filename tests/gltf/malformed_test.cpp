@@ -182,7 +182,7 @@ const std::vector<Malformed> kMalformed{
      "/materials/0/pbrMetallicRoughness/roughnessFactor: -0.5 is outside"},
     {set("/materials/0/pbrMetallicRoughness/baseColorFactor", {1, 1, 1}),
      "/materials/0/pbrMetallicRoughness/baseColorFactor: expected an array of 4 numbers"},
-    {set("/materials/0/emissiveFactor", {0, 2, 0}), "/materials/0/emissiveFactor: 2 is outside"},
+    {set("/materials/0/emissiveFactor", {0, -2, 0}), "/materials/0/emissiveFactor: a component is negative"},
     {set("/materials/0/alphaMode", "GLOW"), "/materials/0/alphaMode: \"GLOW\" is not OPAQUE, MASK or BLEND"},
     {set("/materials/0/doubleSided", 1), "/materials/0/doubleSided: expected true or false"},
     {set("/materials/0/extensions/KHR_materials_ior/ior", 0.5),

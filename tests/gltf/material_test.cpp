@@ -36,6 +36,18 @@ TEST_CASE("metallic-roughness factors are the parameters of a surface") {
   CHECK(kindOf(material) == scene::MaterialKind::surface);
 }
 
+TEST_CASE("factors that rounding put beyond 1 count as 1, and emission above 1 is emitted") {
+  json material = metallicRoughness(1.0000002, -2e-8);
+  material["pbrMetallicRoughness"]["baseColorFactor"] = {1.00000012, 0.25, 1, 1};
+  material["emissiveFactor"] = {2, 0, 1.5};
+  const scene::Material result = mapped(material);
+  CHECK(result.surface->baseColour == glm::vec3(1, 0.25f, 1));
+  CHECK(result.surface->metalness == 1);
+  CHECK(result.surface->roughness == mapped(metallicRoughness(1, 0)).surface->roughness);
+  CHECK(result.emission == glm::vec3(2, 0, 1.5f));
+  CHECK_THROWS_WITH(mapped(metallicRoughness(1.001, 0)), Catch::Contains("1.001 is outside 0 to 1"));
+}
+
 TEST_CASE("specular factors and the index of refraction are parameters, too") {
   json material;
   material["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5}, {"specularColorFactor", {1, 2, 0}}};

@@ -21,6 +21,26 @@ TEST_CASE("a matrix is given by columns, and T R S are applied from the right") 
   CHECK(glm::distance(placed[2], glm::vec3(4, 8, 9)) < 1e-6f);
 }
 
+TEST_CASE("a matrix whose last row is rounded is affine") {
+  GltfFile file = triangleFile();
+  file.root["nodes"][0]["matrix"] = {1, 0, 0, 1e-7, 0, 1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 0.99999994};
+  CHECK(origin(file) == glm::vec3(7, 8, 9));
+  file.root["nodes"][0]["matrix"][15] = 0.999;
+  CHECK(errorsOf(file.text()).find("/nodes/0/matrix: the last row is not 0 0 0 1") != std::string::npos);
+}
+
+TEST_CASE("lenient reading keeps a node with two parents below the first one") {
+  GltfFile file = triangleFile();
+  file.root["nodes"].push_back({{"children", {0}}, {"translation", {1, 0, 0}}});
+  file.root["nodes"].push_back({{"children", {0}}, {"translation", {5, 0, 0}}});
+  file.root["scenes"][0]["nodes"] = {1, 2};
+  CHECK(errorsOf(file.text()).find("--lenient keeps it below the first one only") != std::string::npos);
+  const scene::LoadedScene loaded = load(file, {.lenient = true});
+  CHECK(warns(loaded, "/nodes/2/children/0: node 0 has another parent already, and stays below that one only"));
+  REQUIRE(loaded.scene.meshes.size() == 1);
+  CHECK(loaded.scene.meshes[0].positions[0] == glm::vec3(1, 0, 0));
+}
+
 TEST_CASE("transforms of ancestors are composed") {
   GltfFile file = triangleFile();
   file.root["nodes"][0]["translation"] = {1, 0, 0};

@@ -154,6 +154,10 @@ TEST_CASE("damaged textures are errors with their place") {
     infoOf(file)["index"] = 1;
     CHECK_THROWS_WITH(load(file), Catch::Contains("/materials/0/pbrMetallicRoughness/baseColorTexture/index"));
   }
+  SECTION("no list") {
+    file.root.erase("textures");
+    CHECK_THROWS_WITH(load(file), Catch::Contains("/baseColorTexture/index: index 0 into \"textures\", which has 0"));
+  }
   SECTION("a wrap mode that does not exist") {
     file.root["samplers"] = {{{"wrapT", 5}}};
     file.root["textures"][0]["sampler"] = 0;

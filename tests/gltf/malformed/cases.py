@@ -173,7 +173,7 @@ BY_HAND = (
     ("/materials/0/pbrMetallicRoughness/baseColorFactor", [1, 1, 1, 1.5], None),
     ("/materials/0/pbrMetallicRoughness/metallicFactor", -0.1, None),
     ("/materials/0/pbrMetallicRoughness/roughnessFactor", 2, None),
-    ("/materials/0/emissiveFactor", [0, 2, 0], None), ("/materials/0/alphaMode", "GLOW", None),
+    ("/materials/0/emissiveFactor", [0, -2, 0], None), ("/materials/0/alphaMode", "GLOW", None),
     ("/materials/0/alphaMode", 1, None), ("/materials/0/alphaMode", "x" + "\u00e9" * 99, None),
     ("/extensionsRequired", ["\u4e00" * 99], "/extensionsRequired/0"), ("/cameras/0/type", "\U0001f4f7" * 99, None), ("/materials/0/alphaCutoff", -1, None),
     ("/materials/0/doubleSided", "yes", None), ("/materials/0/extensions/KHR_materials_ior/ior", 0.5, None),
