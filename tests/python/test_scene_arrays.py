@@ -127,6 +127,18 @@ class SceneArrays(FolderTest):
         coloured = candela.Scene(vertices, faces, matte, lights=light, camera=camera, colours=[[0.5, 0.25, 1, 1]] * 4)
         numpy.testing.assert_allclose(candela.render(coloured, spp=1, device="cpu").image[10, 12] / flat, [0.5, 0.25, 1], rtol=1e-5)
 
+    def test_the_length_of_a_direction_has_no_effect(self):
+        def hash_with(length, up):
+            light = {"kind": "spot", "position": (0, 0, 3), "direction": (0, 0, -length), "outer": 30, "intensity": (9, 9, 9)}
+            return hash_of(candela.Scene(*quad(), [{"metallic": 0}], lights=[light], camera={**CAMERA, "up": (0, up, 0)}))
+
+        for length, up in ((1e-200, 1), (5e-324, 1), (1e30, 1), (1, 1e-12), (1, 1e12)):
+            self.assertEqual(hash_with(length, up), hash_with(1, 1), (length, up))
+
+    def test_none_omits_an_argument(self):
+        omitted = candela.Scene(*quad(), materials=None, face_materials=None, normals=None, lights=None, camera=None)
+        self.assertEqual(omitted.hash, candela.Scene(*quad()).hash)
+
     def test_mistakes(self):
         vertices, faces = quad()
         good = {"vertices": vertices, "faces": faces}
@@ -154,6 +166,19 @@ class SceneArrays(FolderTest):
             ({"camera": {**CAMERA, "resolution": (0, 5)}}, "camera: resolution: expected two whole numbers from 1 to 65535"),
             ({"camera": {**CAMERA, "zoom": 2}}, "camera: unknown entry 'zoom'"),
             ({"normals": [[0, 0, 1]]}, "normals: expected 4 rows, as many as vertices, got 1"),
+            ({"camera": {"from": (0, 0, 1e-170), "at": (0, 0, 0)}}, "camera: from and at are the same point in single precision"),
+            ({"camera": {"from": (0, 0, 1e200), "at": (0, 0, 0)}}, "camera: from: a number is not finite in single precision"),
+            ({"camera": {**CAMERA, "up": (1e-170, 0, 0)}}, "camera: up is the zero vector"),
+            ({"camera": {**CAMERA, "up": (0, 1e-30, 8e-30)}}, "camera: up is the zero vector, or parallel"),
+            ({"camera": 3}, "camera: expected a dict, got 3"),
+            ({"lights": {"kind": "point"}}, "lights: expected a list of dicts, got {'kind': 'point'}"),
+            ({"lights": 3}, "lights: expected a list of dicts, got 3"),
+            ({"lights": ["point"]}, r"lights\[0\]: expected a dict, got 'point'"),
+            ({"materials": [1]}, r"materials\[0\]: expected a dict, got 1"),
+            ({"materials": {"roughness": 1}}, "materials: expected a list of dicts, got {'roughness': 1}"),
+            ({"materials": [{"unlit": numpy.zeros(2)}]}, r"materials\[0\]: unlit: expected True or False, got array"),
+            ({"name": None}, "name: expected a text, got None"),
+            ({"name": "\udcff"}, "name: expected a text, got '.udcff'"),
             ({"spp": 4}, r"--spp is not an option of candela.Scene\(\)"),
         ]
         for change, text in mistakes:

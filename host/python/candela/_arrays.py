@@ -2,6 +2,7 @@
 import json
 import math
 import struct
+from collections.abc import Iterable, Mapping
 
 import numpy
 
@@ -28,10 +29,35 @@ def _fail(message):
 
 def _complete(what, given, defaults):
     """The entries of a dict, with defaults (None: required) for those that it lacks."""
+    if not isinstance(given, Mapping):
+        _fail(f"{what}: expected a dict, got {given!r}")
     for name in given:
         if name not in defaults:
             _fail(f"{what}: unknown entry {name!r}; the entries are {', '.join(defaults)}")
     return {**defaults, **given}
+
+
+def _list(what, value):
+    """The items of a list or another iterable; None has none."""
+    if value is None:
+        return []
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
+        _fail(f"{what}: expected a list of dicts, got {value!r}")
+    return list(value)
+
+
+def _name(value):
+    try:
+        value.encode()
+        return value
+    except (AttributeError, UnicodeEncodeError):
+        _fail(f"name: expected a text, got {value!r}")
+
+
+def _is_single(number):
+    """Whether a number is finite in single precision."""
+    with numpy.errstate(over="ignore"):
+        return bool(numpy.isfinite(numpy.float32(number)))
 
 
 def _vector(what, value, length=3):
@@ -41,6 +67,8 @@ def _vector(what, value, length=3):
         numbers = []
     if len(numbers) != length or not all(math.isfinite(number) for number in numbers):
         _fail(f"{what}: expected {length} finite numbers, got {value!r}")
+    if not all(map(_is_single, numbers)):
+        _fail(f"{what}: a number is not finite in single precision: {value!r}")
     return numbers
 
 
@@ -83,7 +111,14 @@ def _indices(what, value, count, width=None):
     return numpy.ascontiguousarray(array, numpy.uint32)
 
 
+def _scaled(vector):
+    """A multiple whose largest component is 1 or -1, so that products neither overflow nor vanish."""
+    largest = max(map(abs, vector))
+    return [number / largest for number in vector]
+
+
 def _unit(vector):
+    vector = _scaled(vector)
     length = math.sqrt(sum(number * number for number in vector))
     return [number / length for number in vector]
 
@@ -94,8 +129,9 @@ def _cross(a, b):
 
 def _placed(position, direction, up):
     """The matrix of a node that looks along a direction, column by column."""
-    back = _unit([-number for number in direction])
-    right = _unit(_cross(up, back))
+    back = [-number for number in direction]
+    right = _unit(_cross(_scaled(up), _scaled(back)))
+    back = _unit(back)
     return [*right, 0, *_cross(back, right), 0, *back, 0, *position, 1]
 
 
@@ -111,10 +147,10 @@ def _camera(given):
     camera = _complete("camera", given, _CAMERA)
     for name in ("from", "at", "up"):
         camera[name] = _vector(f"camera: {name}", camera[name])
+    if (numpy.float32(camera["at"]) == numpy.float32(camera["from"])).all():
+        _fail("camera: from and at are the same point in single precision")
     view = [a - b for a, b in zip(camera["at"], camera["from"])]
-    if not any(view):
-        _fail("camera: from and at are the same point")
-    if not any(_cross(camera["up"], view)):
+    if not any(numpy.float32(camera["up"])) or not any(_cross(_scaled(camera["up"]), _scaled(view))):
         _fail("camera: up is the zero vector, or parallel to the direction of view")
     camera["angle"] = _number("camera: angle", camera["angle"], lambda a: 0 < a < 180, "degrees between 0 and 180")
     camera["aperture"] = _number("camera: aperture", camera["aperture"], lambda a: a >= 0, "a number from 0")
@@ -210,6 +246,7 @@ def _glb(document, binary):
 def build(vertices, faces, materials=(), face_materials=None, *, normals=None, texcoords=None, colours=None, lights=(),
           camera=None, name="scene", **options):
     """Returns the file, its name, the camera with all entries, and the options for loading."""
+    materials = _list("materials", materials)
     vertices = _array("vertices", vertices, 3)
     faces = _indices("faces", faces, len(vertices), 3)
     if face_materials is None:
@@ -233,7 +270,7 @@ def build(vertices, faces, materials=(), face_materials=None, *, normals=None, t
     document["scenes"] = [{"nodes": list(range(len(document["nodes"])))}]
     document |= {"accessors": binary.accessors, "bufferViews": binary.views, "buffers": [{"byteLength": binary.size}]}
     _name_extensions(document)
-    return {"glb": _glb(document, binary), "name": name, "camera": camera, "options": options}
+    return {"glb": _glb(document, binary), "name": _name(name), "camera": camera, "options": options}
 
 
 def _add_camera(document, camera):
@@ -243,7 +280,7 @@ def _add_camera(document, camera):
 
 
 def _add_lights(document, lights):
-    placed = [_light(index, light) for index, light in enumerate(lights)]
+    placed = [_light(index, light) for index, light in enumerate(_list("lights", lights))]
     if placed:
         document["extensions"] = {"KHR_lights_punctual": {"lights": [light for light, _ in placed]}}
     for index, (_, node) in enumerate(placed):

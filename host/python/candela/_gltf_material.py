@@ -1,5 +1,8 @@
 """Materials by their parameters, with the meaning of glTF."""
 import math
+from collections.abc import Mapping
+
+import numpy
 
 from ._errors import UsageError
 
@@ -44,7 +47,7 @@ def _numbers(what, value, count):
 
 
 def _boolean(what, value):
-    if value not in (True, False):
+    if not isinstance(value, (bool, int, numpy.bool_)) or value not in (True, False):
         raise UsageError(f"{what}: expected True or False, got {value!r}")
     return bool(value)
 
@@ -71,6 +74,8 @@ def _set_alpha(what, material, given):
 def material_of(index, given):
     """The material of glTF with the entries of a dict."""
     what = f"materials[{index}]"
+    if not isinstance(given, Mapping):
+        raise UsageError(f"{what}: expected a dict, got {given!r}")
     material = {}
     for name, value in given.items():
         if name not in _NAMES:
