@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <mutex>
+#include <algorithm>
+#include <atomic>
+#include <limits>
 #include <variant>
 
 #include "host/core/errors.h"
@@ -16,23 +18,44 @@ namespace {
 
 namespace py = pybind11;
 
-/// A session that may be closed, and that refuses to be used by two threads at once.
+/// Marks a session as in use. Throws UsageError if it already is: by another thread, or by the call whose callback this
+/// is.
+class Claim {
+ public:
+  explicit Claim(std::atomic<bool>& isBusy) : isBusy_(isBusy) {
+    if (isBusy_.exchange(true)) throw UsageError("the session is in use");
+  }
+  ~Claim() { isBusy_.store(false); }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+ private:
+  std::atomic<bool>& isBusy_;
+};
+
+/// A session that may be closed, and that refuses to be used twice at once.
 struct SharedSession {
   std::unique_ptr<PythonSession> session;
-  std::mutex busy{};
+  std::atomic<bool> isBusy{false};
 
   /// Runs `use` without the GIL, and passes its messages on.
   template <class Use>
   void run(const Use& use, const py::object& progress = py::none()) {
-    const std::unique_lock lock(busy, std::try_to_lock);
-    if (!lock) throw UsageError("the session is in use by another thread");
+    const Claim claim(isBusy);
     if (!session) throw UsageError("the session is closed");
     runWatched([&](const Watch& watch) { use(*session, watch); }, progress);
     session->log().passOn();
   }
   void close() {
-    run([](PythonSession&, const Watch&) {});
+    if (!session) return;
+    const Claim claim(isBusy);
     session.reset();
+  }
+  /// Closes the session at the end of a `with` block. The exception that ended the block, if any, is more important
+  /// than one about a session that is in use: the session then stays open.
+  void leave(const py::args& exception) {
+    const bool isRaised = !exception.empty() && !exception[0].is_none();
+    if (!isRaised || !isBusy) close();
   }
 };
 using Shared = std::shared_ptr<SharedSession>;
@@ -48,18 +71,47 @@ Shared prepare(const PythonScene& scene, const py::kwargs& options) {
   return shared;
 }
 
-// A number of samples, a range of their indices, or None for all that are left.
-std::optional<render::SampleRange> rangeOf(const py::object& samples, const PythonSession& session) {
-  if (samples.is_none()) return std::nullopt;
-  if (py::isinstance<py::int_>(samples)) return session.next(samples.cast<std::uint32_t>());
-  if (samples.attr("step").cast<int>() != 1) throw UsageError("samples: expected a range with step 1");
-  return render::SampleRange{samples.attr("start").cast<std::uint32_t>(), samples.attr("stop").cast<std::uint32_t>()};
+// A number of samples, a range of their indices, or nothing for all that are left.
+using Samples = std::variant<std::monostate, std::uint32_t, render::SampleRange>;
+
+// Returns a whole number, at most the maximum of its type; nothing for negative ones. Raises TypeError for other
+// objects.
+std::optional<std::uint32_t> countOf(const py::handle& value) {
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  if (!number) throw py::error_already_set();
+  int overflow = 0;
+  const long long whole = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+  if (overflow < 0 || (overflow == 0 && whole < 0)) return std::nullopt;
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
+  return overflow > 0 || whole > kMax ? kMax : static_cast<std::uint32_t>(whole);
 }
 
-void advance(SharedSession& shared, const py::object& samples, const py::object& progress) {
-  if (!shared.session) throw UsageError("the session is closed");
-  const std::optional<render::SampleRange> range = rangeOf(samples, *shared.session);
-  shared.run([&](PythonSession& session, const Watch& watch) { session.advance(range, watch); }, progress);
+Samples samplesOf(const py::object& samples) {
+  const std::string got = py::repr(samples);
+  if (samples.is_none()) return {};
+  if (PyIndex_Check(samples.ptr()) != 0) {
+    if (const auto count = countOf(samples)) return *count;
+    throw UsageError(fmt::format("samples: expected a whole number from 0, got {}", got));
+  }
+  if (PyObject_TypeCheck(samples.ptr(), &PyRange_Type) == 0) {
+    throw py::type_error(fmt::format("samples: expected a whole number, a range or None, got {}", got));
+  }
+  const auto first = countOf(samples.attr("start")), end = countOf(samples.attr("stop"));
+  const bool hasGaps = countOf(samples.attr("step")) != 1;
+  if (first && end && !hasGaps) return render::SampleRange{*first, *end};
+  throw UsageError(fmt::format("samples: expected a range of indices from 0 with step 1, got {}", got));
+}
+
+std::optional<render::SampleRange> rangeOf(const Samples& samples, const PythonSession& session) {
+  if (const auto* count = std::get_if<std::uint32_t>(&samples)) return session.next(*count);
+  if (const auto* range = std::get_if<render::SampleRange>(&samples)) return *range;
+  return std::nullopt;
+}
+
+void advance(SharedSession& shared, const py::object& given, const py::object& progress) {
+  const Samples samples = samplesOf(given);
+  shared.run([&](PythonSession& session, const Watch& watch) { session.advance(rangeOf(samples, session), watch); },
+             progress);
 }
 
 std::shared_ptr<PythonFilm> film(SharedSession& shared) {
@@ -85,11 +137,15 @@ void defineSession(py::module_& module) {
       .def("advance", &advance, py::arg("samples") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
            "Adds samples to every pixel: a number, a range of indices, or None for all that are left.")
       .def("reset", &reset, py::arg("seed"), "Empties the film and starts again with other random numbers.")
-      .def("close", &SharedSession::close, "Releases the device. Films of the session stay valid.")
+      .def("close", &SharedSession::close,
+           "Releases the device; a second call has no effect. Films of the session stay valid.")
       .def("__enter__", [](const Shared& shared) { return shared; })
-      .def("__exit__", [](SharedSession& shared, const py::args&) { shared.close(); })
+      .def("__exit__", &SharedSession::leave)
       .def_property_readonly("film", &film, "The film so far, which later samples do not change.")
-      .def_property_readonly("done", &done, "Number of samples that every pixel has, counted from sample 0.")
+      .def_property_readonly(
+          "done", &done,
+          "Index of the next sample: every pixel has those before it, from sample 0 or from the start of the first "
+          "range on.")
       .def_property_readonly("spp", &total, "Number of samples per pixel of the whole render.");
 }
 

@@ -1,6 +1,8 @@
 """Sessions: renders in parts equal whole renders."""
 import unittest
 
+import numpy
+
 import candela
 from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
 
@@ -78,15 +80,68 @@ class Sessions(FolderTest):
             for wrong in (range(3, 4), range(0, 9), range(2, 4, 2)):
                 with self.assertRaises(candela.UsageError):
                     session.advance(wrong)
-            for wrong in (-1, "4", 1.5):
-                with self.assertRaises((TypeError, ValueError, RuntimeError, AttributeError)):
+            for wrong in (-1, -2**70, range(-1, 2), range(4, 2), range(2, 3, 2**70)):
+                with self.assertRaisesRegex(candela.UsageError, "samples"):
+                    session.advance(wrong)
+            for wrong in ("4", 1.5, numpy.float64(1), [1]):
+                with self.assertRaisesRegex(TypeError, "samples: expected a whole number, a range or None, got "):
                     session.advance(wrong)
             session.advance()
             whole = session.film
         self.assertEqual(whole.hash, candela.render(cornell(), **SMALL, device="cpu").hash)
-        for use in (session.advance, lambda: session.film, lambda: session.reset(1), session.close):
+        for use in (session.advance, lambda: session.film, lambda: session.reset(1)):
             with self.assertRaisesRegex(candela.UsageError, "the session is closed"):
                 use()
+
+    def test_numbers_of_other_types(self):
+        with candela.Session(cornell(), **SMALL, device="cpu") as session:
+            session.advance(numpy.int64(1))
+            session.advance(range(numpy.uint8(1), numpy.int32(2)))
+            self.assertEqual(session.done, 2)
+            session.advance(2**70)
+            self.assertEqual(session.done, 4)
+
+    def test_a_session_may_be_closed_twice(self):
+        with candela.Session(cornell(), **SMALL, device="cpu") as session:
+            session.close()
+            session.close()
+        self.assertEqual((session.done, session.spp), (0, 0))
+
+    def test_the_exception_of_a_block_is_passed_on(self):
+        for leave in (lambda session: session.close(), lambda session: None):
+            with self.assertRaises(Stop):
+                with candela.Session(cornell(), **SMALL, device="cpu") as session:
+                    leave(session)
+                    raise Stop
+            with self.assertRaisesRegex(candela.UsageError, "the session is closed"):
+                session.advance()
+
+    def test_an_exception_is_more_important_than_a_session_in_use(self):
+        session = candela.Session(cornell(), size=(256, 256), spp=64, device="cpu")
+
+        def leave(fraction, samples):
+            with session:
+                raise Stop
+
+        with self.assertRaises(Stop):
+            session.advance(progress=leave)
+        session.film  # the session was not closed
+
+        def leave_without(fraction, samples):
+            with session:
+                pass
+
+        with self.assertRaisesRegex(candela.UsageError, "the session is in use$"):
+            session.advance(progress=leave_without)
+        session.close()
+
+    def test_done_is_the_next_sample(self):
+        with candela.Session(cornell(), **SMALL, device="cpu") as session:
+            session.advance(range(1, 3))
+            self.assertEqual((session.done, session.film.samples.max()), (3, 2))
+            session.advance(100)
+            self.assertEqual((session.done, session.film.samples.max()), (4, 3))
+        self.assertIn("Index of the next sample", candela.Session.done.__doc__)
 
 
 if __name__ == "__main__":
