@@ -2,6 +2,7 @@
 #include "host/python/errors.h"
 
 #include "host/core/errors.h"
+#include "host/python/file_names.h"
 #include "host/scene/diagnostic.h"
 
 namespace candela::python {
@@ -37,14 +38,14 @@ const char* nameOf(const Error& error) {
 py::list diagnosticsOf(const scene::SceneError& error) {
   py::list list;
   for (const scene::Diagnostic& one : error.diagnostics) {
-    list.append(py::make_tuple(one.file, one.line, one.column, one.message));
+    list.append(py::make_tuple(textOf(one.file), one.line, one.column, textOf(one.message)));
   }
   return list;
 }
 
 void raise(const Error& error) {
   const py::object type = py::module_::import("candela._errors").attr(nameOf(error));
-  const py::object exception = type(py::str(error.what()));
+  const py::object exception = type(textOf(error.what()));
   if (const auto* scene = dynamic_cast<const scene::SceneError*>(&error)) {
     exception.attr("diagnostics") = diagnosticsOf(*scene);
   }

@@ -8,6 +8,7 @@
 
 #include "host/cli/command_line.h"
 #include "host/core/errors.h"
+#include "host/python/file_names.h"
 
 namespace candela::python {
 
@@ -54,20 +55,34 @@ namespace {
 constexpr const char* kLayerOption = "--aov";
 constexpr const char* kLayerKeyword = "aovs";
 
+// Texts of any option may be names of files, as those of --env are.
 std::string wordOf(const py::handle& value) {
-  if (!py::hasattr(value, "__fspath__")) return py::str(value);
-  return py::str(py::module_::import("os").attr("fsdecode")(value));
+  return isFileName(value) ? fileOf("", value).string() : std::string(py::str(value));
 }
 
-bool isList(const py::handle& value) { return py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value); }
+// NumPy's truth values are not those of Python.
+bool isBoolean(const py::handle& value) {
+  const std::string_view type = Py_TYPE(value.ptr())->tp_name;
+  return py::isinstance<py::bool_>(value) || type == "numpy.bool_" || type == "numpy.bool";
+}
+
+bool isTrue(const py::handle& value) { return py::bool_(py::reinterpret_borrow<py::object>(value)); }
+
+// Lists, tuples, arrays and others. An array without dimensions is a number.
+bool isList(const py::handle& value) {
+  if (isFileName(value) || PySequence_Check(value.ptr()) == 0) return false;
+  const bool hasLength = PySequence_Size(value.ptr()) >= 0;
+  if (!hasLength) PyErr_Clear();
+  return hasLength;
+}
 
 bool isRange(const py::handle& value) { return PyObject_TypeCheck(value.ptr(), &PyRange_Type) != 0; }
 
 // A range without samples, or with gaps, has no notation; the parser then reports the expected form.
 std::string rangeText(const py::handle& range) {
   const std::string text = fmt::format("{}:{}", wordOf(range.attr("start")), wordOf(range.attr("stop")));
-  const auto step = range.attr("step").cast<long long>();
-  return step == 1 ? text : fmt::format("{}:{}", text, step);
+  const std::string step = wordOf(range.attr("step"));
+  return step == "1" ? text : fmt::format("{}:{}", text, step);
 }
 
 std::string listText(const py::handle& list, const cli::Option& option) {
@@ -78,30 +93,9 @@ std::string listText(const py::handle& list, const cli::Option& option) {
 }
 
 std::string valueText(const py::handle& value, const cli::Option& option) {
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "on" : "off";
+  if (isBoolean(value)) return isTrue(value) ? "on" : "off";
   if (isRange(value)) return rangeText(value);
   return isList(value) ? listText(value, option) : wordOf(value);
-}
-
-void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
-  if (!py::isinstance<py::bool_>(value)) {
-    throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
-  }
-  if (value.cast<bool>()) words.push_back(option.name());
-}
-
-void addOption(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
-  if (option.isFlag()) return addFlag(option, value, words);
-  if (option.name() == kLayerOption && isList(value) && py::len(value) == 0) return;
-  const bool isRepeated = option.expected == "a path" && isList(value);
-  if (!isRepeated) return words.push_back(option.name() + "=" + valueText(value, option));
-  for (const py::handle& item : value) words.push_back(option.name() + "=" + wordOf(item));
-}
-
-std::string nameOf(std::string keyword) {
-  if (keyword == kLayerKeyword) return kLayerOption;
-  std::ranges::replace(keyword, '_', '-');
-  return "--" + keyword;
 }
 
 std::string keywordOf(const cli::Option& option) {
@@ -109,6 +103,30 @@ std::string keywordOf(const cli::Option& option) {
   std::string keyword = option.name().substr(2);
   std::ranges::replace(keyword, '-', '_');
   return keyword;
+}
+
+void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (!isBoolean(value)) {
+    throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
+  }
+  if (isTrue(value)) words.push_back(option.name());
+}
+
+void addOption(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (option.isFlag()) return addFlag(option, value, words);
+  if (option.name() == kLayerOption && isList(value) && py::len(value) == 0) return;
+  if (option.expected != "a path") return words.push_back(option.name() + "=" + valueText(value, option));
+  const auto add = [&](const py::handle& file) {
+    words.push_back(option.name() + "=" + fileOf(keywordOf(option), file).string());
+  };
+  if (!isList(value)) return add(value);
+  for (const py::handle& file : value) add(file);
+}
+
+std::string nameOf(std::string keyword) {
+  if (keyword == kLayerKeyword) return kLayerOption;
+  std::ranges::replace(keyword, '_', '-');
+  return "--" + keyword;
 }
 
 // The option of this name that the function has, or else one that it lacks; null if there is none.

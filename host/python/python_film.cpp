@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "host/cli/output_check.h"
 #include "host/film/film_file.h"
 #include "host/film/merge.h"
+#include "host/python/file_names.h"
 #include "host/python/film_arrays.h"
 #include "host/python/film_denoise.h"
 #include "host/python/json.h"
@@ -39,17 +39,28 @@ cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, con
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
-  if (options.contains("denoise")) arguments.denoise = given.denoise;
+  if (options.contains("denoise") && !options["denoise"].is_none()) arguments.denoise = given.denoise;
   if (given.given.contains("--device")) arguments.device = given.device;
   arguments.noCache = arguments.noCache || given.noCache;
   return arguments;
 }
 
-void save(const PythonFilm& film, const py::args& files, const py::kwargs& keywords) {
-  py::kwargs options = keywords;
-  const Files outputs = files.cast<Files>();
-  std::filesystem::path filmFile;
-  if (options.contains("checkpoint")) filmFile = options.attr("pop")("checkpoint").cast<std::filesystem::path>();
+// Raises TypeError for anything but names of files.
+Files filesOf(const py::iterable& names) {
+  Files files;
+  for (const py::handle& name : names) files.push_back(fileOf("files", name));
+  return files;
+}
+
+// Takes the film file out of the options; empty: none.
+std::filesystem::path takeFilmFile(const py::kwargs& options) {
+  const py::object file = options.attr("pop")("checkpoint", py::none());
+  return file.is_none() ? std::filesystem::path() : fileOf("checkpoint", file);
+}
+
+void save(const PythonFilm& film, const py::args& files, const py::kwargs& options) {
+  const Files outputs = filesOf(files);
+  const std::filesystem::path filmFile = takeFilmFile(options);
   for (const auto& file : outputs) cli::requireWritableImage(file);
   if (!filmFile.empty()) cli::requireWritableFile(filmFile);
   const cli::Arguments arguments = savingArguments(film, outputs, options);
@@ -84,7 +95,8 @@ Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work
   return film;
 }
 
-Film open(const std::filesystem::path& file) {
+Film open(const py::object& name) {
+  const std::filesystem::path file = fileOf("file", name);
   Film film;
   runWatched([&](const Watch&) {
     film::FilmReader reader(file);
@@ -93,7 +105,9 @@ Film open(const std::filesystem::path& file) {
   return film;
 }
 
-Film merge(const Files& files, const py::kwargs& options) {
+Film merge(const py::iterable& names, const py::kwargs& options) {
+  if (isFileName(names)) throw py::type_error("files: expected several names of files, in a list");
+  const Files files = filesOf(names);
   const cli::Arguments arguments = argumentsOf(kMergeOptions, options);
   Film film;
   runWatched([&](const Watch&) {
@@ -154,7 +168,7 @@ void defineFilm(py::module_& module) {
       .def_property_readonly("hash", [](const PythonFilm& film) { return descriptionOf(film).filmHash; })
       .def_property_readonly("interrupted", [](const PythonFilm& film) { return film.isInterrupted; })
       .def_property_readonly("description",
-                             [](const PythonFilm& film) { return fromJson(toJson(descriptionOf(film)).dump()); })
+                             [](const PythonFilm& film) { return fromJson(jsonText(toJson(descriptionOf(film)))); })
       .def_property_readonly("report", &reportOf)
       .def("save", &save,
            ("save(*files, checkpoint=None, **options)\n\nWrites image files (.png, .jpg, .hdr, .pfm, .exr) and a film "

@@ -5,6 +5,8 @@
 
 #include <iostream>
 
+#include "host/python/file_names.h"
+
 namespace candela::python {
 
 namespace py = pybind11;
@@ -23,7 +25,7 @@ void PythonLog::passOn() {
     messages.swap(messages_);
   }
   const py::object publish = py::module_::import("candela._messages").attr("publish");
-  for (const auto& [kind, text] : messages) publish(kind, text);
+  for (const auto& [kind, text] : messages) publish(kind, textOf(text));
 }
 
 }  // namespace candela::python

@@ -8,6 +8,7 @@
 
 #include "host/core/hash_text.h"
 #include "host/formats/load_scene.h"
+#include "host/python/file_names.h"
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/watched.h"
@@ -24,7 +25,7 @@ using Loaded = std::shared_ptr<PythonScene>;
 Loaded finish(scene::LoadedScene loaded, cli::Arguments arguments, const Log& log) {
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
-  std::string report = toJson(scene::makeReport(loaded)).dump();
+  std::string report = jsonText(toJson(scene::makeReport(loaded)));
   auto scene = std::make_shared<const scene::Scene>(std::move(loaded.scene));
   return std::make_shared<PythonScene>(PythonScene{std::move(scene), std::move(arguments), std::move(report)});
 }
@@ -41,7 +42,7 @@ Loaded readWatched(const Read& read) {
 
 Loaded load(const py::object& file, const py::kwargs& options) {
   cli::Arguments arguments = argumentsOf(kLoadOptions, options);
-  arguments.files = {py::str(py::module_::import("os").attr("fsdecode")(file))};
+  arguments.files = {fileOf("file", file)};
   return readWatched([&](const Log& log) {
     return finish(formats::loadScene(arguments.files.front(), arguments.loadOptions), arguments, log);
   });
@@ -95,9 +96,9 @@ Loaded fromArrays(const py::args& positional, const py::kwargs& keywords) {
   });
 }
 
-std::string sceneText(const PythonScene& scene) {
-  return fmt::format("<candela.Scene {}: {} primitives, hash {}>", scene.scene->name, scene.scene->primitives.size(),
-                     hashText(scene.scene->hash));
+py::str sceneText(const PythonScene& scene) {
+  return textOf(fmt::format("<candela.Scene {}: {} primitives, hash {}>", scene.scene->name,
+                            scene.scene->primitives.size(), hashText(scene.scene->hash)));
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ void defineScene(py::module_& module) {
             "lights=(), camera=None, name='scene', **options)\n\nA scene of triangles; see docs/python.md.\n\n" +
             helpOf(kSceneOptions))
                .c_str())
-      .def_property_readonly("name", [](const PythonScene& scene) { return scene.scene->name; })
+      .def_property_readonly("name", [](const PythonScene& scene) { return textOf(scene.scene->name); })
       .def_property_readonly("hash", [](const PythonScene& scene) { return hashText(scene.scene->hash); })
       .def_property_readonly("report", [](const PythonScene& scene) { return fromJson(scene.report); })
       .def("__repr__", &sceneText);

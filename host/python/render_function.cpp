@@ -6,6 +6,7 @@
 #include "host/cli/statistics_report.h"
 #include "host/cli/trace_film.h"
 #include "host/core/progress.h"
+#include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_scene.h"
 #include "host/python/rendering.h"
@@ -53,7 +54,7 @@ Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHe
   cli::RenderReport report{job, result, 0, seconds, {}, work};
   report.badSamples.add(result.film, job.settings().image);
   reportFlaws(report, log);
-  film->report = toJson(report).dump();
+  film->report = jsonText(toJson(report));
   film->metadata = metadataOf(job, result);
   film->arguments = job.arguments;
   film->isInterrupted = result.interrupted;

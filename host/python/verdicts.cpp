@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "host/cli/requirements.h"
 #include "host/core/errors.h"
 #include "host/explain/explanation.h"
+#include "host/python/file_names.h"
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_film.h"
@@ -56,7 +56,7 @@ Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, c
   reportBadSamples(report.tallies, tracers.job, log);
   nlohmann::ordered_json json = toJson(report);
   json["badSamples"] = badSamplesJson(report.tallies, tracers.job);
-  return {report.agree(), report.verdict(), toText(report), json.dump()};
+  return {report.agree(), report.verdict(), toText(report), jsonText(json)};
 }
 
 Verdict verify(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
@@ -68,7 +68,7 @@ Verdict verify(const PythonScene& scene, const py::object& progress, const py::k
 
 Explanation outcomeOf(const explain::Explanation& explanation) {
   render::requireComplete(explanation.statistics);
-  return {!explanation.firstDifference, explanation.verdict(), toText(explanation), toJson(explanation).dump()};
+  return {!explanation.firstDifference, explanation.verdict(), toText(explanation), jsonText(toJson(explanation))};
 }
 
 // The pixel that differs most is found by images of one sample per pixel.
@@ -83,7 +83,7 @@ Explanation explainWorst(Tracers& tracers) {
                                            *tracers.reference);
   if (worst) return outcomeOf(*worst);
   const std::string text = explain::nothingToExplain(*pixels);
-  return {true, text, text + "\n", explain::nothingJson(tracers.job.scene, *pixels).dump()};
+  return {true, text, text + "\n", jsonText(explain::nothingJson(tracers.job.scene, *pixels))};
 }
 
 Explanation explainScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
@@ -111,7 +111,7 @@ Comparison compareTracers(const PythonScene& scene, const cli::Arguments& argume
   reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = report.toJson();
   json["badSamples"] = badSamplesJson(report.badSamples, tracers.job);
-  return {report.agree(), report.agree() ? "the tracers agree" : "the tracers differ", report.toText(), json.dump()};
+  return {report.agree(), report.agree() ? "the tracers agree" : "the tracers differ", report.toText(), jsonText(json)};
 }
 
 Comparison compareScene(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
@@ -135,8 +135,7 @@ image::Image imageOfArray(const py::handle& value) {
 
 image::Image imageFrom(const py::handle& value) {
   if (py::isinstance<PythonFilm>(value)) return pictureOf(value.cast<const PythonFilm&>());
-  const bool isPath = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
-  return isPath ? image::readImage(value.cast<std::filesystem::path>()) : imageOfArray(value);
+  return isFileName(value) ? image::readImage(fileOf("image", value)) : imageOfArray(value);
 }
 
 Comparison compareImages(const py::object& a, const py::object& b, const py::kwargs& options) {
@@ -145,7 +144,7 @@ Comparison compareImages(const py::object& a, const py::object& b, const py::kwa
   cli::ImagePair pair;
   runWatched([&](const Watch&) { pair = comparePair(arguments, first, reference); });
   const std::optional<bool> agrees = pair.verdict.isGiven() ? std::optional(pair.verdict.passes()) : std::nullopt;
-  return {agrees, pair.verdict.sentence(), toText(pair), toJson(pair).dump()};
+  return {agrees, pair.verdict.sentence(), toText(pair), jsonText(toJson(pair))};
 }
 
 bool truthOf(const Outcome& outcome) {

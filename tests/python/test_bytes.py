@@ -50,6 +50,16 @@ class Bytes(FolderTest):
         candela.render(cornell(), **SMALL, device="cpu", denoise=True).save(self.folder / "plain2.exr", denoise=False)
         self.assert_same_bytes("plain.exr", "plain2.exr")
 
+    def test_none_omits_an_option_of_saving(self):
+        film = candela.render(cornell(), **SMALL, device="cpu", denoise=True)
+        film.save(self.folder / "plain.png")
+        film.save(self.folder / "none.png", checkpoint=None, denoise=None, tonemap=None, exposure=None, device=None, no_cache=None)
+        self.assert_same_bytes("plain.png", "none.png")
+        film.save(self.folder / "noisy.png", denoise=False)
+        self.assertNotEqual((self.folder / "plain.png").read_bytes(), (self.folder / "noisy.png").read_bytes())
+        film.save(checkpoint=None)
+        self.assertEqual(len(list(self.folder.iterdir())), 3)
+
     def test_options_of_the_scene_file(self):
         given = {"env": "sun:30,120,3", "env_rotate": -20, "env_scale": 0.25}
         film = candela.render(cornell(**given), **SMALL, device="cpu")

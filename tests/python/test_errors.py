@@ -1,8 +1,11 @@
 """Errors and warnings have the texts and the exit codes of the program."""
 import logging
+import os
 import pathlib
 import unittest
 import warnings
+
+import numpy
 
 import candela
 from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
@@ -105,6 +108,55 @@ class Errors(FolderTest):
                 function(cornell(), **options)
         with self.assertRaises(TypeError):
             candela.render("cornell.p3f")
+
+    def test_numbers_and_truth_values_of_numpy(self):
+        plain = candela.render(cornell(), **SMALL, device="cpu", nee=False, one_sided=True).hash
+        for numpy_size in (numpy.array(SMALL["size"]), numpy.uint16(SMALL["size"]), [numpy.int64(24), 20]):
+            options = {**SMALL, "size": numpy_size, "spp": numpy.int8(SMALL["spp"])}
+            film = candela.render(cornell(), **options, device="cpu", nee=numpy.bool_(False), one_sided=numpy.bool_(True))
+            self.assertEqual(film.hash, plain)
+        with self.assertRaisesRegex(candela.UsageError, '--size: expected .*, got "24.0x20.0"'):
+            candela.render(cornell(), size=numpy.array([24.0, 20.0]), device="cpu")
+        with self.assertRaisesRegex(candela.UsageError, '--size: expected .*, got "5"'):
+            candela.render(cornell(), size=numpy.array(5), device="cpu")
+
+    def test_what_is_not_the_name_of_a_file(self):
+        film = candela.render(cornell(), **SMALL, device="cpu")
+        for what, use in (("files", lambda: film.save(3)), ("checkpoint", lambda: film.save(checkpoint=3)),
+                          ("file", lambda: candela.load(None)), ("file", lambda: candela.open_film(3)),
+                          ("files", lambda: candela.merge([3])), ("resume", lambda: candela.render(cornell(), resume=3)),
+                          ("allow_path", lambda: candela.load(CORNELL, allow_path=[3]))):
+            with self.assertRaisesRegex(TypeError, f"^{what}: expected the name of a file, got (3|None)$"):
+                use()
+        with self.assertRaisesRegex(TypeError, "files: expected several names of files"):
+            candela.merge("a.film")
+        with self.assertRaisesRegex(ValueError, "null"):
+            candela.load("a\0b")
+
+    def test_names_that_are_not_utf8(self):
+        strange = os.fsencode(self.folder) + b"/\xff.p3f"
+        (self.folder / "plain.p3f").write_bytes(CORNELL.read_bytes())
+        os.rename(self.folder / "plain.p3f", strange)
+        films = []
+        for name in (strange, os.fsdecode(strange), pathlib.Path(os.fsdecode(strange))):
+            scene = candela.load(name)
+            self.assertEqual((scene.name, scene.report["name"]), (r"\xff.p3f", "\ufffd.p3f"))
+            self.assertIn(r"candela.Scene \xff.p3f:", repr(scene))
+            film = os.fsdecode(strange) + ".film"
+            candela.render(scene, **SMALL, device="cpu", checkpoint=film).save(film + ".png", checkpoint=film + "2")
+            films.append(candela.merge([film + "2"]).hash)
+            self.assertEqual(candela.open_film(os.fsencode(film)).hash, films[-1])
+            self.assertEqual(candela.render(scene, **SMALL, device="cpu", resume=film).hash, films[-1])
+            self.assertIsNotNone(candela.compare(film + ".png", os.fsencode(film + ".png")).report)
+            os.remove(film)
+        self.assertEqual(set(films), {candela.render(cornell(), **SMALL, device="cpu").hash})
+        with open(strange, "ab") as file:
+            file.write(b"nonsense\n")
+        with self.assertRaisesRegex(candela.SceneError, r"\\xff\.p3f:\d+") as caught:
+            candela.load(strange)
+        self.assertTrue(caught.exception.diagnostics[0][0].endswith(r"\xff.p3f"))
+        with self.assertRaisesRegex(candela.FileError, r"\\xff\.p3f2"):
+            candela.load(strange + b"2")
 
     def test_kinds(self):
         self.assertTrue(issubclass(candela.UsageError, ValueError) and issubclass(candela.FileError, OSError))

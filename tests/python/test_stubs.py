@@ -54,6 +54,10 @@ class Stubs(unittest.TestCase):
 
     def test_types(self):
         script = "import candela\nfilm = candela.render(candela.load('a'), spp=4, size=(8, 8), samples=range(2))\nx: float = film.image[0, 0, 0]\n"
+        script += ("import numpy\nscene = candela.Scene([[0.0]], [[0]], None, lights=None)\n"
+                   "candela.render(scene, size=numpy.array([8, 8]), spp=numpy.int64(1), nee=numpy.bool_(True), crop=[0, 0, 4, 4])\n"
+                   "candela.Session(scene).advance(numpy.int64(1))\nfilm.save(b'a.png', checkpoint=None, denoise=None)\n"
+                   "candela.merge(name for name in ('a', 'b'))\n")
         wrong = ["candela.render(3)", "candela.load(4)", "film.save(checkpoint=3)", "film.hash + 1", "candela.render(scene, samplr='sobol')",
                  "candela.render(scene, sampler='halton')", "candela.compare(film)", "candela.Scene([[0]], [[0]], [{'rougness': 1}])"]
         setup = "import candela\nscene = candela.load('a')\nfilm = candela.render(scene)\n"

@@ -1,15 +1,18 @@
 """Types of the module. Options are those of the command line, which docs/python.md explains; None omits one."""
 import os
-from collections.abc import Callable, Sequence
-from typing import Any, Literal, TypedDict, final, overload
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, Literal, SupportsIndex, TypedDict, final, overload
 
 import numpy
 import numpy.typing
 
 __version__: str
 
-_Path = str | os.PathLike[str]
-_Pair = tuple[int, int] | str  #: width and height, as a pair or as "WxH"
+_Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
+_Flag = bool | numpy.bool_
+_Whole = Sequence[SupportsIndex] | numpy.typing.NDArray[numpy.integer[Any]]
+_Pair = _Whole | str  #: width and height, as a pair or as "WxH"
+_Crop = _Whole | str  #: left column, top row, width and height
 _Duration = float | str  #: seconds, or with a unit: "90s", "1.5min", "2h"
 _Progress = Callable[[float, int], object]  #: gets the fraction that is done and a number of samples
 _Vector = Sequence[float] | numpy.typing.NDArray[Any]
@@ -65,16 +68,16 @@ class Scene:
         self,
         vertices: numpy.typing.ArrayLike,
         faces: numpy.typing.ArrayLike,
-        materials: Sequence[_Material] = ...,
+        materials: Iterable[_Material] | None = ...,
         face_materials: numpy.typing.ArrayLike | None = None,
         *,
         normals: numpy.typing.ArrayLike | None = None,
         texcoords: numpy.typing.ArrayLike | None = None,
         colours: numpy.typing.ArrayLike | None = None,
-        lights: Sequence[_Light] = ...,
+        lights: Iterable[_Light] | None = ...,
         camera: _Camera | None = None,
         name: str = "scene",
-        lenient: bool | None = None,
+        lenient: _Flag | None = None,
         allow_path: _Path | Sequence[_Path] | None = None,
         env: _Path | None = None,
         env_rotate: float | None = None,
@@ -118,16 +121,16 @@ class Film:
         checkpoint: _Path | None = None,
         tonemap: Literal["none", "srgb", "aces", "aces-hill", "agx", "pbr-neutral", "neutral"] | None = None,
         exposure: float | Literal["auto"] | None = None,
-        denoise: bool | None = None,
+        denoise: _Flag | None = None,
         device: str | int | None = None,
-        no_cache: bool | None = None,
+        no_cache: _Flag | None = None,
     ) -> None: ...
     def denoise(
         self,
         *,
         device: str | int | None = None,
         hang_timeout: _Duration | None = None,
-        no_cache: bool | None = None,
+        no_cache: _Flag | None = None,
     ) -> _Floats: ...
     def _repr_png_(self) -> bytes: ...
 
@@ -138,14 +141,14 @@ class Session:
         scene: Scene,
         /,
         *,
-        spp: int | None = None,
-        seed: int | None = None,
+        spp: SupportsIndex | None = None,
+        seed: SupportsIndex | None = None,
         size: _Pair | None = None,
-        max_depth: int | None = None,
-        rr_start: int | None = None,
+        max_depth: SupportsIndex | None = None,
+        rr_start: SupportsIndex | None = None,
         integrator: _Integrator | None = None,
         ao_distance: float | Literal["auto"] | None = None,
-        nee: bool | None = None,
+        nee: _Flag | None = None,
         sampler: Literal["independent", "stratified", "sobol"] | None = None,
         filter: Literal["box", "tent"] | None = None,
         lens: Literal["disc", "square"] | None = None,
@@ -153,8 +156,8 @@ class Session:
         light_size: float | None = None,
         clamp_indirect: float | Literal["off"] | None = None,
         background: Literal["env", "colour", "none"] | None = None,
-        one_sided: bool | None = None,
-        crop: tuple[int, int, int, int] | str | None = None,
+        one_sided: _Flag | None = None,
+        crop: _Crop | None = None,
         device: str | int | None = None,
         accel: Literal["none", "grid", "bvh"] | None = None,
         bvh_split: Literal["sah", "midpoint"] | None = None,
@@ -167,15 +170,15 @@ class Session:
         tile: _Pair | None = None,
         segments_per_dispatch: int | Literal["auto"] | None = None,
         hang_timeout: _Duration | None = None,
-        untuned: bool | None = None,
-        no_cache: bool | None = None,
-        threads: int | None = None,
+        untuned: _Flag | None = None,
+        no_cache: _Flag | None = None,
+        threads: SupportsIndex | None = None,
         aovs: Sequence[_Layer] | str | None = None,
-        aov_through_specular: bool | None = None,
-        denoise: bool | None = None,
+        aov_through_specular: _Flag | None = None,
+        denoise: _Flag | None = None,
     ) -> None: ...
-    def advance(self, samples: int | range | None = None, *, progress: _Progress | None = None) -> None: ...
-    def reset(self, seed: int) -> None: ...
+    def advance(self, samples: SupportsIndex | range | None = None, *, progress: _Progress | None = None) -> None: ...
+    def reset(self, seed: SupportsIndex) -> None: ...
     def close(self) -> None: ...
     @property
     def film(self) -> Film: ...
@@ -226,7 +229,7 @@ def load(
     file: _Path,
     /,
     *,
-    lenient: bool | None = None,
+    lenient: _Flag | None = None,
     allow_path: _Path | Sequence[_Path] | None = None,
     env: _Path | None = None,
     env_rotate: float | None = None,
@@ -240,14 +243,14 @@ def render(
     /,
     *,
     progress: _Progress | None = None,
-    spp: int | None = None,
-    seed: int | None = None,
+    spp: SupportsIndex | None = None,
+    seed: SupportsIndex | None = None,
     size: _Pair | None = None,
-    max_depth: int | None = None,
-    rr_start: int | None = None,
+    max_depth: SupportsIndex | None = None,
+    rr_start: SupportsIndex | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
-    nee: bool | None = None,
+    nee: _Flag | None = None,
     sampler: Literal["independent", "stratified", "sobol"] | None = None,
     filter: Literal["box", "tent"] | None = None,
     lens: Literal["disc", "square"] | None = None,
@@ -255,7 +258,7 @@ def render(
     light_size: float | None = None,
     clamp_indirect: float | Literal["off"] | None = None,
     background: Literal["env", "colour", "none"] | None = None,
-    one_sided: bool | None = None,
+    one_sided: _Flag | None = None,
     device: str | int | None = None,
     accel: Literal["none", "grid", "bvh"] | None = None,
     bvh_split: Literal["sah", "midpoint"] | None = None,
@@ -269,41 +272,41 @@ def render(
     segments_per_dispatch: int | Literal["auto"] | None = None,
     hang_timeout: _Duration | None = None,
     fallback: Literal["none", "cpu"] | None = None,
-    untuned: bool | None = None,
-    no_cache: bool | None = None,
-    threads: int | None = None,
+    untuned: _Flag | None = None,
+    no_cache: _Flag | None = None,
+    threads: SupportsIndex | None = None,
     checkpoint: _Path | None = None,
     checkpoint_every: _Duration | None = None,
     resume: _Path | None = None,
-    resume_anyway: bool | None = None,
+    resume_anyway: _Flag | None = None,
     time_limit: _Duration | None = None,
     samples: range | str | None = None,
-    crop: tuple[int, int, int, int] | str | None = None,
+    crop: _Crop | None = None,
     aovs: Sequence[_Layer] | str | None = None,
-    aov_through_specular: bool | None = None,
+    aov_through_specular: _Flag | None = None,
     noise_threshold: float | Literal["off"] | None = None,
-    denoise: bool | None = None,
+    denoise: _Flag | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
-def merge(files: Sequence[_Path], /, *, mixed_devices: bool | None = None, partial: bool | None = None) -> Film: ...
+def merge(files: Iterable[_Path], /, *, mixed_devices: _Flag | None = None, partial: _Flag | None = None) -> Film: ...
 def verify(
     scene: Scene,
     /,
     *,
     progress: _Progress | None = None,
-    seed: int | None = None,
+    seed: SupportsIndex | None = None,
     size: _Pair | None = None,
-    max_depth: int | None = None,
-    rr_start: int | None = None,
+    max_depth: SupportsIndex | None = None,
+    rr_start: SupportsIndex | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
-    nee: bool | None = None,
+    nee: _Flag | None = None,
     sampler: Literal["independent", "stratified", "sobol"] | None = None,
     filter: Literal["box", "tent"] | None = None,
     lens: Literal["disc", "square"] | None = None,
     pixel_origin: Literal["centre", "corner"] | None = None,
     light_size: float | None = None,
-    one_sided: bool | None = None,
+    one_sided: _Flag | None = None,
     device: str | int | None = None,
     layout: Literal["auto", "bvh2", "cwbvh"] | None = None,
     loads: Literal["auto", "texel", "storage"] | None = None,
@@ -313,9 +316,9 @@ def verify(
     tile: _Pair | None = None,
     segments_per_dispatch: int | Literal["auto"] | None = None,
     hang_timeout: _Duration | None = None,
-    untuned: bool | None = None,
-    no_cache: bool | None = None,
-    threads: int | None = None,
+    untuned: _Flag | None = None,
+    no_cache: _Flag | None = None,
+    threads: SupportsIndex | None = None,
     alpha: float | str | None = None,
     bias: float | str | None = None,
     test: Literal["paired", "independent"] | None = None,
@@ -326,14 +329,14 @@ def explain(
     /,
     *,
     progress: _Progress | None = None,
-    spp: int | None = None,
-    seed: int | None = None,
+    spp: SupportsIndex | None = None,
+    seed: SupportsIndex | None = None,
     size: _Pair | None = None,
-    max_depth: int | None = None,
-    rr_start: int | None = None,
+    max_depth: SupportsIndex | None = None,
+    rr_start: SupportsIndex | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
-    nee: bool | None = None,
+    nee: _Flag | None = None,
     sampler: Literal["independent", "stratified", "sobol"] | None = None,
     filter: Literal["box", "tent"] | None = None,
     lens: Literal["disc", "square"] | None = None,
@@ -341,7 +344,7 @@ def explain(
     light_size: float | None = None,
     clamp_indirect: float | Literal["off"] | None = None,
     background: Literal["env", "colour", "none"] | None = None,
-    one_sided: bool | None = None,
+    one_sided: _Flag | None = None,
     device: str | int | None = None,
     accel: Literal["none", "grid", "bvh"] | None = None,
     bvh_split: Literal["sah", "midpoint"] | None = None,
@@ -354,11 +357,11 @@ def explain(
     tile: _Pair | None = None,
     segments_per_dispatch: int | Literal["auto"] | None = None,
     hang_timeout: _Duration | None = None,
-    untuned: bool | None = None,
-    no_cache: bool | None = None,
-    threads: int | None = None,
-    pixel: tuple[int, int] | str | None = None,
-    sample: int | None = None,
+    untuned: _Flag | None = None,
+    no_cache: _Flag | None = None,
+    threads: SupportsIndex | None = None,
+    pixel: _Whole | str | None = None,
+    sample: SupportsIndex | None = None,
 ) -> Explanation: ...
 @overload
 def compare(
@@ -366,14 +369,14 @@ def compare(
     /,
     *,
     progress: _Progress | None = None,
-    spp: int | None = None,
-    seed: int | None = None,
+    spp: SupportsIndex | None = None,
+    seed: SupportsIndex | None = None,
     size: _Pair | None = None,
-    max_depth: int | None = None,
-    rr_start: int | None = None,
+    max_depth: SupportsIndex | None = None,
+    rr_start: SupportsIndex | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
-    nee: bool | None = None,
+    nee: _Flag | None = None,
     sampler: Literal["independent", "stratified", "sobol"] | None = None,
     filter: Literal["box", "tent"] | None = None,
     lens: Literal["disc", "square"] | None = None,
@@ -381,7 +384,7 @@ def compare(
     light_size: float | None = None,
     clamp_indirect: float | Literal["off"] | None = None,
     background: Literal["env", "colour", "none"] | None = None,
-    one_sided: bool | None = None,
+    one_sided: _Flag | None = None,
     device: str | int | None = None,
     accel: Literal["none", "grid", "bvh"] | None = None,
     bvh_split: Literal["sah", "midpoint"] | None = None,
@@ -394,9 +397,9 @@ def compare(
     tile: _Pair | None = None,
     segments_per_dispatch: int | Literal["auto"] | None = None,
     hang_timeout: _Duration | None = None,
-    untuned: bool | None = None,
-    no_cache: bool | None = None,
-    threads: int | None = None,
+    untuned: _Flag | None = None,
+    no_cache: _Flag | None = None,
+    threads: SupportsIndex | None = None,
     alpha: float | str | None = None,
 ) -> Comparison: ...
 @overload
