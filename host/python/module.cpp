@@ -6,6 +6,7 @@
 #include "host/python/python_film.h"
 #include "host/python/python_scene.h"
 #include "host/python/rendering.h"
+#include "host/python/running_call.h"
 #include "host/python/verdicts.h"
 
 PYBIND11_MODULE(_candela, module) {
@@ -13,6 +14,7 @@ PYBIND11_MODULE(_candela, module) {
   pybind11::options options;
   options.disable_function_signatures();  // the stubs have better signatures
   translateErrors();
+  waitForCallsAtExit();
   module.attr("__version__") = candela::versionText();
   defineScene(module);
   defineFilm(module);

@@ -17,6 +17,7 @@
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_log.h"
+#include "host/python/running_call.h"
 #include "host/python/watched.h"
 
 namespace candela::python {
@@ -151,11 +152,13 @@ const std::map<image::Layer, LayerValues>& PythonFilm::layers() const {
 }
 
 const image::Image& pictureOf(const PythonFilm& film) {
+  const RunningCall call;
   const py::gil_scoped_release released;
   return film.picture();
 }
 
 const std::map<image::Layer, LayerValues>& layerValuesOf(const PythonFilm& film) {
+  const RunningCall call;
   const py::gil_scoped_release released;
   return film.layers();
 }

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "host/python/file_names.h"
+#include "host/python/running_call.h"
 
 namespace candela::python {
 
@@ -24,6 +25,7 @@ void PythonLog::passOn() {
     const std::scoped_lock lock(mutex_);
     messages.swap(messages_);
   }
+  const RunningCall call;
   const py::object publish = py::module_::import("candela._messages").attr("publish");
   for (const auto& [kind, text] : messages) publish(kind, textOf(text));
 }

@@ -11,6 +11,7 @@
 #include "host/python/file_names.h"
 #include "host/python/json.h"
 #include "host/python/options.h"
+#include "host/python/running_call.h"
 #include "host/python/watched.h"
 #include "host/scene/hash.h"
 #include "host/scene/report.h"
@@ -83,6 +84,7 @@ void setCamera(const std::optional<scene::Camera>& camera, scene::Scene& scene) 
 
 // candela._arrays turns arrays into a glTF file in memory, so that every rule for files applies to them.
 Loaded fromArrays(const py::args& positional, const py::kwargs& keywords) {
+  const RunningCall call;
   const py::dict built = py::module_::import("candela._arrays").attr("build")(*positional, **keywords);
   cli::Arguments arguments = argumentsOf(kSceneOptions, py::kwargs(built["options"]));
   arguments.files = {built["name"].cast<std::string>()};

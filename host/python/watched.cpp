@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "host/core/errors.h"
+#include "host/python/running_call.h"
 #include "host/vulkan/unfinished_work.h"
 #include "host/vulkan/validation.h"
 
@@ -23,7 +24,7 @@ namespace py = pybind11;
 /// The state that the two threads share.
 class Meeting {
  public:
-  std::atomic<bool> stop{false};
+  std::atomic<bool>& stop() { return call_.stop; }
 
   void report(double fraction, std::uint64_t samples) {
     const std::scoped_lock lock(mutex_);
@@ -58,6 +59,7 @@ class Meeting {
   }
 
  private:
+  RunningCall call_;
   std::mutex mutex_;
   std::condition_variable done_;
   std::exception_ptr failure_;
@@ -95,7 +97,7 @@ void requireValid() {
 void runAlone(const std::function<void(const Watch&)>& work, Meeting& meeting) {
   std::exception_ptr failure;
   try {
-    work({meeting.stop, [&](double fraction, std::uint64_t samples) { meeting.report(fraction, samples); }});
+    work({meeting.stop(), [&](double fraction, std::uint64_t samples) { meeting.report(fraction, samples); }});
     requireValid();
   } catch (...) {
     failure = std::current_exception();
@@ -118,11 +120,12 @@ void runWatched(const std::function<void(const Watch&)>& work, const py::object&
         lookAfterPython(meeting, progress);
       } catch (const py::error_already_set&) {
         raised = std::current_exception();
-        meeting.stop.store(true);
+        meeting.stop().store(true);
       }
     }
   }
   if (vulkan::hasUnfinishedWork()) leaveQuickly();
+  RunningCall::requireInterpreter();
   if (raised) std::rethrow_exception(raised);
   meeting.rethrow();
   lookAfterPython(meeting, progress);

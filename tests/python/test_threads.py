@@ -139,7 +139,57 @@ class Threads(FolderTest):
 
             with self.assertRaises(Stop):
                 session.advance(progress=intrude)
-            self.assertEqual(errors, ["the session is in use by another thread"])
+            self.assertEqual(errors, ["the session is in use"])
+
+    def test_a_session_is_not_for_its_own_callback(self):
+        with candela.Session(cornell(), size=(512, 512), spp=512, device="cpu") as session:
+            for use in (lambda: session.film, session.advance, session.close, lambda: session.reset(1)):
+                with self.assertRaisesRegex(candela.UsageError, "the session is in use$"):
+                    session.advance(progress=lambda *_: use())  # pylint: disable=cell-var-from-loop
+            session.film
+
+    def exit_beside(self, work, before="", threads=3):
+        """Ends a program whose daemon threads work, and returns its output."""
+        script = ("import threading, candela\n"
+                  f"scene = candela.load({str(CORNELL)!r})\noptions = dict(**{LONG!r}, device='cpu')\n"
+                  f"started = threading.Event()\nbegin = lambda *_: started.set()\n{before}\n"
+                  f"def work():\n    {work}\n    print('worked')\n"
+                  f"for _ in range({threads}):\n    threading.Thread(target=work, daemon=True).start()\n"
+                  "started.wait()\nprint('end', flush=True)\n")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_the_interpreter_ends_while_daemon_threads_work(self):
+        for work in ("candela.render(scene, **options, progress=begin)",
+                     "candela.Session(scene, **options).advance(progress=begin)",
+                     "while True: candela.render(scene, spp=1, size=(8, 8), device='cpu', progress=begin)",
+                     "begin()\n    while True: candela.Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])"):
+            with self.subTest(work):
+                output = self.exit_beside(work)
+                self.assertEqual(output, "end\n")
+        film = self.folder / "daemon.film"
+        self.exit_beside(f"candela.render(scene, **options, progress=begin, checkpoint={str(film)!r})", threads=1)
+        self.assertFalse(candela.open_film(film).description["complete"], "the film was written")
+
+    def test_the_main_thread_may_render_while_the_interpreter_ends(self):
+        late = "import atexit; atexit.register(lambda: print(candela.render(scene, spp=1, size=(8, 8), device='cpu').hash))"
+        script = f"import atexit\ndef late():\n    print(candela.render(scene, spp=1, size=(8, 8), device='cpu').hash)\n" \
+                 f"atexit.register(late)\nimport candela\nscene = candela.load({str(CORNELL)!r})\n"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, "^[0-9a-f]{16}$")
+        self.assertEqual(self.exit_beside("candela.render(scene, **options, progress=begin)", late)[:4], "end\n")
+
+    def test_a_child_process_does_not_wait_for_threads_of_its_parent(self):
+        before = ("import os, sys\ndef child():\n    started.wait()\n    if os.fork() == 0:\n        print('child', flush=True); sys.exit()\n"
+                  "    os.wait()\n")
+        script = ("import threading, candela\n"
+                  f"scene = candela.load({str(CORNELL)!r})\nstarted = threading.Event()\n{before}\n"
+                  f"work = lambda: candela.render(scene, **{LONG!r}, device='cpu', progress=lambda *_: started.set())\n"
+                  "threading.Thread(target=work, daemon=True).start()\nchild()\nprint('parent')\n")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "child\nparent\n", ""))
 
 
 if __name__ == "__main__":
