@@ -81,7 +81,7 @@ std::string toText(const RayReport& report) { return headline(report) + "\n\n" +
 std::string toMarkdown(const RayReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const RayReport& report) {
-  ordered_json json = reportJson(report.device, report.driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, report.device, report.driver, report.repeats);
   json["size"] = extentText(report.size);
   for (const RayRow& row : report.rows) json["rows"].push_back(rowJson(report, row));
   return json;

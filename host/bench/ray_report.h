@@ -33,7 +33,7 @@ struct RayReport {
 /// A row with different hits shows the word "differs" instead of figures.
 std::string toText(const RayReport& report);
 std::string toMarkdown(const RayReport& report);
-/// The schema is "candela-bench/1".
+/// The schema is kBenchSchema.
 nlohmann::ordered_json toJson(const RayReport& report);
 
 }  // namespace candela::bench

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/core/hash_text.h"
+#include "host/core/report_head.h"
 #include "host/core/version.h"
 
 namespace candela::bench {
@@ -75,10 +76,9 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   return json;
 }
 
-ordered_json reportJson(const std::string& device, const std::string& driver, std::uint32_t repeats) {
-  ordered_json json;
-  json["schema"] = "candela-bench/1";
-  json["version"] = versionText();
+ordered_json reportJson(const std::string& schema, const std::string& device, const std::string& driver,
+                        std::uint32_t repeats) {
+  ordered_json json = reportHead(schema);
   json["device"] = device;
   json["driver"] = driver;
   json["repeats"] = repeats;

@@ -7,8 +7,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
 #include "host/core/errors.h"
+#include "host/core/report_head.h"
 
 namespace candela::bench {
 namespace {
@@ -19,6 +21,9 @@ using nlohmann::json;
 // default it is chosen by timing.
 constexpr std::array kIdentity{"scene",    "size",       "samplesPerPixel", "variant", "rays",       "structure",
                                "bvhSplit", "bvhQuality", "kernel",          "layout",  "sceneLoads", "workgroup"};
+
+/// The schema of earlier versions, whose rows have the same scores.
+constexpr const char* kOldSchema = "candela-bench/1";
 
 struct Row {
   std::string name;
@@ -48,7 +53,7 @@ std::optional<T> fieldOf(const json& row, const char* key) {
 
 std::vector<Row> readRows(const json& report, const std::string& name) {
   try {
-    if (report.at("schema") != "candela-bench/1")
+    if (report.at("schema") != kBenchSchema && report.at("schema") != kOldSchema)
       throw FileError(name + ": not a report of candela bench: it has another schema");
     std::vector<Row> rows;
     for (const json& row : report.at("rows")) {
@@ -180,8 +185,7 @@ std::string toMarkdown(const ReportComparison& comparison) {
 }
 
 nlohmann::ordered_json toJson(const ReportComparison& comparison) {
-  nlohmann::ordered_json result;
-  result["schema"] = "candela-bench-comparison/1";
+  nlohmann::ordered_json result = reportHead("candela-bench-comparison/2");
   result["oldDevice"] = comparison.oldDevice;
   result["newDevice"] = comparison.newDevice;
   result["threshold"] = comparison.threshold;

@@ -37,8 +37,8 @@ struct ReportComparison {
 
 /// Compares rows with equal scene, size, samples, variant, structure, kernel, layout, loads, workgroup and kind of
 /// rays. A row is slower if its rays per second fell by more than the fraction `threshold`, and by more than the
-/// spreads of both rows may explain. Throws FileError if a report is not a "candela-bench/1"; messages call the files
-/// `oldName` and `newName`.
+/// spreads of both rows may explain. Throws FileError if a report has neither kBenchSchema nor its predecessor;
+/// messages call the files `oldName` and `newName`.
 ReportComparison compareReports(const nlohmann::json& oldReport, const std::string& oldName,
                                 const nlohmann::json& newReport, const std::string& newName, double threshold);
 

@@ -91,7 +91,7 @@ std::string toMarkdown(const StructureReport& report) {
 }
 
 ordered_json toJson(const StructureReport& report) {
-  ordered_json json = reportJson(first(report).device, first(report).driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats);
   for (const StructureRow& row : report.rows) {
     json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
     if (row.publishedSeconds) json["rows"].back()["publishedSeconds"] = *row.publishedSeconds;

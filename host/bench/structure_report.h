@@ -31,7 +31,7 @@ std::vector<Variant> structureVariants(const render::RenderSettings& settings);
 /// A row whose image differs from the others shows the word "differs" instead of figures.
 std::string toText(const StructureReport& report);
 std::string toMarkdown(const StructureReport& report);
-/// The schema is "candela-bench/1".
+/// The schema is kBenchSchema.
 nlohmann::ordered_json toJson(const StructureReport& report);
 
 }  // namespace candela::bench

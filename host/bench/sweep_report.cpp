@@ -98,7 +98,7 @@ std::string toText(const SweepReport& report) {
 std::string toMarkdown(const SweepReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const SweepReport& report) {
-  ordered_json json = reportJson(first(report).device, first(report).driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats);
   json["processBytes"] = report.processBytes;
   for (const SweepRow& row : report.rows) json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
   return json;

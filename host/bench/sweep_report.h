@@ -27,7 +27,7 @@ struct SweepReport {
 /// word "differs" instead of figures.
 std::string toText(const SweepReport& report);
 std::string toMarkdown(const SweepReport& report);
-/// The schema is "candela-bench/1".
+/// The schema is kBenchSchema.
 nlohmann::ordered_json toJson(const SweepReport& report);
 /// Returns a bar chart of samples per second, as SVG.
 std::string toSvg(const SweepReport& report);

@@ -6,6 +6,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/separate_files.h"
+#include "host/core/report_head.h"
 #include "host/formats/load_scene.h"
 #include "host/scene/report.h"
 
@@ -50,7 +51,8 @@ ordered_json checkFile(const std::string& file, const Arguments& arguments, cons
 
 ExitCode runCheck(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
-  ordered_json json{{"files", ordered_json::array()}};
+  ordered_json json = reportHead("candela-check/1");
+  json["files"] = ordered_json::array();
   bool allValid = true;
   for (const std::string& file : arguments.files) {
     json["files"].push_back(checkFile(file, arguments, log));

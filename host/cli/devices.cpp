@@ -8,6 +8,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/tuned.h"
+#include "host/core/report_head.h"
 #include "host/vulkan/device_info.h"
 
 namespace candela::cli {
@@ -59,7 +60,7 @@ ExitCode runDevices(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const std::vector<vulkan::DeviceInfo> devices = vulkan::listDevices();
   if (devices.empty()) vulkan::selectDevice("");  // throws NoDeviceError, which says what to install
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json = reportHead("candela-devices/1");
   json["devices"] = nlohmann::ordered_json::array();
   std::string text;
   for (const vulkan::DeviceInfo& device : devices) {

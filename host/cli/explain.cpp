@@ -25,17 +25,17 @@ void publish(const Explanation& explanation, const Arguments& arguments) {
 // Renders both images at one sample per pixel to find the pixel.
 ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Renderer& device,
                            render::Renderer& reference) {
+  verify::PathRenders renders;  // `compare` reports bad samples
   const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    render::BadSampleTallies badSamples;  // `compare` reports them
     return verify::comparePaths(job.scene, job.settings(), device, reference, job.arguments.verification.alpha,
-                                makeControl(progress), badSamples);
+                                makeControl(progress), renders);
   }();
   if (!pixels) {
     log.note("interrupted before a sample was explained");
     return ExitCode::interrupted;
   }
-  render::requireComplete(pixels->deviceStatistics);
+  render::requireComplete(renders.deviceStatistics);
   if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings(), *pixels, device,
                                                                      reference)) {
     publish(*worst, job.arguments);

@@ -10,6 +10,7 @@
 #include "host/cli/film_options.h"
 #include "host/core/counted.h"
 #include "host/core/hash_text.h"
+#include "host/core/report_head.h"
 
 namespace candela::cli {
 namespace {
@@ -106,24 +107,25 @@ std::string toText(const FilmDescription& description) {
 
 ordered_json toJson(const FilmDescription& description) {
   const film::FilmHeader& header = description.header;
-  ordered_json json{{"sceneHash", header.sceneHash},
-                    {"size", render::extentText(header.size)},
-                    {"samplesPerPixel", header.samplesPerPixel},
-                    {"seed", header.seed},
-                    {"settings", settingsJson(header.settings)},
-                    {"layers", layerText(header.layers)},
-                    {"crop", render::windowText(header.window)},
-                    {"complete", header.isComplete()},
-                    {"covered", textsOf(header.covered)},
-                    {"interrupted", textsOf(header.begun)},
-                    {"missing", textsOf(description.missing)},
-                    {"samples", description.samples},
-                    {"badSamples", description.badSamples},
-                    {"tracers", film::tracersJson(header.tracers)},
-                    {"isMixed", header.isMixed()},
-                    {"mixed", header.mixed},
-                    {"filmHash", description.filmHash},
-                    {"work", film::toJson(description.work)}};
+  ordered_json json = reportHead("candela-film/1");
+  json.update({{"sceneHash", header.sceneHash},
+               {"size", render::extentText(header.size)},
+               {"samplesPerPixel", header.samplesPerPixel},
+               {"seed", header.seed},
+               {"settings", settingsJson(header.settings)},
+               {"layers", layerText(header.layers)},
+               {"crop", render::windowText(header.window)},
+               {"complete", header.isComplete()},
+               {"covered", textsOf(header.covered)},
+               {"interrupted", textsOf(header.begun)},
+               {"missing", textsOf(description.missing)},
+               {"samples", description.samples},
+               {"badSamples", description.badSamples},
+               {"tracers", film::tracersJson(header.tracers)},
+               {"isMixed", header.isMixed()},
+               {"mixed", header.mixed},
+               {"filmHash", description.filmHash},
+               {"work", film::toJson(description.work)}});
   if (description.adaptive) json["adaptive"] = description.adaptiveFigures;
   return json;
 }

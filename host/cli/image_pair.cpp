@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/display_choice.h"
+#include "host/core/report_head.h"
 
 namespace candela::cli {
 
@@ -26,7 +27,8 @@ std::string toText(const ImagePair& pair) {
 }
 
 nlohmann::ordered_json toJson(const ImagePair& pair) {
-  nlohmann::ordered_json json = toJson(pair.comparison);
+  nlohmann::ordered_json json = reportHead("candela-compare-images/1");
+  json.update(toJson(pair.comparison));
   json["flipMean"] = pair.flip.mean;
   json["flipMaximum"] = pair.flip.maximum;
   json["badSamples"] = pair.badSamples;

@@ -13,7 +13,7 @@
 #include "host/cli/option_table.h"
 #include "host/core/counted.h"
 #include "host/core/hash_text.h"
-#include "host/core/version.h"
+#include "host/core/report_head.h"
 #include "host/scene/memory.h"
 
 namespace candela::cli {
@@ -125,8 +125,7 @@ ordered_json toJson(const RenderReport& report) {
   const render::RenderStatistics& statistics = report.result.statistics;
   const ordered_json seconds = secondsJson(report);
   const double traceSeconds = seconds["trace"];
-  ordered_json json;
-  json["version"] = versionText();
+  ordered_json json = reportHead("candela-render/1");
   json["scene"] = report.job.scene.name;
   json["sceneHash"] = hashText(report.job.scene.hash);
   json["filmHash"] = hashText(report.result.film.hash());

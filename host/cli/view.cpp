@@ -13,6 +13,7 @@
 #include "host/cli/render_job.h"
 #include "host/cli/tuned.h"
 #include "host/core/progress.h"
+#include "host/core/report_head.h"
 #include "host/device/gpu_renderer.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/film_coverage.h"
@@ -124,7 +125,7 @@ nlohmann::ordered_json toJson(const window::ViewerReport& report) {
   const auto quantile = [&](double part) {
     return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
   };
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json = reportHead("candela-view/1");
   json["firstPictureSeconds"] = report.firstPicture;
   json["responses"] = {{"count", sorted.size()},
                        {"medianSeconds", quantile(0.5)},

@@ -55,7 +55,7 @@ capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo
                                 const vulkan::PrepareShader& prepareShader) {
   Workbench workbench(device, {}, prepareShader);
   const scene::Scene& scene = sceneNamed(picture.scene);
-  render::BadSampleTallies ignored;
+  verify::PathRenders ignored;
   const auto pixels = verify::comparePaths(scene, picture.settings, workbench.renderer(), workbench.reference(),
                                            kPictureAlpha, {}, ignored);
   capture::SceneRequest request;

@@ -8,7 +8,7 @@
 
 #include "host/core/counted.h"
 #include "host/core/markup.h"
-#include "host/core/version.h"
+#include "host/core/report_head.h"
 
 namespace candela::conformance {
 namespace {
@@ -75,13 +75,12 @@ std::string toCsv(const RunResult& run) {
 }
 
 nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& device, double seconds) {
-  nlohmann::ordered_json json{{"schema", "candela-conformance/1"},
-                              {"version", versionText()},
-                              {"device", device.name},
-                              {"driver", device.driver},
-                              {"expected", run.isExpected()},
-                              {"interrupted", run.interrupted},
-                              {"seconds", seconds}};
+  nlohmann::ordered_json json = reportHead("candela-conformance/2");
+  json.update({{"device", device.name},
+               {"driver", device.driver},
+               {"expected", run.isExpected()},
+               {"interrupted", run.interrupted},
+               {"seconds", seconds}});
   json["counts"] = nlohmann::ordered_json::object();
   for (const auto& [status, count] : countStatuses(run)) json["counts"][wordOf(status)] = count;
   json["cases"] = nlohmann::ordered_json::array();

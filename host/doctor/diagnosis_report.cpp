@@ -3,14 +3,12 @@
 
 #include <algorithm>
 
+#include "host/core/report_head.h"
 #include "host/doctor/devices.h"
 #include "host/doctor/diagnosis.h"
 
 namespace candela::doctor {
 namespace {
-
-// Version of the JSON's schema, which grows if a member changes its meaning or disappears.
-constexpr int kSchemaVersion = 1;
 
 // File names and messages of drivers may contain anything; control characters do not reach the terminal.
 std::string printable(std::string text) {
@@ -38,8 +36,7 @@ std::string toText(const Diagnosis& diagnosis) {
 }
 
 nlohmann::ordered_json toJson(const Diagnosis& diagnosis) {
-  nlohmann::ordered_json json;
-  json["version"] = kSchemaVersion;
+  nlohmann::ordered_json json = reportHead("candela-doctor/2");
   json["renderWorks"] = diagnosis.code() == ExitCode::done;
   json["exitCode"] = static_cast<int>(diagnosis.code());
   json["verdict"] = diagnosis.verdict();

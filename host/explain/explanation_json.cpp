@@ -2,7 +2,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "host/core/version.h"
+#include "host/core/report_head.h"
 #include "host/explain/explanation.h"
 
 namespace candela::explain {
@@ -53,7 +53,10 @@ ordered_json placeJson(const Explanation& explanation, const std::optional<Place
 }
 
 ordered_json headJson(const std::string& scene, bool equal) {
-  return {{"schema", "candela-explain/1"}, {"version", versionText()}, {"scene", scene}, {"equal", equal}};
+  ordered_json json = reportHead("candela-explain/2");
+  json["scene"] = scene;
+  json["equal"] = equal;
+  return json;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "host/core/atomic_file.h"
+#include "host/core/report_head.h"
 
 namespace candela::film {
 namespace {
@@ -95,7 +96,8 @@ std::filesystem::path workFile(const std::filesystem::path& film) {
 }
 
 void writeWork(const std::filesystem::path& film, const std::string& check, const WorkReport& work) {
-  ordered_json json{{"film", check}};
+  ordered_json json = reportHead("candela-work/1");
+  json["film"] = check;
   json.update(toJson(work));
   const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
   writeFileAtomically(workFile(film), std::as_bytes(std::span(text)));

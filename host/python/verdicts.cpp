@@ -73,12 +73,12 @@ Explanation outcomeOf(const explain::Explanation& explanation) {
 
 // The pixel that differs most is found by images of one sample per pixel.
 Explanation explainWorst(Tracers& tracers) {
-  render::BadSampleTallies badSamples;  // compare() reports them
+  verify::PathRenders renders;  // compare() reports bad samples
   const auto pixels = verify::comparePaths(tracers.job.scene, tracers.job.settings(), *tracers.device,
                                            *tracers.reference, tracers.job.arguments.verification.alpha,
-                                           tracers.control, badSamples);
+                                           tracers.control, renders);
   if (!pixels) throw InterruptedError("interrupted before a sample was explained");
-  render::requireComplete(pixels->deviceStatistics);
+  render::requireComplete(renders.deviceStatistics);
   const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings(), *pixels, *tracers.device,
                                            *tracers.reference);
   if (worst) return outcomeOf(*worst);

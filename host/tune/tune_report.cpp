@@ -113,8 +113,7 @@ std::string toMarkdown(const TuneReport& report) {
 
 ordered_json toJson(const TuneReport& report) {
   const render::RenderStatistics& statistics = statisticsOf(report);
-  ordered_json json = bench::reportJson(statistics.device, statistics.driver, report.repeats);
-  json["schema"] = "candela-tune-report/1";
+  ordered_json json = bench::reportJson("candela-tune-report/2", statistics.device, statistics.driver, report.repeats);
   json["rows"] = rowsJson(report.result);
   json["builtIn"] = candidateJson(builtIn());
   json["chosen"] = report.result.builtInAgrees ? candidateJson(report.result.chosen) : ordered_json();

@@ -21,7 +21,7 @@ struct TuneReport {
 /// built-in choice, followed by the result. A row whose image differs shows the word "differs" instead of a score.
 std::string toText(const TuneReport& report);
 std::string toMarkdown(const TuneReport& report);
-/// The schema is "candela-tune-report/1".
+/// The schema is "candela-tune-report/2".
 nlohmann::ordered_json toJson(const TuneReport& report);
 
 }  // namespace candela::tune

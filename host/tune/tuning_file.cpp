@@ -16,7 +16,7 @@
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
 #include "host/core/json_depth.h"
-#include "host/core/version.h"
+#include "host/core/report_head.h"
 
 namespace candela::tune {
 namespace {
@@ -98,10 +98,9 @@ void writeTuning(const fs::path& file, const cache::DeviceKey& key, const Tuning
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw FileError(fmt::format("cannot create \"{}\": {}", file.parent_path().string(), error.message()));
-  ordered_json content{{"schema", kSchema},
-                       {"version", versionText()},
-                       {"date", tuning.date},
-                       {"key", ordered_json::parse(cache::toText(key))}};
+  ordered_json content = reportHead(kSchema);
+  content["date"] = tuning.date;
+  content["key"] = ordered_json::parse(cache::toText(key));
   for (std::size_t i = 0; i < tuning.candidate.size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];
     content["choice"][dimension.option] = dimension.values[tuning.candidate[i]].name;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "host/core/report_head.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/paired_sums.h"
 
@@ -81,7 +82,7 @@ PixelAgreement comparePixels(const render::RenderResult& device, const render::R
 
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference, double level,
-                                           const render::RenderControl& control, render::BadSampleTallies& badSamples) {
+                                           const render::RenderControl& control, PathRenders& renders) {
   render::RenderSettings single = settings;
   single.image.sampleCount = 1;
   single.execution.recordPaths = true;
@@ -92,13 +93,13 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
   b.interrupted = !session->advance({0, 1}, control);
   b.film = session->film();
   b.paths = session->paths();
-  badSamples.device.add(a.film, single.image);
-  badSamples.reference.add(b.film, single.image);
+  renders.deviceStatistics = a.statistics;
+  renders.badSamples.device.add(a.film, single.image);
+  renders.badSamples.reference.add(b.film, single.image);
   if (a.interrupted || b.interrupted) return std::nullopt;
   PixelAgreement result = comparePixels(a, b);
   result.decisions = testDecisions(a.film, *session, level);
   result.referenceMean = meanLuminance(b.film);
-  result.deviceStatistics = a.statistics;
   return result;
 }
 
@@ -125,8 +126,10 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   AgreementReport report;
   report.scene = scene.name;
   report.samples = settings.image.sampleCount;
+  PathRenders renders;
   const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, alpha / 2, control,
-                                                            report.badSamples);
+                                                            renders);
+  report.badSamples = renders.badSamples;
   report.pixels = pixels.value_or(PixelAgreement{});
   render::RenderResult many = device.render(scene, settings, control);
   render::RenderSettings replicated = settings;
@@ -138,7 +141,7 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   report.badSamples.device.add(many.film, settings.image);
   report.badSamples.reference.add(report.referenceFilm, settings.image);
   report.deviceStatistics = many.statistics;
-  report.deviceStatistics.truncated += report.pixels.deviceStatistics.truncated;
+  report.deviceStatistics.truncated += renders.deviceStatistics.truncated;
   report.deviceFilm = std::move(many.film);
   if (!report.interrupted) testRegions(report, session->replicas().deviations, alpha / 2);
   return report;
@@ -160,21 +163,22 @@ std::string AgreementReport::toText() const {
 }
 
 nlohmann::ordered_json AgreementReport::toJson() const {
-  nlohmann::ordered_json json{{"scene", scene},
-                              {"device", deviceStatistics.device},
-                              {"driver", deviceStatistics.driver},
-                              {"agree", agree()},
-                              {"interrupted", interrupted},
-                              {"pixels",
-                               {{"count", pixels.pixels},
-                                {"equal", pixels.equal},
-                                {"share", pixels.share()},
-                                {"lit", pixels.lit},
-                                {"litEqual", pixels.litEqual},
-                                {"litShare", pixels.litShare()},
-                                {"causes", pixels.causesJson()},
-                                {"worst", pixels.worstJson()},
-                                {"decisions", pixels.decisions.json()}}}};
+  nlohmann::ordered_json json = reportHead("candela-compare-tracers/1");
+  json.update({{"scene", scene},
+               {"device", deviceStatistics.device},
+               {"driver", deviceStatistics.driver},
+               {"agree", agree()},
+               {"interrupted", interrupted},
+               {"pixels",
+                {{"count", pixels.pixels},
+                 {"equal", pixels.equal},
+                 {"share", pixels.share()},
+                 {"lit", pixels.lit},
+                 {"litEqual", pixels.litEqual},
+                 {"litShare", pixels.litShare()},
+                 {"causes", pixels.causesJson()},
+                 {"worst", pixels.worstJson()},
+                 {"decisions", pixels.decisions.json()}}}});
   if (interrupted) return json;
   json["mean"] = {{"samples", samples},
                   {"device", image().deviceMean},

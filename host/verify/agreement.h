@@ -33,7 +33,6 @@ struct PixelAgreement {
   std::uint32_t worstX = 0, worstY = 0;
   DecisionTest decisions;
   double referenceMean = 0;  ///< luminance
-  render::RenderStatistics deviceStatistics;
 
   double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
@@ -68,12 +67,19 @@ Cause causeOf(const render::PathRecord& device, const render::PathRecord& refere
 /// Compares results of one sample per pixel that contain path records.
 PixelAgreement comparePixels(const render::RenderResult& device, const render::RenderResult& reference);
 
-/// Renders and compares images of one sample per pixel, tests their decisions at `level`, and adds the bad samples of
-/// both to `badSamples`. Returns nothing if a render was interrupted, since its records are incomplete. The caller
-/// checks `deviceStatistics.truncated`: truncated paths differ without a fault of the device's arithmetic.
+/// The properties of both renders that are known even if they were interrupted.
+struct PathRenders {
+  render::BadSampleTallies badSamples;
+  render::RenderStatistics deviceStatistics;
+};
+
+/// Renders and compares images of one sample per pixel, and tests their decisions at `level`. Sets `deviceStatistics`
+/// of `renders`, and adds to its bad samples. Returns nothing if a render was interrupted, since its records are
+/// incomplete. The caller checks `truncated` of the statistics: truncated paths differ without a fault of the device's
+/// arithmetic.
 std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const render::RenderSettings& settings,
                                            render::Renderer& device, render::Renderer& reference, double level,
-                                           const render::RenderControl& control, render::BadSampleTallies& badSamples);
+                                           const render::RenderControl& control, PathRenders& renders);
 
 /// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the
 /// paired test of their light. The probability of a false alarm is at most `alpha`.

@@ -5,6 +5,46 @@
 #include "host/verify/paired_test.h"
 
 namespace candela::verify {
+namespace {
+
+/// One run of `verifyScene`, with its arguments.
+struct Questions {
+  const scene::Scene& scene;
+  const render::RenderSettings& settings;
+  render::Renderer& device;
+  render::Renderer& reference;
+  const render::RenderControl& control;
+  LightTestOptions options;  ///< each question is a separate test with this alpha
+
+  // Answers the questions until an interruption.
+  void answer(VerifyReport& report) {
+    PathRenders renders;
+    const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, options.alpha, control,
+                                                             renders);
+    report.deviceStatistics = renders.deviceStatistics;
+    report.tallies.add(renders.badSamples);
+    report.interrupted = !paths;
+    if (report.interrupted) return;
+    render::requireComplete(report.deviceStatistics);
+    report.paths = *paths;
+    report.light = light(paths->referenceMean);
+    report.tallies.add(report.light.tallies);
+    report.interrupted = report.light.interrupted;
+    if (!scene.exactMean || report.interrupted) return;
+    report.exact = testExactMean(scene, settings, device, options, report.light, control, report.tallies.device);
+    report.interrupted = !report.exact;
+  }
+
+ private:
+  LightTestResult light(double referenceMean) {
+    return options.method == LightTestMethod::paired
+               ? testLightPaired(scene, settings, device, reference, options, referenceMean, control)
+               : testLight(scene, settings, device, reference, options, control);
+  }
+};
+
+}  // namespace
+
 VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
                          render::Renderer& reference, const LightTestOptions& options,
                          const render::RenderControl& control) {
@@ -12,26 +52,10 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
   VerifyReport report;
   report.scene = scene.name;
   report.options = options;
-  // Each question is a separate test, so that alpha is divided evenly.
-  LightTestOptions own = options;
-  own.alpha = options.alpha / (scene.exactMean ? 3 : 2);
-  if (scene.exactMean) own.watched = regionOf(*scene.exactMean, settings.image.size);
-  const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, own.alpha, control,
-                                                           report.tallies);
-  report.interrupted = !paths;
-  if (report.interrupted) return report;
-  render::requireComplete(paths->deviceStatistics);
-  report.paths = *paths;
-
-  report.light = options.method == LightTestMethod::paired
-                     ? testLightPaired(scene, settings, device, reference, own, paths->referenceMean, control)
-                     : testLight(scene, settings, device, reference, own, control);
-  report.tallies.add(report.light.tallies);
-  report.interrupted = report.light.interrupted;
-  if (scene.exactMean && !report.interrupted) {
-    report.exact = testExactMean(scene, settings, device, own, report.light, control, report.tallies.device);
-    report.interrupted = !report.exact;
-  }
+  Questions questions{scene, settings, device, reference, control, options};
+  questions.options.alpha = options.alpha / (scene.exactMean ? 3 : 2);
+  if (scene.exactMean) questions.options.watched = regionOf(*scene.exactMean, settings.image.size);
+  questions.answer(report);
   report.seconds = watch.lap();
   return report;
 }

@@ -13,6 +13,7 @@ namespace candela::verify {
 
 struct VerifyReport {
   std::string scene;
+  render::RenderStatistics deviceStatistics;  ///< statistics of the render for question 1
   LightTestOptions options;
   PixelAgreement paths;            ///< 1: same numbers, same paths?
   LightTestResult light;           ///< 2: same light?

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/core/markup.h"
-#include "host/core/version.h"
+#include "host/core/report_head.h"
 #include "host/verify/verify.h"
 
 namespace candela::verify {
@@ -126,19 +126,16 @@ std::string VerifyReport::verdict() const {
 }
 
 std::string toText(const VerifyReport& report) {
-  std::string text = fmt::format("{}: {} compared with the reference\n", report.scene,
-                                 report.light.deviceStatistics.device);
+  std::string text = fmt::format("{}: {} compared with the reference\n", report.scene, report.deviceStatistics.device);
   if (!report.interrupted) text += pathsText(report) + lightText(report) + exactText(report);
   return text + report.verdict() + "\n";
 }
 
 ordered_json toJson(const VerifyReport& report) {
-  ordered_json json;
-  json["schema"] = "candela-verify/1";
-  json["version"] = versionText();
+  ordered_json json = reportHead("candela-verify/2");
   json["scene"] = report.scene;
-  json["device"] = report.light.deviceStatistics.device;
-  json["driver"] = report.light.deviceStatistics.driver;
+  json["device"] = report.deviceStatistics.device;
+  json["driver"] = report.deviceStatistics.driver;
   json["agree"] = report.agree();
   json["interrupted"] = report.interrupted;
   json["verdict"] = report.verdict();

@@ -97,7 +97,7 @@ TEST_CASE("a tracer with other hits has no figures, unless the difference is wit
   CHECK_FALSE(report.agree());
   CHECK_THAT(toText(report), Contains("differs"));
   const auto json = toJson(report);
-  CHECK(json["schema"] == "candela-bench/1");
+  CHECK(json["schema"] == "candela-bench/2");
   CHECK(json["rows"][0]["sameHits"] == true);
   for (const char* key :
        {"scene", "sceneHash", "rays", "layout", "sceneLoads", "medianMs", "spread", "mraysPerSecond"}) {

@@ -21,7 +21,7 @@ json row(const char* variant, double score) {
 }
 
 json reportOf(std::vector<json> rows) {
-  return {{"schema", "candela-bench/1"}, {"device", "d"}, {"driver", "v"}, {"rows", std::move(rows)}};
+  return {{"schema", "candela-bench/2"}, {"device", "d"}, {"driver", "v"}, {"rows", std::move(rows)}};
 }
 
 ReportComparison compare(const json& before, const json& after) {
@@ -86,8 +86,8 @@ TEST_CASE("another scene under the same name is reported, but is not a regressio
 TEST_CASE("a file that is no report is refused, and the message names it") {
   const json good = reportOf({});
   for (const json& bad :
-       {json::object(), json::array(), json(3), json{{"schema", "other/1"}}, json{{"schema", "candela-bench/1"}},
-        reportOf({json::object()}), reportOf({json(1)}), json{{"schema", "candela-bench/1"}, {"rows", 3}}}) {
+       {json::object(), json::array(), json(3), json{{"schema", "other/1"}}, json{{"schema", "candela-bench/2"}},
+        reportOf({json::object()}), reportOf({json(1)}), json{{"schema", "candela-bench/2"}, {"rows", 3}}}) {
     INFO(bad.dump());
     CHECK_THROWS_AS(compare(good, bad), FileError);
     CHECK_THROWS_WITH(compare(bad, good), Contains("old.json: not a report of candela bench"));
@@ -97,7 +97,7 @@ TEST_CASE("a file that is no report is refused, and the message names it") {
 TEST_CASE("a report that is nested too deeply is refused before it is parsed") {
   const TemporaryFolder folder;
   const auto write = [&](std::size_t depth) {
-    std::ofstream(folder / "a.json") << R"({"schema":"candela-bench/1","rows":[{"sceneHash":"1","scene":)"
+    std::ofstream(folder / "a.json") << R"({"schema":"candela-bench/2","rows":[{"sceneHash":"1","scene":)"
                                      << std::string(depth, '[') << std::string(depth, ']') << "}]}";
     return folder / "a.json";
   };

@@ -62,7 +62,7 @@ TEST_CASE("published seconds are shown beside measured ones, if there are any") 
 
 TEST_CASE("JSON has the schema, and the scene, images and rates of each row") {
   const auto document = toJson(structureReportOf({{1}, {1}, {1}}));
-  CHECK(document["schema"] == "candela-bench/1");
+  CHECK(document["schema"] == "candela-bench/2");
   const auto& row = document["rows"][0];
   for (const char* key : {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout",
                           "msamplesPerSecond", "mraysPerSecond", "medianMs", "spread", "buildMs", "stepsPerRay"}) {

@@ -36,7 +36,7 @@ SweepReport report() {
 
 TEST_CASE("the rows of a sweep have rates by kind of ray, dispatch times, noise and the driver's compilation time") {
   const nlohmann::json document = toJson(report());
-  CHECK(document["schema"] == "candela-bench/1");
+  CHECK(document["schema"] == "candela-bench/2");
   const nlohmann::json& row = document["rows"][0];
   CHECK(row["variant"] == "workgroup=8x8");
   CHECK(row["medianMs"] == 2000);

@@ -28,7 +28,7 @@ TEST_CASE("bench table1 measures three structures on two built-in scenes, withou
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   const json report = json::parse(result.out);
-  CHECK(report["schema"] == "candela-bench/1");
+  CHECK(report["schema"] == "candela-bench/2");
   CHECK(report["repeats"] == 2);
   REQUIRE(report["rows"].size() == 6);
   CHECK(report["rows"][0]["scene"] == "mirror");

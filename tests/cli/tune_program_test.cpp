@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/tune/tuning_file.h"
+#include "tests/cli/json_rules.h"
 #include "tests/cli/run_program.h"
 #include "tests/tune/made_rows.h"
 
@@ -101,6 +102,7 @@ TEST_CASE("a dry run stores nothing", "[slow]") {
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   CHECK(json::parse(result.out)["file"].is_null());
+  CHECK(violationsOf(nlohmann::ordered_json::parse(result.out), "candela-tune-report/2") == std::vector<std::string>{});
   CHECK(home.kept().empty());
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("the CSV file has the columns of deqp-runner, and is a baseline") {
 
 TEST_CASE("JSON has every case, the counts and the device") {
   const nlohmann::ordered_json json = toJson(madeRun(), madeDevice(), 3);
-  CHECK(json["schema"] == "candela-conformance/1");
+  CHECK(json["schema"] == "candela-conformance/2");
   CHECK(json["device"] == "made & device");
   CHECK(json["expected"] == false);
   CHECK(json["counts"]["Pass"] == 1);

@@ -193,7 +193,7 @@ TEST_CASE("a path with more vertices than are recorded is marked") {
 
 TEST_CASE("JSON has each quantity by name, and the first that differs") {
   const auto json = toJson(explainChanged([](render::PathTrace& path) { path.vertices[0].light->bsdfPdf = 0.5; }));
-  CHECK(json["schema"] == "candela-explain/1");
+  CHECK(json["schema"] == "candela-explain/2");
   CHECK(json["equal"] == false);
   CHECK(json["pixel"] == nlohmann::ordered_json({3, 4}));
   CHECK(json["firstDifference"]["stage"] == "vertex 1");

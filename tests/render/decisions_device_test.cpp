@@ -21,8 +21,8 @@ struct OddCounts {
 void addScene(const scene::Scene& scene, render::RenderSettings settings, OddCounts& counts) {
   settings.image.oneSided = scene.name == "mirror.p3f";  // its camera looks through the back of a wall
   const auto reference = reference::makeReferenceRenderer();
-  render::BadSampleTallies badSamples;
-  const auto pixels = verify::comparePaths(scene, settings, testRenderer(), *reference, 1e-4, {}, badSamples);
+  verify::PathRenders renders;
+  const auto pixels = verify::comparePaths(scene, settings, testRenderer(), *reference, 1e-4, {}, renders);
   REQUIRE(pixels);
   INFO(scene.name << ": " << pixels->decisions.text());
   CHECK(pixels->decisions.isPossible);

@@ -70,7 +70,7 @@ TEST_CASE("nothing is chosen if the image of the built-in choice is wrong") {
 
 TEST_CASE("the JSON report has every row, the choice and the file") {
   const auto json = toJson(reportOfChoice());
-  CHECK(json["schema"] == "candela-tune-report/1");
+  CHECK(json["schema"] == "candela-tune-report/2");
   REQUIRE(json["rows"].size() == 2);
   CHECK(json["rows"][1]["timesAsFast"] == Approx(2));
   CHECK(json["rows"][1]["choice"]["layout"] == "bvh2");

@@ -23,6 +23,8 @@ class NoiseRenderer final : public test::OneShotRenderer {
                                   const render::RenderControl& control) override {
     render::RenderResult result;
     result.film = image::Film(settings.image.size.width, settings.image.size.height);
+    result.statistics.device = name;
+    result.statistics.driver = "a driver";
     result.interrupted = control.stop != nullptr && *control.stop;
     std::mt19937 random(settings.image.seed);
     std::normal_distribution<double> noise(0, options_.deviation / std::sqrt(double{1} * settings.image.sampleCount));
@@ -36,6 +38,7 @@ class NoiseRenderer final : public test::OneShotRenderer {
     return result;
   }
 
+  std::string name;           ///< of the device in the statistics
   std::uint64_t samples = 0;  ///< per pixel, of all renders so far
 
  private:

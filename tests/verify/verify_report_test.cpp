@@ -1,4 +1,5 @@
 // The text of the verdict in each format.
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,7 @@ TEST_CASE("an agreement states the difference that would have been detected") {
   CHECK(report.agree());
   CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
   CHECK(toJson(report)["agree"] == true);
-  CHECK(toJson(report)["schema"] == "candela-verify/1");
+  CHECK(toJson(report)["schema"] == "candela-verify/2");
   CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
 }
 
@@ -55,6 +56,22 @@ TEST_CASE("JUnit has a case for each question, including failures, and is well-f
   const std::string failed = toJunit(reportOf(0.98, scene::ExactMean{}), false);
   CHECK_THAT(failed,
              Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
+}
+
+TEST_CASE("a run that is interrupted in its first question reports its device and its time") {
+  NoiseRenderer device, reference;
+  device.name = "a device";
+  const std::atomic<bool> stop = true;
+  render::RenderControl control;
+  control.stop = &stop;
+  render::RenderSettings settings;
+  settings.image.size = {16, 16};
+  const VerifyReport report = verifyScene({}, settings, device, reference, {}, control);
+  CHECK(report.interrupted);
+  CHECK(report.seconds > 0);
+  CHECK(toJson(report)["device"] == "a device");
+  CHECK(toJson(report)["driver"] == "a driver");
+  CHECK_THAT(toText(report), Contains("a device compared with the reference"));
 }
 
 TEST_CASE("JUnit reports bad samples as a failure only if they are forbidden") {
