@@ -27,6 +27,7 @@ using Files = std::vector<std::filesystem::path>;
 using Film = std::shared_ptr<PythonFilm>;
 
 void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
+  const film::FilmLock lock(file);
   const std::string check = film::writeFilm(file, film.header, film.film);
   film::writeWork(file, check, film.work);
 }

@@ -30,8 +30,8 @@ Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watc
 
 Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
   const cli::Arguments arguments = argumentsOf(kRenderOptions, options);
-  requireCheckpoint(arguments);
   PythonLog log;
+  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
   Film film;
   runWatched([&](const Watch& watch) { film = trace(scene, arguments, watch, log); }, progress);
   log.passOn();

@@ -1,6 +1,7 @@
 // Renders that are stopped or killed, and resumed from their films, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include "tests/cli/film_runs.h"
@@ -25,7 +26,7 @@ TEST_CASE("a film that cannot be written at the end is an error, and the picture
   // The folder vanishes while the render runs.
   std::jthread thief([&] {
     std::this_thread::sleep_for(milliseconds(150));
-    std::filesystem::remove(gone);
+    std::filesystem::remove_all(gone);
   });
   const ProgramResult result = kLong.run(scene,
                                          {"-o", picture, "--checkpoint", gone + "/a.exr", "--time-limit", "0.6s"});
@@ -74,6 +75,27 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
       finish(film);
     }
   }
+}
+
+TEST_CASE("a film that another render is writing is neither written nor resumed by a second one") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("a.exr"), other = folder.path("b.exr"), done = folder.path("done.exr");
+  kLong.film(scene, done);
+  const std::vector<std::string> options{"--checkpoint", film, "--spp", "10000000", "--time-limit", "4s"};
+  auto first = std::async(std::launch::async, [&] { return kLong.run(scene, options); });
+  for (int i = 0; i < 400 && !std::filesystem::exists(film + ".candela-lock"); ++i) {
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  const auto refused = Contains("a.exr: another render is writing this film");
+  CHECK_THAT(kLong.refusal(scene, {"--checkpoint", film}), refused);
+  CHECK_THAT(kLong.refusal(scene, {"--resume", film, "--checkpoint", other}), refused);
+  const ProgramResult merged = runCandela({"merge", done, "-o", film});
+  CHECK(merged.exitCode == 2);
+  CHECK_THAT(merged.err, refused);
+  CHECK(first.get().exitCode == 7);
+  CHECK(runCandela({"film", film}).exitCode == 0);
+  CHECK(folder.fileCount() == 5);  // the scene, and two films with their reports
 }
 
 TEST_CASE("SIGUSR1 writes the film each time, and changes nothing") {
