@@ -17,6 +17,7 @@
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_log.h"
+#include "host/python/rendering.h"
 #include "host/python/watched.h"
 
 namespace candela::python {
@@ -33,10 +34,12 @@ void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
 }
 
 // The display options of the call replace those of the film.
-cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const py::kwargs& options) {
+cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const std::filesystem::path& filmFile,
+                               const py::kwargs& options) {
   const cli::Arguments given = argumentsOf(kSaveOptions, options);
   cli::Arguments arguments = film.arguments;
   arguments.outputs = outputs;
+  arguments.checkpoint = filmFile;
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
@@ -53,7 +56,8 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& keywo
   if (options.contains("checkpoint")) filmFile = options.attr("pop")("checkpoint").cast<std::filesystem::path>();
   for (const auto& file : outputs) cli::requireWritableImage(file);
   if (!filmFile.empty()) cli::requireWritableFile(filmFile);
-  const cli::Arguments arguments = savingArguments(film, outputs, options);
+  const cli::Arguments arguments = savingArguments(film, outputs, filmFile, options);
+  requireSeparate(arguments, film.files);
   PythonLog log;
   runWatched([&](const Watch&) {
     if (!outputs.empty()) writeImages(resultImage(film, arguments, log), arguments, log);
@@ -74,7 +78,7 @@ py::bytes png(const PythonFilm& film) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work) {
+Film filmOfFiles(const Files& files, film::FilmHeader header, image::Film sums, film::WorkReport work) {
   auto film = std::make_shared<PythonFilm>();
   film->metadata = cli::metadataOf(header, sums);
   film->arguments = cli::withIntegrator({}, header);
@@ -82,6 +86,7 @@ Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work
   film->header = std::move(header);
   film->film = std::move(sums);
   film->work = std::move(work);
+  for (const auto& file : files) film->files.insert(film->files.end(), {file, film::workFile(file)});
   return film;
 }
 
@@ -89,7 +94,7 @@ Film open(const std::filesystem::path& file) {
   Film film;
   runWatched([&](const Watch&) {
     film::FilmReader reader(file);
-    film = filmOfFile(reader.header(), film::readFilm(reader), film::readWork(file, reader.check()));
+    film = filmOfFiles({file}, reader.header(), film::readFilm(reader), film::readWork(file, reader.check()));
   });
   return film;
 }
@@ -99,7 +104,7 @@ Film merge(const Files& files, const py::kwargs& options) {
   Film film;
   runWatched([&](const Watch&) {
     film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
-    film = filmOfFile(std::move(merged.header), std::move(merged.film), std::move(merged.work));
+    film = filmOfFiles(files, std::move(merged.header), std::move(merged.film), std::move(merged.work));
   });
   return film;
 }
