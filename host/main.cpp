@@ -13,6 +13,7 @@
 #include "host/cli/separate_files.h"
 #include "host/core/log.h"
 #include "host/core/memory_budget.h"
+#include "host/core/standard_output.h"
 #include "host/core/version.h"
 #include "host/vulkan/unfinished_work.h"
 #include "host/vulkan/validation.h"
@@ -39,7 +40,7 @@ ExitCode runCommand(const std::vector<std::string>& words) {
 // Output that could not be written is a failure.
 ExitCode afterOutput(ExitCode code) {
   if (std::cout.flush()) return code;
-  throw FileError("cannot write to stdout");
+  throw StdoutError();
 }
 
 // Every message of the validation layer is an error of the program, whatever the image looks like.
@@ -58,6 +59,9 @@ ExitCode fail(ExitCode code, const std::string& message) {
 ExitCode run(const std::vector<std::string>& words) {
   try {
     return afterValidation(afterOutput(runCommand(words)));
+  } catch (const StdoutError& error) {
+    // Whoever closed the pipe needs no message.
+    return afterValidation(isStdoutAbandoned() ? error.code() : fail(error.code(), error.what()));
   } catch (const Error& error) {
     return afterValidation(fail(error.code(), error.what()));
   } catch (const std::bad_alloc&) {
@@ -71,7 +75,9 @@ ExitCode run(const std::vector<std::string>& words) {
 }  // namespace candela
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error of write() like a full disk
+  // A file beyond `ulimit -f` and a pipe that nobody reads are errors of write() like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   const int code = static_cast<int>(candela::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)));
   // Threads of a driver that are still at work must not see libraries being unloaded.
   if (candela::vulkan::hasUnfinishedWork()) std::_Exit(code);

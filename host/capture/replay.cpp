@@ -92,8 +92,7 @@ std::vector<Content> replay(const Capture& capture, const vulkan::DeviceInfo& in
   vulkan::Device device = vulkan::Device::open(
       info, {.robustBufferAccess = capture.work.robustBufferAccess, .subgroupSize = capture.work.subgroupSize});
   Replayer replayer(capture, device);
-  device.run([&](vulkan::CommandRecorder& recorder) { replayer.record(capture.work.commands, recorder); },
-             vulkan::Patience::compiles);
+  device.run([&](vulkan::CommandRecorder& recorder) { replayer.record(capture.work.commands, recorder); });
   return replayer.contents();
 }
 

@@ -19,6 +19,7 @@ ExitCode runMerge(const Arguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
   const film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
+  const film::FilmLock lock(arguments.mergedFilm);
   const std::string check = film::writeFilm(arguments.mergedFilm, merged.header, merged.film);
   film::writeWork(arguments.mergedFilm, check, merged.work);
   const FilmDescription description = describe(merged.header, merged.film, merged.work);

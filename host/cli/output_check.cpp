@@ -10,6 +10,29 @@
 #include "host/image/image.h"
 
 namespace candela::cli {
+namespace {
+
+bool areSame(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored);
+}
+
+void requireRegular(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored)) return;
+  throw FileError(fmt::format("{}: a film is written to a regular file only", file.string()));
+}
+
+void requireAbsent(const std::filesystem::path& film) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(film, ignored)) return;
+  throw FileError(
+      fmt::format("{}: the file exists, and its samples would be lost; continue it with --resume {}, or remove it",
+                  film.string(), film.string()));
+}
+
+}  // namespace
+
 void requireWritableFile(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code ignored;
@@ -29,19 +52,17 @@ void requireWritableImage(const std::filesystem::path& file) {
   requireWritableFile(file);
 }
 
-void requireCheckpoint(const Arguments& arguments) {
+std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log) {
   const std::filesystem::path& file = arguments.checkpoint;
-  if (file.empty()) return;
+  const bool continuesFile = areSame(file, arguments.resume);
+  if (!arguments.resume.empty() && !continuesFile) film::requireUnlocked(arguments.resume);
+  if (file.empty()) return std::nullopt;
   requireWritableFile(file);
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
-    throw FileError(fmt::format("{}: a film is written to a regular file only", file.string()));
-  }
-  if (!arguments.resume.empty() && std::filesystem::equivalent(file, arguments.resume, ignored)) return;
-  throw FileError(
-      fmt::format("{}: the file exists, and its samples would be lost; continue it with --resume {}, or remove it",
-                  file.string(), file.string()));
+  requireRegular(file);
+  film::FilmLock lock(file);  // before the next check, since another render may be about to create the film
+  if (!lock.isHeld()) log.detail(fmt::format("{}: cannot be locked against other renders", file.string()));
+  if (!continuesFile) requireAbsent(file);
+  return lock;
 }
 
 void requireLayerFile(const Arguments& arguments) {

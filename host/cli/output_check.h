@@ -1,9 +1,12 @@
 // Refuses outputs that cannot be written, before any work is done for them.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "host/cli/arguments.h"
+#include "host/core/log.h"
+#include "host/film/film_lock.h"
 
 namespace candela::cli {
 
@@ -11,9 +14,10 @@ namespace candela::cli {
 void requireWritableFile(const std::filesystem::path& file);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
-/// Throws FileError if the film file of --checkpoint cannot be written, or if it exists and --resume does not continue
-/// from it: its samples are not to be lost.
-void requireCheckpoint(const Arguments& arguments);
+/// Returns the lock on the film file of --checkpoint, which must be held until the film is written; nothing without
+/// --checkpoint. Throws FileError if the file cannot be written, if it exists and --resume does not continue from it
+/// (its samples are not to be lost), or if another render is writing it or the film of --resume.
+std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log);
 /// Throws UsageError if layers (--aov) are requested and there is no EXR or film file, and no display
 /// server, that they could be written to.
 void requireLayerFile(const Arguments& arguments);

@@ -69,7 +69,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   requireLayerFile(arguments);
   requireDenoisable(arguments);
   requireWritableReport(arguments.json);
-  requireCheckpoint(arguments);
+  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
   // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
   // render.
   std::atomic<bool>& writeRequested = watchWriteRequests();

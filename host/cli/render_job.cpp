@@ -143,12 +143,12 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
   warnOfDarkness(arguments.request.settings, scene, log);
 }
 
-scene::Scene readScene(const Arguments& arguments, const Log& log) {
+scene::LoadedScene readScene(const Arguments& arguments, const Log& log) {
   scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireUnread(arguments, loaded.files);
   requireCamera(loaded.scene);
-  return std::move(loaded.scene);
+  return loaded;
 }
 
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
@@ -160,7 +160,7 @@ RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> 
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
-  auto scene = std::make_shared<const scene::Scene>(readScene(arguments, log));
+  auto scene = std::make_shared<const scene::Scene>(readScene(arguments, log).scene);
   const double seconds = monotonicSeconds() - start;
   RenderJob job = jobOf(arguments, std::move(scene), log);
   job.parseSeconds = seconds;

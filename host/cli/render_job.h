@@ -7,6 +7,7 @@
 #include "host/core/log.h"
 #include "host/core/progress.h"
 #include "host/render/renderer.h"
+#include "host/scene/load.h"
 #include "host/scene/scene.h"
 
 namespace candela::cli {
@@ -23,7 +24,7 @@ struct RenderJob {
 
 /// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws
 /// SceneError and FileError, and UsageError as requireUnread() does.
-scene::Scene readScene(const Arguments& arguments, const Log& log);
+scene::LoadedScene readScene(const Arguments& arguments, const Log& log);
 
 /// Combines options with a scene that has a view. Throws as requirePossible() does.
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log);

@@ -9,6 +9,7 @@
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
+#include "host/core/standard_output.h"
 
 namespace candela::cli {
 namespace {
@@ -25,9 +26,7 @@ Sink interruptible(Sink sink) {
 }
 
 void writeToStdout(std::string_view block) {
-  if (!std::cout.write(block.data(), static_cast<std::streamsize>(block.size()))) {
-    throw FileError("cannot write to stdout");
-  }
+  if (!std::cout.write(block.data(), static_cast<std::streamsize>(block.size()))) throw StdoutError();
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "host/cli/render_watch.h"
 #include "host/cli/rescue_file.h"
 #include "host/cli/sample_loop.h"
+#include "host/core/interrupt.h"
 
 namespace candela::cli {
 namespace {
@@ -41,6 +42,7 @@ std::uint64_t sampleCount(const image::Film& film) {
 
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
   if (watch.isTimeUp()) log.note("--time-limit: the time limit is reached");
+  if (isProcessorTimeUp()) log.note("the limit of processor time (ulimit -t) is reached");
   if (job.arguments.checkpoint.empty()) return;
   const std::string file = shellQuoted(job.arguments.checkpoint.string());
   log.note(fmt::format("run the same command with --resume {} to continue", file));

@@ -53,7 +53,7 @@ std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
   for (const std::string& file : arguments.files) {
     Arguments one = arguments;
     one.files = {file};
-    works.push_back(workOf(one, readScene(one, log), log));
+    works.push_back(workOf(one, readScene(one, log).scene, log));
   }
   if (!works.empty()) return works;
   for (scene::Scene& scene : tune::builtInScenes()) works.push_back(workOf(arguments, std::move(scene), log));

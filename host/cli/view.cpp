@@ -4,6 +4,7 @@
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host/cli/cached_device.h"
 #include "host/cli/commands.h"
@@ -11,6 +12,7 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_images.h"
 #include "host/cli/render_job.h"
+#include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
 #include "host/core/progress.h"
 #include "host/core/report_head.h"
@@ -48,7 +50,7 @@ class ViewedScene {
   RenderJob job(const view::Choice& choice, bool reads) {
     const Arguments arguments = withChoice(arguments_, choice);
     const std::scoped_lock lock(mutex_);
-    if (reads || !scene_) scene_ = std::make_shared<const scene::Scene>(readScene(arguments, log_));
+    if (reads || !scene_) read(arguments);
     return jobOf(arguments, scene_, log_);
   }
 
@@ -86,7 +88,7 @@ class ViewedScene {
   void save(const std::filesystem::path& file, const view::Sessions& sessions, const image::Film& film,
             const render::RenderStatistics& statistics, const view::Choice& choice,
             const image::DisplayTransform& display) {
-    image::checkImageFormat(file);
+    requireSavable(file);
     render::requireComplete(statistics);
     const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
     const image::Image image = pictureOf(film, job.settings().image.hasAlpha(),
@@ -95,10 +97,27 @@ class ViewedScene {
   }
 
  private:
+  void read(const Arguments& arguments) {
+    scene::LoadedScene loaded = readScene(arguments, log_);
+    scene_ = std::make_shared<const scene::Scene>(std::move(loaded.scene));
+    files_.insert(loaded.files.begin(), loaded.files.end());
+  }
+
+  // The file is named in the window, so that no check of the command line has seen it.
+  void requireSavable(const std::filesystem::path& file) {
+    image::checkImageFormat(file);
+    Arguments saving = arguments_;
+    saving.outputs = {file};
+    const std::scoped_lock lock(mutex_);
+    requireSeparateFiles(saving);
+    requireUnread(saving, {files_.begin(), files_.end()});
+  }
+
   const Arguments& arguments_;
   const Log& log_;
   std::mutex mutex_;
   std::shared_ptr<const scene::Scene> scene_;
+  std::set<std::filesystem::path> files_;  ///< that the scene has read, now or before it changed
   std::mutex deviceMutex_;
   std::map<std::string, std::unique_ptr<CachedDevice>> devices_;
 };

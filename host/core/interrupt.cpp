@@ -1,14 +1,18 @@
 // Signal handlers that set a flag first, and end the program if the signal comes again later.
 #include "host/core/interrupt.h"
 
+#include <sys/resource.h>
 #include <time.h>
 
+#include <algorithm>
 #include <csignal>
+#include <thread>
 
 namespace candela {
 namespace {
 
 std::atomic<bool> interrupted{false};
+std::atomic<bool> processorTimeUp{false};
 std::atomic<bool> writeRequested{false};
 std::atomic<std::int64_t> firstSignalAt[NSIG]{};  ///< by number, in terms of milliseconds(); 0: none
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
@@ -32,6 +36,12 @@ void onSignal(int number) {
   std::raise(number);  // ends the program when this handler returns
 }
 
+// The kernel repeats this signal after every second of processor time.
+void onProcessorTime(int) {
+  processorTimeUp.store(true);
+  interrupted.store(true);
+}
+
 void onWriteRequest(int) { writeRequested.store(true); }
 
 void handle(int number, void (*handler)(int)) {
@@ -49,14 +59,30 @@ bool isIgnored(int number) {
   return action.sa_handler == SIG_IGN;
 }
 
+/// Has SIGXCPU come before the limit at which the kernel kills the process. `ulimit -t` sets both limits to one value.
+void leaveProcessorTime() {
+  constexpr rlim_t kSecondsPerProcessor = 5;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_cur < limit.rlim_max)
+    return;
+  const rlim_t margin = std::min<rlim_t>(limit.rlim_max / 10,
+                                         kSecondsPerProcessor * std::thread::hardware_concurrency());
+  limit.rlim_cur = limit.rlim_max - std::min(limit.rlim_max, std::max<rlim_t>(margin, 1));
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
 }  // namespace
 
 const std::atomic<bool>& watchInterrupts() {
+  leaveProcessorTime();
+  handle(SIGXCPU, onProcessorTime);
   handle(SIGINT, onSignal);
   handle(SIGTERM, onSignal);
   if (!isIgnored(SIGHUP)) handle(SIGHUP, onSignal);
   return interrupted;
 }
+
+bool isProcessorTimeUp() { return processorTimeUp; }
 
 std::atomic<bool>& watchWriteRequests() {
   handle(SIGUSR1, onWriteRequest);

@@ -66,11 +66,9 @@ class DeviceFilter {
                                      .firstResultRow = band.first - band.readFirst};
     const vulkan::GroupCount groups{divideUp(statistics_.width, gpu::kDenoiseWorkgroupSide),
                                     divideUp(end - first, gpu::kDenoiseWorkgroupSide)};
-    device_.run(
-        [&](vulkan::CommandRecorder& recorder) {
-          recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&constants, 1)), groups);
-        },
-        vulkan::Patience::compiles);
+    device_.run([&](vulkan::CommandRecorder& recorder) {
+      recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&constants, 1)), groups);
+    });
   }
 
   vulkan::Device& device_;

@@ -175,8 +175,7 @@ void Band::clearCounters() {
   samplesSeen_ = 0;
 }
 
-double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget,
-                      vulkan::Patience patience) {
+double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Window window = settings_.image.window();
   const std::uint32_t firstRow = window.y + rows_.first;
   const gpu::DispatchConstants constants{.regionOrigin = {window.x + region.x, firstRow + region.y},
@@ -200,7 +199,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
     }
     recorder.copyBuffer(results_, 0, counters_, 0, sizeof(gpu::Counters));
   };
-  return device_.run(record, patience);
+  return device_.run(record);
 }
 
 std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
@@ -220,7 +219,7 @@ void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const render::Extent corner{std::min(sweep_.box.width, workgroup.width),
                               std::min(sweep_.box.height, workgroup.height)};
-  dispatch({sweep_.box.x, sweep_.box.y, corner.width, corner.height}, 1, sampleEnd, budget, vulkan::Patience::compiles);
+  dispatch({sweep_.box.x, sweep_.box.y, corner.width, corner.height}, 1, sampleEnd, budget);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,

@@ -69,8 +69,7 @@ class Band {
 
  private:
   std::uint64_t pixels() const { return std::uint64_t{width_} * rows_.height; }
-  double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget,
-                  vulkan::Patience patience = vulkan::Patience::normal);
+  double dispatch(const Rect& region, std::uint32_t segments, std::uint32_t sampleEnd, const LoopBudget& budget);
   void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample,
                        const render::PixelMask& mask);
   void clearCounters();

@@ -17,6 +17,7 @@
 #include "host/python/json.h"
 #include "host/python/options.h"
 #include "host/python/python_log.h"
+#include "host/python/rendering.h"
 #include "host/python/running_call.h"
 #include "host/python/watched.h"
 
@@ -28,15 +29,18 @@ using Files = std::vector<std::filesystem::path>;
 using Film = std::shared_ptr<PythonFilm>;
 
 void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
+  const film::FilmLock lock(file);
   const std::string check = film::writeFilm(file, film.header, film.film);
   film::writeWork(file, check, film.work);
 }
 
 // The display options of the call replace those of the film.
-cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const py::kwargs& options) {
+cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const std::filesystem::path& filmFile,
+                               const py::kwargs& options) {
   const cli::Arguments given = argumentsOf(kSaveOptions, options);
   cli::Arguments arguments = film.arguments;
   arguments.outputs = outputs;
+  arguments.checkpoint = filmFile;
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
@@ -64,7 +68,8 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& optio
   const std::filesystem::path filmFile = takeFilmFile(options);
   for (const auto& file : outputs) cli::requireWritableImage(file);
   if (!filmFile.empty()) cli::requireWritableFile(filmFile);
-  const cli::Arguments arguments = savingArguments(film, outputs, options);
+  const cli::Arguments arguments = savingArguments(film, outputs, filmFile, options);
+  requireSeparate(arguments, film.files);
   PythonLog log;
   runWatched([&](const Watch&) {
     if (!outputs.empty()) writeImages(resultImage(film, arguments, log), arguments, log);
@@ -85,7 +90,7 @@ py::bytes png(const PythonFilm& film) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work) {
+Film filmOfFiles(const Files& files, film::FilmHeader header, image::Film sums, film::WorkReport work) {
   auto film = std::make_shared<PythonFilm>();
   film->metadata = cli::metadataOf(header, sums);
   film->arguments = cli::withIntegrator({}, header);
@@ -93,6 +98,7 @@ Film filmOfFile(film::FilmHeader header, image::Film sums, film::WorkReport work
   film->header = std::move(header);
   film->film = std::move(sums);
   film->work = std::move(work);
+  for (const auto& file : files) film->files.insert(film->files.end(), {file, film::workFile(file)});
   return film;
 }
 
@@ -101,7 +107,7 @@ Film open(const py::object& name) {
   Film film;
   runWatched([&](const Watch&) {
     film::FilmReader reader(file);
-    film = filmOfFile(reader.header(), film::readFilm(reader), film::readWork(file, reader.check()));
+    film = filmOfFiles({file}, reader.header(), film::readFilm(reader), film::readWork(file, reader.check()));
   });
   return film;
 }
@@ -113,7 +119,7 @@ Film merge(const py::iterable& names, const py::kwargs& options) {
   Film film;
   runWatched([&](const Watch&) {
     film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
-    film = filmOfFile(std::move(merged.header), std::move(merged.film), std::move(merged.work));
+    film = filmOfFiles(files, std::move(merged.header), std::move(merged.film), std::move(merged.work));
   });
   return film;
 }

@@ -16,10 +16,11 @@ namespace candela::python {
 struct PythonFilm {
   image::Film film;
   film::FilmHeader header;
-  cli::Metadata metadata;    ///< of image files
-  film::WorkReport work;     ///< of the file beside a film file
-  cli::Arguments arguments;  ///< of the render; for a film file, only the integrator is set
-  std::string report;        ///< JSON, as `candela render` writes it; empty for a film file
+  cli::Metadata metadata;                      ///< of image files
+  film::WorkReport work;                       ///< of the file beside a film file
+  cli::Arguments arguments;                    ///< of the render; for a film file, only the integrator is set
+  std::vector<std::filesystem::path> files{};  ///< that the scene has read, or the film files themselves
+  std::string report;                          ///< JSON, as `candela render` writes it; empty for a film file
   bool isInterrupted = false;
 
   /// Converts the sums once, even if several threads call it. Without the GIL.

@@ -27,8 +27,10 @@ Loaded finish(scene::LoadedScene loaded, cli::Arguments arguments, const Log& lo
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   std::string report = jsonText(toJson(scene::makeReport(loaded)));
+  std::vector<std::filesystem::path> files = std::move(loaded.files);
   auto scene = std::make_shared<const scene::Scene>(std::move(loaded.scene));
-  return std::make_shared<PythonScene>(PythonScene{std::move(scene), std::move(arguments), std::move(report)});
+  return std::make_shared<PythonScene>(
+      PythonScene{std::move(scene), std::move(arguments), std::move(report), std::move(files)});
 }
 
 /// Runs `read` without the GIL, and passes its messages on.
@@ -45,7 +47,9 @@ Loaded load(const py::object& file, const py::kwargs& options) {
   cli::Arguments arguments = argumentsOf(kLoadOptions, options);
   arguments.files = {fileOf("file", file)};
   return readWatched([&](const Log& log) {
-    return finish(formats::loadScene(arguments.files.front(), arguments.loadOptions), arguments, log);
+    scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
+    loaded.files.emplace_back(arguments.files.front());
+    return finish(std::move(loaded), arguments, log);
   });
 }
 

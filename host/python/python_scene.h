@@ -13,8 +13,9 @@ namespace candela::python {
 /// A scene with the options with which it was read, which films record. Renders share it.
 struct PythonScene {
   std::shared_ptr<const scene::Scene> scene;
-  cli::Arguments loading;  ///< files, loadOptions and the names of these options
-  std::string report;      ///< JSON, as `candela check` writes it
+  cli::Arguments loading;                    ///< files, loadOptions and the names of these options
+  std::string report;                        ///< JSON, as `candela check` writes it
+  std::vector<std::filesystem::path> files;  ///< that were read: the scene's own, and those that it names
 
   /// Returns `arguments` with the file and the options of the scene.
   cli::Arguments complete(cli::Arguments arguments) const;

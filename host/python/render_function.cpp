@@ -3,6 +3,7 @@
 
 #include "host/cli/denoise_film.h"
 #include "host/cli/output_check.h"
+#include "host/cli/separate_files.h"
 #include "host/cli/statistics_report.h"
 #include "host/cli/trace_film.h"
 #include "host/core/progress.h"
@@ -26,13 +27,15 @@ Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watc
   if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
   if (!traced.result.interrupted) watch.report(1, traced.result.statistics.samples);
   const film::WorkReport work = traced.work.value_or(film::workOf(traced.result.statistics));
-  return filmOf(job, std::move(traced.result), std::move(traced.header), work, monotonicSeconds() - start, log);
+  return filmOf(job, scene.files, std::move(traced.result), std::move(traced.header), work, monotonicSeconds() - start,
+                log);
 }
 
 Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
   const cli::Arguments arguments = argumentsOf(kRenderOptions, options);
-  requireCheckpoint(arguments);
+  requireSeparate(arguments, scene.files);
   PythonLog log;
+  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
   Film film;
   runWatched([&](const Watch& watch) { film = trace(scene, arguments, watch, log); }, progress);
   log.passOn();
@@ -48,8 +51,15 @@ cli::RenderJob renderJobOf(const PythonScene& scene, const cli::Arguments& argum
   return job;
 }
 
-Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHeader header,
-            const film::WorkReport& work, double seconds, const Log& log) {
+// The names of scenes of arrays are no files.
+void requireSeparate(cli::Arguments arguments, const std::vector<std::filesystem::path>& files) {
+  arguments.files.clear();
+  cli::requireSeparateFiles(arguments);
+  cli::requireUnread(arguments, files);
+}
+
+Film filmOf(const cli::RenderJob& job, std::vector<std::filesystem::path> files, render::RenderResult result,
+            film::FilmHeader header, const film::WorkReport& work, double seconds, const Log& log) {
   auto film = std::make_shared<PythonFilm>();
   cli::RenderReport report{job, result, 0, seconds, {}, work};
   report.badSamples.add(result.film, job.settings().image);
@@ -57,6 +67,7 @@ Film filmOf(const cli::RenderJob& job, render::RenderResult result, film::FilmHe
   film->report = jsonText(toJson(report));
   film->metadata = metadataOf(job, result);
   film->arguments = job.arguments;
+  film->files = std::move(files);
   film->isInterrupted = result.interrupted;
   film->header = std::move(header);
   film->work = work;

@@ -12,8 +12,10 @@
 
 namespace candela::python {
 
-PythonSession::PythonSession(const cli::RenderJob& job, std::shared_ptr<PythonLog> log)
+PythonSession::PythonSession(const cli::RenderJob& job, std::vector<std::filesystem::path> files,
+                             std::shared_ptr<PythonLog> log)
     : job_(job),
+      files_(std::move(files)),
       log_(std::move(log)),
       renderer_(makeRenderer(job_.arguments, *log_)),
       session_(renderer_->prepare(job_.scene, job_.settings())) {}
@@ -58,7 +60,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
   film::FilmHeader header = filmHeaderOf(job, result.statistics);
   cli::setContent(header, result.film, job.scene, first_.value_or(0));
   const film::WorkReport work = film::workOf(result.statistics);
-  return filmOf(job, std::move(result), std::move(header), work, seconds_, *log_);
+  return filmOf(job, files_, std::move(result), std::move(header), work, seconds_, *log_);
 }
 
 void PythonSession::reset(std::uint32_t seed) {

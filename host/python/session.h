@@ -13,8 +13,8 @@ namespace candela::python {
 /// One prepared session of a renderer. One thread at a time may use it.
 class PythonSession {
  public:
-  /// Prepares the session.
-  PythonSession(const cli::RenderJob& job, std::shared_ptr<PythonLog> log);
+  /// Prepares the session. `files` are those that the scene has read.
+  PythonSession(const cli::RenderJob& job, std::vector<std::filesystem::path> files, std::shared_ptr<PythonLog> log);
 
   /// Adds the samples of `range` that are missing; by default all. Returns false if `watch` stopped it. Throws
   /// UsageError for a range that does not continue the film.
@@ -32,6 +32,7 @@ class PythonSession {
   cli::RenderJob jobSoFar() const;
 
   cli::RenderJob job_;
+  std::vector<std::filesystem::path> files_;
   std::shared_ptr<PythonLog> log_;  ///< the renderer writes to it
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::Session> session_;

@@ -60,6 +60,7 @@ void CommandRecorder::prepareDispatch(const ComputePipeline& pipeline, const Bin
     throw InternalError(fmt::format("{} bytes of push constants for a pipeline created with {}", pushConstants.size(),
                                     shader.pushConstantBytes));
   }
+  if (!shader.hasRun) impl_.newPipelines.push_back(pipeline.impl());
   const vk::raii::CommandBuffer& commands = impl_.commands;
   impl_.makeVisibleToNext();
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *shader.handle);

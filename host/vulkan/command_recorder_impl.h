@@ -1,6 +1,10 @@
 // The Vulkan command buffer of a CommandRecorder.
 #pragma once
+#include <memory>
+#include <vector>
+
 #include "host/vulkan/command_recorder.h"
+#include "host/vulkan/compute_pipeline.h"
 #include "host/vulkan/device_impl.h"
 
 namespace candela::vulkan {
@@ -8,6 +12,8 @@ namespace candela::vulkan {
 struct CommandRecorder::Impl {
   Device::Impl& device;
   const vk::raii::CommandBuffer& commands;
+  /// The recorded pipelines that have not run before. A pipeline may occur several times.
+  mutable std::vector<std::shared_ptr<ComputePipeline::Impl>> newPipelines{};
 
   /// Makes the writes of earlier commands, in this submission and before it, visible to the next. Called before every
   /// command.

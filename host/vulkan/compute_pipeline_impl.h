@@ -9,6 +9,7 @@ struct ComputePipeline::Impl {
   std::shared_ptr<Device::Impl> device;
   std::vector<BindingKind> bindings;
   std::uint32_t pushConstantBytes = 0;
+  bool hasRun = false;      ///< a run with this pipeline has ended, so that the driver has compiled it
   std::uint32_t index = 0;  ///< in Recording::shaders, if the device has a recording
   vk::raii::DescriptorSetLayout setLayout{nullptr};
   vk::raii::PipelineLayout layout{nullptr};

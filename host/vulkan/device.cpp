@@ -8,6 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/vulkan/command_recorder_impl.h"
+#include "host/vulkan/compute_pipeline_impl.h"
 #include "host/vulkan/describe.h"
 #include "host/vulkan/device_choice.h"
 #include "host/vulkan/device_impl.h"
@@ -71,7 +72,7 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   options.recording->subgroupSize = options.subgroupSize;
 }
 
-double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience) {
+double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>& record) {
   if (hasFailed) throw DeviceLostError(fmt::format("{} cannot be used any more, since work on it failed", info.name));
   guarded("start recording commands", [&] {
     commandPool.reset();
@@ -80,10 +81,12 @@ double Device::Impl::run(const std::function<void(const CommandRecorder::Impl&)>
   const CommandRecorder::Impl recorder{*this, commands};
   record(recorder);
   recorder.makeVisibleToHost();
-  return guarded("run commands on the device", [&] {
+  const double seconds = guarded("run commands on the device", [&] {
     commands.end();
-    return submitAndWait(patience);
+    return submitAndWait(recorder.newPipelines.empty() ? FirstRun::none : FirstRun::ofPipeline);
   });
+  for (const auto& pipeline : recorder.newPipelines) pipeline->hasRun = true;
+  return seconds;
 }
 
 // Objects that the device may be using are never destroyed: this object and those that refer to it.
@@ -105,16 +108,16 @@ void Device::Impl::settle() {
   }
 }
 
-void Device::Impl::waitForFence(Patience patience) {
-  const vk::Result result = handle.waitForFences(*fence, VK_TRUE, hangLimit.nanoseconds(patience));
+void Device::Impl::waitForFence(FirstRun first) {
+  const vk::Result result = handle.waitForFences(*fence, VK_TRUE, hangLimit.nanoseconds(first));
   if (result == vk::Result::eSuccess) return;
   hasFailed = true;
   keepEverything();
   throw DeviceHungError(fmt::format("{} has not finished its work after {:.0f} s; --hang-timeout sets this limit",
-                                    info.name, hangLimit.seconds(patience)));
+                                    info.name, hangLimit.seconds(first)));
 }
 
-double Device::Impl::submitAndWait(Patience patience) {
+double Device::Impl::submitAndWait(FirstRun first) {
   handle.resetFences(*fence);
   const vk::SubmitInfo submission({}, {}, *commands);
   const auto start = std::chrono::steady_clock::now();
@@ -123,13 +126,13 @@ double Device::Impl::submitAndWait(Patience patience) {
       const std::scoped_lock lock(queueMutex);
       queue.submit(submission, *fence);
     }
-    waitForFence(patience);
+    waitForFence(first);
   } catch (const vk::SystemError&) {
     settle();
     throw;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (patience == Patience::normal) hangLimit.record(elapsed.count());
+  hangLimit.record(first, elapsed.count());
   return elapsed.count();
 }
 
@@ -178,13 +181,11 @@ std::vector<std::byte> Device::pipelineData() const {
   });
 }
 
-double Device::run(const std::function<void(CommandRecorder&)>& record, Patience patience) {
-  return impl_->run(
-      [&record](const CommandRecorder::Impl& commands) {
-        CommandRecorder recorder(commands);
-        record(recorder);
-      },
-      patience);
+double Device::run(const std::function<void(CommandRecorder&)>& record) {
+  return impl_->run([&record](const CommandRecorder::Impl& commands) {
+    CommandRecorder recorder(commands);
+    record(recorder);
+  });
 }
 
 }  // namespace candela::vulkan

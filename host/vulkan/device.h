@@ -28,7 +28,7 @@ struct DeviceOptions {
   std::size_t stagingBytes = std::size_t{8} << 20;
   /// False: use the staging buffer even if device memory can be mapped, as on a discrete GPU.
   bool mapDeviceMemory = true;
-  /// Maximum duration of a run in seconds; 0: unlimited. Absent: see Patience for hardware; unlimited for
+  /// Maximum duration of a run in seconds; 0: unlimited. Absent: see HangLimit for hardware; unlimited for
   /// software devices, which are slow on a loaded machine.
   std::optional<double> hangTimeout{};
   /// True: enables robustBufferAccess, with which shaders cannot access memory beyond their buffers.
@@ -43,12 +43,6 @@ struct DeviceOptions {
   /// Instance extensions of a window system. If there are any, the device can present to its windows, provided that it
   /// has VK_KHR_swapchain: see Device::canPresent().
   std::vector<std::string> windowExtensions{};
-};
-
-/// The maximum duration of a run, after which the device counts as hung, unless DeviceOptions::hangTimeout states it.
-enum class Patience {
-  normal,   ///< 50 times the longest run so far, and at least 10 s
-  compiles  ///< at least two minutes, since some drivers compile a kernel when it is first dispatched
 };
 
 /// A device, its compute queue and the state that buffers and pipelines need. Vulkan 1.2 core, no optional feature. It
@@ -73,8 +67,9 @@ class Device {
 
   /// Calls `record`, submits the recorded commands, waits for their end, and returns the seconds from submission to end
   /// (steady clock). All writes of the commands are then visible to the host and to later runs. Calls must not be
-  /// nested. Throws DeviceHungError if the commands do not end in time.
-  double run(const std::function<void(CommandRecorder&)>& record, Patience patience = Patience::normal);
+  /// nested. Throws DeviceHungError if the commands do not end in time, for which the first run of a pipeline has more
+  /// time than others.
+  double run(const std::function<void(CommandRecorder&)>& record);
 
   /// Returns whether DeviceOptions::windowExtensions were given, and the device and its queue can draw and present.
   bool canPresent() const;

@@ -66,11 +66,11 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   }
 
   /// Implements Device::run: records, submits and waits. Returns seconds.
-  double run(const std::function<void(const CommandRecorder::Impl&)>& record, Patience patience = Patience::normal);
+  double run(const std::function<void(const CommandRecorder::Impl&)>& record);
 
  private:
-  double submitAndWait(Patience patience);
-  void waitForFence(Patience patience);
+  double submitAndWait(FirstRun first);
+  void waitForFence(FirstRun first);
   void settle();
   void keepEverything();
 };

@@ -1,6 +1,7 @@
 // Chooses the limit by the longest run so far.
 #include "host/vulkan/hang_limit.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace candela::vulkan {
@@ -18,16 +19,20 @@ HangLimit::HangLimit(std::optional<double> timeout, bool isSoftware) : fixed_(ti
   if (!fixed_ && isSoftware) fixed_ = 0;
 }
 
-double HangLimit::seconds(Patience patience) const {
+double HangLimit::seconds(FirstRun first) const {
   if (fixed_) return *fixed_ > 0 ? *fixed_ : kInfinite;
-  const double minimum = patience == Patience::compiles ? kMinSecondsToCompile : kMinSeconds;
+  const double minimum = first == FirstRun::ofPipeline ? kMinSecondsToCompile : kMinSeconds;
   return std::max(minimum, kTimesLongest * longest_);
 }
 
-std::uint64_t HangLimit::nanoseconds(Patience patience) const {
-  const double limit = seconds(patience);
+std::uint64_t HangLimit::nanoseconds(FirstRun first) const {
+  const double limit = seconds(first);
   if (limit > kMaxSeconds) return std::numeric_limits<std::uint64_t>::max();
   return static_cast<std::uint64_t>(limit * 1e9);
+}
+
+void HangLimit::record(FirstRun first, double seconds) {
+  if (first == FirstRun::none) longest_ = std::max(longest_, seconds);
 }
 
 }  // namespace candela::vulkan

@@ -68,7 +68,7 @@ void requireSurvivesKill(const FilmRuns& runs, const TemporaryFolder& folder, co
   surroundings.writeRequestsEvery = milliseconds(15);
   runs.run(scene, {"--checkpoint", film}, surroundings);
   INFO("killed after " << time.count() << " ms");
-  CHECK(folder.fileCount() <= filesBefore + 3);  // film, report, and the temporary file of a write
+  CHECK(folder.fileCount() <= filesBefore + 4);  // film, report, lock, and the temporary file of a write
   const bool exists = std::filesystem::exists(film);
   if (exists) {
     const ProgramResult description = runCandela({"film", film});

@@ -1,6 +1,7 @@
 // Renders that are stopped or killed, and resumed from their films, on the reference tracer.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include "tests/cli/film_runs.h"
@@ -25,7 +26,7 @@ TEST_CASE("a film that cannot be written at the end is an error, and the picture
   // The folder vanishes while the render runs.
   std::jthread thief([&] {
     std::this_thread::sleep_for(milliseconds(150));
-    std::filesystem::remove(gone);
+    std::filesystem::remove_all(gone);
   });
   const ProgramResult result = kLong.run(scene,
                                          {"-o", picture, "--checkpoint", gone + "/a.exr", "--time-limit", "0.6s"});
@@ -62,8 +63,8 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
     CHECK_THAT(description.out, Contains("interrupted in"));
     finish(film);
   }
-  SECTION("by Ctrl-C, by SIGTERM and by SIGHUP") {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  SECTION("by Ctrl-C, by SIGTERM, by SIGHUP and by SIGXCPU") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
       const std::string film = folder.path(std::to_string(signal) + ".exr");
       Surroundings surroundings;
       surroundings.interruptAfter = milliseconds(200);
@@ -74,6 +75,74 @@ TEST_CASE("a render that is stopped in any way leaves a film from which it can b
       finish(film);
     }
   }
+}
+
+TEST_CASE("a render whose processor time is limited (ulimit -t) ends with its film before it is killed") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("a.exr");
+  const ProgramResult result = runProgram(
+      "/bin/sh", {"-c", "ulimit -t 2; exec " CANDELA_PROGRAM " " + scene + " --device cpu --threads 1 --size 64x48 " +
+                            "--spp 10000000 --time-limit 1min --checkpoint " + film});
+  CHECK(result.exitCode == 7);
+  CHECK_THAT(result.err, Contains("the limit of processor time (ulimit -t) is reached"));
+  CHECK(runCandela({"film", film}).exitCode == 0);
+}
+
+TEST_CASE("a render whose outputs nobody reads any more finishes, and says so by its exit code") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string whole = kLong.film(scene, folder.path("whole.exr"));
+  const std::string film = folder.path("a.exr"), code = folder.path("code");
+  const std::string render = "{ sleep 0.2; " CANDELA_PROGRAM " " + scene +
+                             " --device cpu --threads 1 --size 64x48 --spp 256 -v " + "--checkpoint " + film + " -o " +
+                             folder.path("a.png") + " --json - ";
+  SECTION("stdout: exit code 2") {
+    const ProgramResult result = runProgram("/bin/sh", {"-c", render + "; echo $? > " + code + "; } | true"});
+    CHECK(readText(code) == "2\n");
+    CHECK_FALSE(contains(result.err, "cannot write"));
+  }
+  SECTION("stderr: as if somebody read it") {
+    runProgram("/bin/sh", {"-c", render + "2>&3; echo $? > " + code + "; } 3>&1 >" + folder.path("out") + " | true"});
+    CHECK(readText(code) == "0\n");
+    CHECK(nlohmann::json::parse(readText(folder.path("out"))).contains("filmHash"));
+  }
+  CHECK(readText(film) == whole);
+  CHECK(std::filesystem::exists(folder.path("a.png")));
+}
+
+TEST_CASE("a command whose text nobody reads ends without a message, and one that cannot write it with one") {
+  const std::string ends = " echo $? >&2; } | true";
+  for (const std::string command : {"generate balls --size 4", "conformance --list", "--help"}) {
+    INFO(command);
+    const ProgramResult closed = runProgram("/bin/sh",
+                                            {"-c", "{ sleep 0.1; " CANDELA_PROGRAM " " + command + ";" + ends});
+    CHECK(closed.err == "2\n");
+    const ProgramResult full = runProgram("/bin/sh", {"-c", CANDELA_PROGRAM " " + command + " > /dev/full"});
+    CHECK(full.exitCode == 2);
+    CHECK_THAT(full.err, Contains("cannot write to stdout"));
+  }
+}
+
+TEST_CASE("a film that another render is writing is neither written nor resumed by a second one") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("a.exr"), other = folder.path("b.exr"), done = folder.path("done.exr");
+  kLong.film(scene, done);
+  const std::vector<std::string> options{"--checkpoint", film, "--spp", "10000000", "--time-limit", "4s"};
+  auto first = std::async(std::launch::async, [&] { return kLong.run(scene, options); });
+  for (int i = 0; i < 400 && !std::filesystem::exists(film + ".candela-lock"); ++i) {
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  const auto refused = Contains("a.exr: another render is writing this film");
+  CHECK_THAT(kLong.refusal(scene, {"--checkpoint", film}), refused);
+  CHECK_THAT(kLong.refusal(scene, {"--resume", film, "--checkpoint", other}), refused);
+  const ProgramResult merged = runCandela({"merge", done, "-o", film});
+  CHECK(merged.exitCode == 2);
+  CHECK_THAT(merged.err, refused);
+  CHECK(first.get().exitCode == 7);
+  CHECK(runCandela({"film", film}).exitCode == 0);
+  CHECK(folder.fileCount() == 5);  // the scene, and two films with their reports
 }
 
 TEST_CASE("SIGUSR1 writes the film each time, and changes nothing") {

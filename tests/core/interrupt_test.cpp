@@ -2,6 +2,7 @@
 #include "host/core/interrupt.h"
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,6 +70,37 @@ TEST_CASE("signals of different kinds are different requests to the same flag") 
     raise(SIGTERM);
     raise(SIGINT);
   })));
+}
+
+TEST_CASE("the signal of the limit of processor time sets the flag, however often it comes") {
+  const int status = statusAfter([] {
+    if (isProcessorTimeUp()) _exit(2);
+    raise(SIGXCPU);
+    waitFor(std::chrono::milliseconds(1001));
+    raise(SIGXCPU);
+    if (!isProcessorTimeUp()) _exit(3);
+  });
+  CHECK(wasStopped(status));
+}
+
+TEST_CASE("a limit of processor time that kills without notice is announced before") {
+  const auto softLimitAfterWatching = [](rlim_t soft, rlim_t hard) {
+    const pid_t child = fork();
+    if (child == 0) {
+      rlimit limit{soft, hard};
+      setrlimit(RLIMIT_CPU, &limit);
+      watchInterrupts();
+      watchInterrupts();
+      getrlimit(RLIMIT_CPU, &limit);
+      _exit(static_cast<int>(limit.rlim_cur));
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WEXITSTATUS(status);
+  };
+  CHECK(softLimitAfterWatching(60, 60) == 54);
+  CHECK(softLimitAfterWatching(4, 4) == 3);
+  CHECK(softLimitAfterWatching(50, 60) == 50);
 }
 
 TEST_CASE("a program that was started with SIGHUP ignored goes on ignoring it") {

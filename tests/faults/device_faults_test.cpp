@@ -1,7 +1,9 @@
 // Renders on a device that fails: the layer of this folder makes chosen calls fail.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "host/image/image.h"
 #include "tests/cli/run_program.h"
@@ -40,6 +42,26 @@ class Render {
  private:
   std::string scene_ = folder.write("scene.p3f", smallScene());
 };
+
+// A wait for a device, as the layer reports it.
+struct Wait {
+  double seconds = 0;  // the timeout
+  bool isOfNewPipeline = false;
+};
+
+// Runs a command on devices that claim to be GPUs, and returns its waits.
+std::vector<Wait> waitsOf(const std::vector<std::string>& words, const std::string& file) {
+  std::filesystem::remove(file);
+  Surroundings surroundings = withFaults("");
+  surroundings.environment.push_back("CANDELA_FAULT_WAITS=" + file);
+  const ProgramResult result = runCandela(words, surroundings);
+  INFO(result.err);
+  CHECK(result.exitCode == 0);
+  std::vector<Wait> waits;
+  std::istringstream lines(readText(file));
+  for (std::string seconds, kind; lines >> seconds >> kind;) waits.push_back({std::stod(seconds), kind == "new"});
+  return waits;
+}
 
 std::string fault(const std::string& function, int call, const std::string& result, const std::string& every = "") {
   return function + ":" + std::to_string(call) + every + ":VK_ERROR_" + result;
@@ -137,6 +159,26 @@ TEST_CASE("a device that hangs ends a render after --hang-timeout") {
   CHECK(render.film("film.exr", "",
                     std::filesystem::exists(film) ? std::vector<std::string>{"--resume", film}
                                                   : std::vector<std::string>{}) == whole);
+}
+
+TEST_CASE("the first run of every pipeline may take two minutes, and all others less") {
+  const Render render;
+  const std::string scene = render.folder.write("small.p3f", smallScene());
+  const std::string film = render.folder.path("film.exr");
+  REQUIRE(render.run({"--checkpoint", film, "--denoise"}).exitCode == 0);
+  const std::vector<std::string> size{"--size", "32x24", "--spp", "2"};
+  for (std::vector<std::string> words : {std::vector<std::string>{"render", scene, "-o", render.folder.path("a.png")},
+                                         {"render", scene, "-o", render.folder.path("b.png"), "--kernel", "wavefront"},
+                                         {"explain", scene, "--pixel", "5,5"},
+                                         {"bench", "rays", scene, "--repeat", "1"},
+                                         {"denoise", film, "-o", render.folder.path("c.exr")}}) {
+    INFO(words.front() << ' ' << words[1]);
+    const bool isRender = words.front() != "denoise";
+    if (isRender) words.insert(words.end(), size.begin(), size.end());
+    const std::vector<Wait> waits = waitsOf(words, render.folder.path("waits"));
+    CHECK(std::count_if(waits.begin(), waits.end(), [](const Wait& wait) { return wait.isOfNewPipeline; }) > 0);
+    for (const Wait& wait : waits) CHECK((wait.seconds >= 120) == wait.isOfNewPipeline);
+  }
 }
 
 TEST_CASE("if memory for a band is refused, smaller bands give the same film") {

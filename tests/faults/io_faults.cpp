@@ -6,6 +6,7 @@
 // the program ends, and CANDELA_IO_LOG one that is created when a fault is injected.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -21,16 +22,18 @@
 
 namespace {
 
-constexpr std::array kFunctions{"open", "write", "pwrite", "fsync", "close", "rename", "linkat", "unlink"};
+constexpr std::array kFunctions{"open", "write", "pwrite", "fsync", "close", "rename", "linkat", "unlink", "flock"};
 constexpr int kShort = -1;
-constexpr std::array<std::pair<const char*, int>, 8> kErrors{{{"ENOSPC", ENOSPC},
-                                                              {"EIO", EIO},
-                                                              {"EDQUOT", EDQUOT},
-                                                              {"EROFS", EROFS},
-                                                              {"EACCES", EACCES},
-                                                              {"EINTR", EINTR},
-                                                              {"EMFILE", EMFILE},
-                                                              {"SHORT", kShort}}};
+constexpr std::array<std::pair<const char*, int>, 10> kErrors{{{"ENOSPC", ENOSPC},
+                                                               {"EIO", EIO},
+                                                               {"EDQUOT", EDQUOT},
+                                                               {"EROFS", EROFS},
+                                                               {"EACCES", EACCES},
+                                                               {"EINTR", EINTR},
+                                                               {"EMFILE", EMFILE},
+                                                               {"ENOLCK", ENOLCK},
+                                                               {"EOPNOTSUPP", EOPNOTSUPP},
+                                                               {"SHORT", kShort}}};
 
 std::array<std::atomic<unsigned long>, kFunctions.size()> calls{};
 
@@ -172,6 +175,11 @@ int rename(const char* from, const char* to) {
 int linkat(int fromFolder, const char* from, int toFolder, const char* to, int flags) {
   if (isWatched(to) && fails("linkat")) return -1;
   return next<int (*)(int, const char*, int, const char*, int)>("linkat")(fromFolder, from, toFolder, to, flags);
+}
+
+int flock(int descriptor, int operation) {
+  if (isWatched(descriptor) && fails("flock")) return -1;
+  return next<int (*)(int, int)>("flock")(descriptor, operation);
 }
 
 int unlink(const char* path) {

@@ -6,6 +6,10 @@
 // sleeps until the timeout of the call, as if a kernel did not end.
 // CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance is
 // destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
+//
+// CANDELA_FAULT_WAITS names a file to which a line is appended for each vkWaitForFences: the timeout in seconds, and
+// "new" if a pipeline was bound since the last wait that had not been bound before, else "known". All devices then
+// claim to be discrete GPUs, since the program sets no time limit for devices in software.
 #include "tests/vulkan_support/layer.h"
 
 #include <algorithm>
@@ -152,6 +156,9 @@ void writeCounts() {
 
 struct Next : NextFunctions {
   std::array<PFN_vkVoidFunction, kFunctionCount> functions{};
+  PFN_vkGetPhysicalDeviceProperties properties = nullptr;  ///< of an instance
+  PFN_vkCmdBindPipeline bindPipeline = nullptr;            ///< of a device
+  PFN_vkDestroyPipeline destroyPipeline = nullptr;         ///< of a device
   bool isLost = false;
 };
 NextTable<Next> nexts;
@@ -180,8 +187,41 @@ struct Hook<kFunction, VkResult(VKAPI_PTR*)(First, Rest...)> {
   }
 };
 
+// The pipelines of all devices that have been bound. The program records commands in one thread at a time.
+struct BoundPipelines {
+  std::set<VkPipeline> known;
+  bool hasNew = false;
+};
+BoundPipelines bound;
+
+const char* waitsFile() { return std::getenv("CANDELA_FAULT_WAITS"); }
+
+VKAPI_ATTR void VKAPI_CALL bindPipeline(VkCommandBuffer commands, VkPipelineBindPoint point, VkPipeline pipeline) {
+  if (bound.known.insert(pipeline).second) bound.hasNew = true;
+  nexts.of(commands).bindPipeline(commands, point, pipeline);
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyPipeline(VkDevice device, VkPipeline pipeline,
+                                           const VkAllocationCallbacks* allocator) {
+  bound.known.erase(pipeline);
+  nexts.of(device).destroyPipeline(device, pipeline, allocator);
+}
+
+void noteWait(std::uint64_t timeout) {
+  if (waitsFile() == nullptr) return;
+  std::ofstream(waitsFile(), std::ios::app)
+      << static_cast<double>(timeout) * 1e-9 << (bound.hasNew ? " new\n" : " known\n");
+  bound.hasNew = false;
+}
+
+VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice device, VkPhysicalDeviceProperties* properties) {
+  nexts.of(device).properties(device, properties);
+  if (waitsFile() != nullptr) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, uint32_t count, const VkFence* fences, VkBool32 all,
                                              uint64_t timeout) {
+  noteWait(timeout);
   const VkResult result = Hook<k_vkWaitForFences, PFN_vkWaitForFences>::call(device, count, fences, all, timeout);
   if (result != kHang) return result;
   constexpr std::uint64_t kHour = 3'600'000'000'000;
@@ -199,6 +239,8 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
   // The functions are looked up now, because the loader's last function returns the first ones of the chain later.
   Next next{{get(*instance, "vkDestroyInstance"), get, nullptr}};
   for (std::size_t i = 0; i < kFunctionCount; ++i) next.functions[i] = get(*instance, kNames[i]);
+  next.properties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
+      get(*instance, "vkGetPhysicalDeviceProperties"));
   nexts.set(*instance, next);
   return result;
 }
@@ -214,6 +256,8 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physicalDevice, con
 #define CANDELA_GET(function) next.functions[k_##function] = get(*device, #function);
   CANDELA_DEVICE_FUNCTIONS(CANDELA_GET)
 #undef CANDELA_GET
+  next.bindPipeline = reinterpret_cast<PFN_vkCmdBindPipeline>(get(*device, "vkCmdBindPipeline"));
+  next.destroyPipeline = reinterpret_cast<PFN_vkDestroyPipeline>(get(*device, "vkDestroyPipeline"));
   nexts.set(*device, next);
   return result;
 }
@@ -235,6 +279,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
 PFN_vkVoidFunction deviceHook(std::string_view name) {
   if (name == "vkWaitForFences") return erased(waitForFences);
   if (name == "vkDestroyDevice") return erased(destroyDevice);
+  if (name == "vkCmdBindPipeline") return erased(bindPipeline);
+  if (name == "vkDestroyPipeline") return erased(destroyPipeline);
   if (name == "vkGetDeviceProcAddr") return erased(getDeviceProcAddr);
 #define CANDELA_HOOK(function) \
   if (name == #function) return erased(Hook<k_##function, PFN_##function>::call);
@@ -246,6 +292,7 @@ PFN_vkVoidFunction instanceHook(std::string_view name) {
   if (name == "vkCreateInstance") return erased(createInstance);
   if (name == "vkDestroyInstance") return erased(destroyInstance);
   if (name == "vkCreateDevice") return erased(createDevice);
+  if (name == "vkGetPhysicalDeviceProperties") return erased(getProperties);
   if (name == "vkGetInstanceProcAddr") return erased(getInstanceProcAddr);
   CANDELA_INSTANCE_FUNCTIONS(CANDELA_HOOK)
 #undef CANDELA_HOOK

@@ -57,6 +57,29 @@ class Errors(FolderTest):
             film.save(self.folder / "a.exr", denoise=True)
         self.assertFalse((self.folder / "a.exr").exists())
 
+    def test_files_that_are_read_are_not_overwritten(self):
+        scene_file, sky, film_file = (self.folder / name for name in ("room.png", "sky.exr", "a.exr"))
+        scene_file.write_bytes(CORNELL.read_bytes())
+        candela.render(cornell(), **SMALL, device="cpu").save(sky)
+        scene = candela.load(scene_file, env=sky)
+        films = [candela.render(scene, **SMALL, device="cpu"), candela.Session(scene, **SMALL, device="cpu").film]
+        films[0].save(checkpoint=film_file)
+        before = {file: file.read_bytes() for file in self.folder.iterdir()}
+        opened = [candela.open_film(film_file), candela.merge([film_file])]
+        read = [(film, file) for film in films for file in (scene_file, sky)] + [(film, film_file) for film in opened]
+        for film, file in read:
+            with self.subTest(file.name):
+                with self.assertRaisesRegex(candela.UsageError, "this file is read by the command, and -o would overwrite it"):
+                    film.save(file)
+                with self.assertRaisesRegex(candela.UsageError, "--checkpoint would overwrite it"):
+                    film.save(checkpoint=file)
+        with self.assertRaisesRegex(candela.UsageError, "--checkpoint would overwrite it"):
+            candela.render(scene, **SMALL, device="cpu", checkpoint=sky)
+        with self.assertRaisesRegex(candela.UsageError, "-o and --checkpoint would both write this file"):
+            films[0].save(self.folder / "b.exr", checkpoint=self.folder / "b.exr")
+        self.assertEqual(before, {file: file.read_bytes() for file in self.folder.iterdir()})
+        films[0].save(self.folder / "b.exr", checkpoint=self.folder / "c.exr")
+
     def test_devices(self):
         with self.assertRaises(candela.NoDeviceError) as caught:
             candela.render(cornell(), **SMALL, device="no such device")

@@ -1,12 +1,30 @@
 """Images that are saved, scenes that change, and the message without a display."""
+import base64
+import json
 import os
 import signal
+import struct
 import subprocess
 import unittest
 
 import support
 
 OPTIONS = ("--spp", 2, "--max-depth", 4)
+
+
+def textured_triangle(image):
+    """A glTF file as a dict: a triangle with an image from the folder."""
+    values = struct.pack("<15f", -1, -1, 0, 1, -1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1)
+    return {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0}], "images": [{"uri": image}],
+        "buffers": [{"uri": "data:application/octet-stream;base64," + base64.b64encode(values).decode(), "byteLength": 60}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+    }
 
 
 class Files(support.WindowTest):
@@ -19,6 +37,20 @@ class Files(support.WindowTest):
         self.render(*OPTIONS)
         self.assertEqual(saved.read_bytes(), self.rendered.read_bytes())
         viewer.close()
+
+    def test_a_texture_of_the_scene_is_not_overwritten(self):
+        self.render("--spp", 1)
+        texture = self.folder / "room.png"  # the name that the panel proposes
+        texture.write_bytes(self.rendered.read_bytes())
+        self.scene = self.folder / "room.gltf"
+        self.scene.write_text(json.dumps(textured_triangle(texture.name)))
+        viewer = self.view(*OPTIONS)
+        viewer.wait_for_samples(2)
+        panel = self.display.pixels()[:460, : support.LEFT]
+        viewer.key("p")
+        support.wait_for(lambda: (self.display.pixels()[:460, : support.LEFT] != panel).any(), "a message")
+        viewer.close()
+        self.assertEqual(texture.read_bytes(), self.rendered.read_bytes())
 
     def test_the_scene_is_read_again_when_its_file_changes(self):
         viewer = self.view(*OPTIONS)
