@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "host/core/utf8.h"
+
 namespace candela {
 
 /// Returns the entity for the character in content and in quoted attributes of HTML and XML, or an empty string if none
@@ -24,26 +26,31 @@ constexpr std::string_view entityOf(char character) {
   }
 }
 
-/// Returns `text` as content or attribute of HTML and XML, with `replacement` for each character that `isRefused`.
+/// Returns `text` as content or attribute of HTML and XML, with `replacement` for each character whose code
+/// `isRefused`, and U+FFFD for each byte that is not UTF-8.
 template <class Predicate>
 std::string escaped(std::string_view text, std::string_view replacement, Predicate isRefused) {
   std::string out;
-  for (const char character : text) {
-    const std::string_view entity = entityOf(character);
+  while (!text.empty()) {
+    const Utf8Character character = firstCharacter(text);
+    const std::string_view entity = entityOf(text.front());
     if (!entity.empty()) {
       out += entity;
-    } else if (isRefused(character)) {
-      out += replacement;
+    } else if (!character.isValid) {
+      out += kReplacementCharacter;
     } else {
-      out += character;
+      out += isRefused(character.code) ? replacement : character.bytes;
     }
+    text.remove_prefix(character.bytes.size());
   }
   return out;
 }
 
-/// Returns `text` as content or attribute of XML. Control characters except newlines become spaces.
+/// Returns `text` as content or attribute of XML 1.0. Characters that XML does not permit (control characters, U+FFFE
+/// and U+FFFF) become spaces, and so do tabs and carriage returns, but not newlines.
 inline std::string xmlEscaped(std::string_view text) {
-  return escaped(text, " ", [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; });
+  return escaped(text, " ",
+                 [](char32_t code) { return (code < ' ' && code != '\n') || code == 0xfffe || code == 0xffff; });
 }
 
 }  // namespace candela

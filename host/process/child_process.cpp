@@ -1,4 +1,5 @@
-// The child sends JSON values, one per line, through a pipe, and its messages go to a temporary file.
+// The child sends JSON values, one per line, through a pipe, and its messages go to a temporary file. An empty line is
+// sent when the work has returned: a driver that calls exit(0) ends the child with the same status.
 #include "host/process/child_process.h"
 
 #include <fcntl.h>
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include "host/core/errors.h"
+#include "host/core/utf8.h"
 #include "host/vulkan/validation.h"
 #include "host/vulkan/validation_log.h"
 
@@ -23,6 +25,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::json;
+
+constexpr const char* kReturned = "\n";  // no JSON value is an empty line
 
 std::string lineOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
@@ -69,6 +73,7 @@ void resetSignals() {
     writeAll(out, lineOf(json));
     ::alarm(seconds);
   });
+  writeAll(out, kReturned);
   std::fflush(nullptr);
   ::_exit(0);
 }
@@ -78,6 +83,22 @@ int waitFor(pid_t child) {
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+// Returns the end of a file, at most 64 KiB.
+std::string endOf(std::FILE* file) {
+  constexpr long kMaxBytes = 65536;
+  if (std::fseek(file, -kMaxBytes, SEEK_END) != 0) std::rewind(file);
+  std::string text(kMaxBytes, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file));
+  return text;
+}
+
+// Returns the last line that is not blank.
+std::string lastLineOf(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;  // 0 if there is none
+  const std::size_t begin = text.substr(0, end).find_last_of("\r\n") + 1;
+  return text.substr(begin, end - begin);
 }
 
 // Returns whether the child sends something, or ends, before `end`.
@@ -128,7 +149,11 @@ std::vector<Json> ChildProcess::receive() {
   if (size > 0) unread_.append(block.data(), static_cast<std::size_t>(size));
   std::vector<Json> received;
   for (std::size_t end = unread_.find('\n'); end != std::string::npos; end = unread_.find('\n')) {
-    received.push_back(Json::parse(unread_.substr(0, end), nullptr, false));
+    if (end == 0) {
+      returned_ = true;
+    } else {
+      received.push_back(Json::parse(unread_.substr(0, end), nullptr, false));
+    }
     unread_.erase(0, end + 1);
   }
   return received;
@@ -137,21 +162,12 @@ std::vector<Json> ChildProcess::receive() {
 std::string ChildProcess::failure() {
   const int status = waitFor(std::exchange(child_, -1));
   if (WIFSIGNALED(status)) return fmt::format("crashes ({})", ::strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0) return fmt::format("ends the program with exit code {}", WEXITSTATUS(status));
-  return "";
+  return returned_ ? "" : fmt::format("ends the program with exit code {}", WEXITSTATUS(status));
 }
 
 std::string ChildProcess::lastMessage() const {
-  if (messages_ == nullptr) return "";
-  std::rewind(messages_.get());
-  std::string last;
-  std::array<char, 1024> line;
-  while (std::fgets(line.data(), static_cast<int>(line.size()), messages_.get()) != nullptr) {
-    std::string text = line.data();
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-    if (!text.empty()) last = std::move(text);
-  }
-  return last;
+  constexpr std::size_t kMaxBytes = 1024;
+  return messages_ == nullptr ? "" : printableLine(lastLineOf(endOf(messages_.get())), kMaxBytes);
 }
 
 ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json()>& work) {
@@ -168,8 +184,6 @@ ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json
   result.lastMessage = child.lastMessage();
   if (!ended) {
     result.failure = fmt::format("does not end within {:g} s", static_cast<double>(limit.count()) / 1000);
-  } else if (!sent && result.failure.empty()) {
-    result.failure = "ends the program with exit code 0";
   } else if (sent) {
     interpret(*sent, result);
   }

@@ -36,9 +36,10 @@ class ChildProcess {
   bool hasEnded() const { return ended_; }
   void kill();
   /// Waits for the end of the child. Returns a predicate of a sentence about the work, e.g. "crashes (Aborted)" or
-  /// "ends the program with exit code 1"; empty if `work` returned.
+  /// "ends the program with exit code 0"; empty if `work` returned. Call it when hasEnded(), or after kill().
   std::string failure();
-  /// Returns the last line that the child printed on stdout or stderr; it may be empty. Call it after failure().
+  /// Returns the last line that the child printed on stdout or stderr, as printableLine() shows its first 1024 bytes;
+  /// it may be empty. Call it after failure().
   std::string lastMessage() const;
 
  private:
@@ -49,7 +50,8 @@ class ChildProcess {
   FileDescriptor in_{-1};
   std::unique_ptr<std::FILE, CloseFile> messages_;
   pid_t child_ = -1;
-  std::string unread_;  ///< the beginning of a value whose end has not been read
+  std::string unread_;     ///< the beginning of a value whose end has not been read
+  bool returned_ = false;  ///< `work` has returned
   bool ended_ = false;
 };
 

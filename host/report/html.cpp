@@ -7,16 +7,11 @@
 namespace candela::report {
 namespace {
 
-constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
-
-bool isControl(char character) {
-  const auto code = static_cast<unsigned char>(character);
-  return (code < 0x20 && character != '\n' && character != '\t') || code == 0x7f;
-}
+bool isInvisible(char32_t code) { return (code < 0x20 && code != '\n' && code != '\t') || code == 0x7f; }
 
 }  // namespace
 
-std::string escapeHtml(std::string_view text) { return escaped(text, kReplacement, isControl); }
+std::string escapeHtml(std::string_view text) { return escaped(text, kReplacementCharacter, isInvisible); }
 
 std::string fillTemplate(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
   std::string out;

@@ -6,7 +6,8 @@
 
 namespace candela::report {
 
-/// Returns `text` escaped for the content and for quoted attributes of HTML. Control characters become U+FFFD.
+/// Returns `text` escaped for the content and for quoted attributes of HTML. Control characters, and bytes that
+/// are not UTF-8, become U+FFFD.
 std::string escapeHtml(std::string_view text);
 
 /// Returns the template with each "{{name}}" replaced. Inserted text is not searched again. Throws InternalError for a

@@ -58,6 +58,12 @@ TEST_CASE("JUnit XML has a failure for each unexpected result, escaped") {
   CHECK_THAT(xml, Contains("name=\"candela conformance made &amp; device\""));
 }
 
+TEST_CASE("JUnit XML is well-formed whatever a text contains") {
+  RunResult run = madeRun();
+  run.cases[1].text = "bad \xff\xfe \xef\xbf\xbf \x1b driver";
+  CHECK_THAT(toJunit(run, madeDevice(), 3), Contains("message=\"bad \xef\xbf\xbd\xef\xbf\xbd     driver\""));
+}
+
 TEST_CASE("the text names the result, the case and what differs") {
   CHECK(lineOf(madeRun().cases[1]) == "Fail b.fail (1.50 s)\n    x < y & \"z\"\n    second line\n");
   CHECK(interruptionOf(madeRun(), 42) == "interrupted: 38 of 42 cases were not run");

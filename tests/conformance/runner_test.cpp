@@ -98,6 +98,16 @@ TEST_CASE("a crash, a hang and a lost device fail one case, and the others of th
   CHECK_THAT(results.at("f.exit").text, Contains("exit code 9"));
 }
 
+TEST_CASE("a driver that ends the program with exit code 0 is a crash, and the run ends") {
+  const auto results = byName(runMade({made("a.first", "g", [](Workbench&) { return passed(); }),
+                                       made("b.exit", "g", [](Workbench&) -> Finding { std::_Exit(0); }),
+                                       made("c.last", "g", [](Workbench&) { return passed(); })}));
+  REQUIRE(results.size() == 3);
+  CHECK(results.at("b.exit").verdict == Verdict{Status::crash});
+  CHECK(results.at("b.exit").text == "the process of the case ends the program with exit code 0");
+  for (const char* const name : {"a.first", "c.last"}) CHECK(results.at(name).verdict == Verdict{Status::pass});
+}
+
 TEST_CASE("a case that fails once is a flake, and one that fails twice a failure") {
   const RunCount count;
   const Cases cases{{"a.once", "g", [&](Workbench&) { return count.next() == 1 ? failed("once") : passed(); }},

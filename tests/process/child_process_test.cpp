@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <thread>
 
@@ -42,9 +43,40 @@ TEST_CASE("a child that crashes is a failure with the name of the signal and the
   CHECK(killed.failure == "crashes (Killed)");
 }
 
-TEST_CASE("a child that exits without a result is a failure") {
-  const ChildResult result = runInChild(kLongLimit, []() -> json { ::_exit(9); });
-  CHECK(result.failure == "ends the program with exit code 9");
+TEST_CASE("a child that exits without a result is a failure, even with exit code 0") {
+  for (const int code : {9, 0}) {
+    const ChildResult result = runInChild(kLongLimit, [code]() -> json { ::_exit(code); });
+    CHECK(result.failure == "ends the program with exit code " + std::to_string(code));
+    ChildProcess child(kLongLimit, [code](const ChildProcess::Send& send) {
+      send("a value");
+      ::_exit(code);
+    });
+    while (!child.hasEnded()) child.receive();
+    CHECK(child.failure() == result.failure);
+  }
+  ChildProcess good(kLongLimit, [](const ChildProcess::Send& send) { send("a value"); });
+  std::size_t count = 0;
+  while (!good.hasEnded()) count += good.receive().size();
+  CHECK(count == 1);
+  CHECK(good.failure().empty());
+}
+
+TEST_CASE("the last line of a child is printable, whatever bytes a driver prints") {
+  const auto lastLineOf = [](const std::string& text) {
+    return runInChild(kLongLimit,
+                      [&]() -> json {
+                        std::fwrite(text.data(), 1, text.size(), stderr);
+                        std::abort();
+                      })
+        .lastMessage;
+  };
+  CHECK(lastLineOf("first\n\x1b[31mbad \xff\xfe driver\x0c\r\n \n") == "?[31mbad \xef\xbf\xbd\xef\xbf\xbd driver?");
+  CHECK(lastLineOf("x" + std::string(1023, '.') + "\n") == "x" + std::string(1023, '.'));
+  std::string accents = "begin";
+  for (int i = 0; i < 2000; ++i) accents += "\xc3\xa9";
+  CHECK(lastLineOf("first\n" + accents + "\n") == accents.substr(0, 1023));
+  CHECK(lastLineOf(std::string(200'000, '\n') + "last").substr(0, 4) == "last");
+  CHECK(lastLineOf("\n \n").empty());
 }
 
 TEST_CASE("an exception in a child is a failure with its message") {
