@@ -220,11 +220,10 @@ void requireTreeDepth(const Arguments& arguments) {
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {
-  const std::pair<const char*, bool> writers[]{{"--stats", arguments.printStatistics},
-                                               {"--markdown -", arguments.markdown == "-"},
-                                               {"--svg -", arguments.svg == "-"},
-                                               {"--junit -", arguments.junit == "-"},
-                                               {"--json -", arguments.json == "-"}};
+  const std::pair<const char*, bool> writers[]{
+      {"--stats", arguments.printStatistics}, {"--markdown -", arguments.markdown == "-"},
+      {"--svg -", arguments.svg == "-"},      {"--csv -", arguments.conformance.csv == "-"},
+      {"--junit -", arguments.junit == "-"},  {"--json -", arguments.json == "-"}};
   const char* first = nullptr;
   for (const auto& [option, writes] : writers) {
     if (!writes) continue;

@@ -19,9 +19,10 @@ constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
   throw FileError(fmt::format("{}:{}: {}", file, line, reason));
 }
 
-// Calls `use` with each line that is neither empty nor a comment, and its number from 1.
+// Calls `use` with each line that is neither empty nor a comment, and its number from 1. A byte order mark is skipped.
 void forEachLine(const std::string& text, const std::function<void(const std::string&, std::size_t)>& use) {
-  std::istringstream lines(text);
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  std::istringstream lines(text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text);
   std::string line;
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     if (line.ends_with('\r')) line.pop_back();

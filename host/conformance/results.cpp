@@ -35,6 +35,7 @@ std::string wordOf(Status status) {
   return status == Status::improvement ? "UnexpectedImprovement" : textOf(Verdict{status});
 }
 
+// The text of a failure is an attribute, whose line breaks parsers replace by spaces, and content, where they stay.
 std::string xmlOf(const CaseResult& one) {
   const std::string head = fmt::format("  <testcase classname=\"candela.conformance\" name=\"{}\" time=\"{:.3f}\"",
                                        xmlEscaped(one.name), one.seconds);
@@ -42,8 +43,9 @@ std::string xmlOf(const CaseResult& one) {
     return fmt::format("{}>\n    <skipped message=\"{}\"/>\n  </testcase>\n", head, xmlEscaped(one.text));
   }
   if (one.verdict.isExpected()) return head + "/>\n";
-  return fmt::format("{}>\n    <failure type=\"{}\" message=\"{}\"/>\n  </testcase>\n", head,
-                     xmlEscaped(textOf(one.verdict)), xmlEscaped(one.text));
+  const std::string text = xmlEscaped(one.text);
+  return fmt::format("{}>\n    <failure type=\"{}\" message=\"{}\">{}</failure>\n  </testcase>\n", head,
+                     xmlEscaped(textOf(one.verdict)), text, text);
 }
 
 }  // namespace
@@ -58,12 +60,11 @@ std::string countsOf(const RunResult& run) {
   for (const auto& [status, count] : countStatuses(run)) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", wordOf(status), count);
   }
-  return text;
+  return text.empty() ? "no results" : text;
 }
 
 std::string interruptionOf(const RunResult& run, std::size_t caseCount) {
-  return fmt::format("interrupted: {} of {} were not run", caseCount - run.cases.size(),
-                     candela::counted(caseCount, "case"));
+  return fmt::format("interrupted after {} of {}", run.cases.size(), candela::counted(caseCount, "case"));
 }
 
 std::string toCsv(const RunResult& run) {

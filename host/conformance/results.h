@@ -9,9 +9,9 @@ namespace candela::conformance {
 
 /// Returns one line: "Pass,control.nested_break", and the text of an unexpected result, indented, below it.
 std::string lineOf(const CaseResult& result);
-/// Returns the number of cases with each result, e.g. "Pass: 58, ExpectedFail: 2".
+/// Returns the number of cases with each result, e.g. "Pass: 58, ExpectedFail: 2", or "no results".
 std::string countsOf(const RunResult& run);
-/// Returns how many of `caseCount` cases an interrupted run lacks.
+/// Returns how many of `caseCount` cases ended before the interruption, e.g. "interrupted after 4 of 42 cases".
 std::string interruptionOf(const RunResult& run, std::size_t caseCount);
 /// Returns lines `case,Result,seconds`, sorted by case.
 std::string toCsv(const RunResult& run);

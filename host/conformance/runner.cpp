@@ -46,7 +46,7 @@ class Runner {
       }
     }
     waiting_ = divide(chosen, options_.shuffle);
-    while (!(waiting_.empty() && running_.empty()) && !isStopped()) {
+    while (!(waiting_.empty() && retries_.empty() && running_.empty()) && !isStopped()) {
       startChildren();
       listen();
       if (isStopped()) break;  // Ctrl-C has ended the children, too
@@ -61,15 +61,19 @@ class Runner {
  private:
   bool isStopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
+  // Second attempts wait until nothing else is left, and run one at a time.
   void startChildren() {
-    while (running_.size() < options_.jobs && !waiting_.empty()) {
-      Running& started = running_.emplace_back();
-      started.batch = std::move(waiting_.front());
-      waiting_.pop_front();
-      started.child = std::make_unique<ChildProcess>(options_.timeout, [&](const ChildProcess::Send& send) {
-        runInThisProcess(started.batch.cases, device_, send);
-      });
-    }
+    while (running_.size() < options_.jobs && !waiting_.empty()) startNext(waiting_);
+    if (running_.empty() && !retries_.empty()) startNext(retries_);
+  }
+
+  void startNext(std::deque<Batch>& batches) {
+    Running& started = running_.emplace_back();
+    started.batch = std::move(batches.front());
+    batches.pop_front();
+    started.child = std::make_unique<ChildProcess>(options_.timeout, [&](const ChildProcess::Send& send) {
+      runInThisProcess(started.batch.cases, device_, send);
+    });
   }
 
   void listen() {
@@ -138,12 +142,18 @@ class Runner {
     if (options_.expectations.flakes.match(one.name))
       return recordFlake(std::move(found), "the case is listed in --flakes");
     first_[one.name] = std::move(found);
-    waiting_.push_back({{&one}, true});
+    retries_.push_back({{&one}, true});
   }
 
+  // If both results are unexpected, the second one is recorded: nothing else ran beside or before it in its process.
   void settleSecond(CaseResult second) {
     CaseResult first = std::move(first_.at(second.name));
-    if (!second.verdict.isExpected()) return record(std::move(first));
+    if (!second.verdict.isExpected()) {
+      if (second.verdict != first.verdict) {
+        second.text += fmt::format("\nin the first run, the result was {}", textOf(first.verdict));
+      }
+      return record(std::move(second));
+    }
     recordFlake(std::move(first), fmt::format("when run again alone, the result was {}", textOf(second.verdict)));
   }
 
@@ -161,6 +171,7 @@ class Runner {
   const vulkan::DeviceInfo& device_;
   const RunOptions& options_;
   std::deque<Batch> waiting_;
+  std::deque<Batch> retries_;  ///< second attempts
   std::list<Running> running_;
   std::map<std::string, CaseResult> first_;  ///< unexpected results of cases that run again
   RunResult result_;

@@ -39,9 +39,9 @@ struct RunResult {
 };
 
 /// Runs `cases` on the device. Cases of one group share a child process as long as none of them crashes or hangs: the
-/// cases after it run again, one by one. A case whose result is unexpected runs a second time, alone; if the second
-/// result is expected, the case is a flake. Call it while this process has one thread. Throws InternalError if no child
-/// can be started.
+/// cases after it run again, one by one. A case whose result is unexpected runs a second time after all others, while
+/// no other case runs; if the second result is expected, the case is a flake. Call it while this process has one
+/// thread. Throws InternalError if no child can be started.
 RunResult runCases(const Cases& cases, const vulkan::DeviceInfo& device, const RunOptions& options);
 
 }  // namespace candela::conformance

@@ -56,17 +56,15 @@ std::optional<Verdict> verdictNamed(std::string_view word) {
   return status ? std::optional(Verdict{*status}) : std::nullopt;
 }
 
-// "ExpectedFail" is in a baseline that was made from the results of a run with a baseline.
+// "ExpectedFail" is in a baseline that was made from the results of a run with a baseline. It may have been any
+// failure.
 Verdict judge(Status found, std::optional<Status> expected) {
   if (!expected || !(isBad(*expected) || *expected == Status::expectedFail)) return {found};
+  if (!isBad(found)) return {Status::improvement, found};
   const bool isSame = found == *expected || (*expected == Status::expectedFail && found != Status::timeout);
-  if (isBad(found)) {
-    if (isSame) return {Status::expectedFail};
-    const bool wasWorse = found == Status::fail && (*expected == Status::crash || *expected == Status::timeout);
-    return wasWorse ? Verdict{Status::improvement, found} : Verdict{found};
-  }
-  const bool improves = *expected != Status::expectedFail;
-  return improves ? Verdict{Status::improvement, found} : Verdict{found};
+  if (isSame) return {Status::expectedFail};
+  const bool wasWorse = found == Status::fail && (*expected == Status::crash || *expected == Status::timeout);
+  return wasWorse ? Verdict{Status::improvement, found} : Verdict{found};
 }
 
 }  // namespace candela::conformance

@@ -10,6 +10,15 @@ namespace {
 // way for all variants.
 constexpr std::string_view kProbe = "loop_probe";
 
+// Returns the observation of the plain form, which the first case of the group makes. An exception leaves no
+// observation, so that the next case makes it again.
+const Observation& plainObservation(const VariantQuestion& question, Workbench& workbench) {
+  std::map<std::string, Observation>& known = workbench.observations();
+  if (const auto found = known.find(question.group); found != known.end()) return found->second;
+  Observation plain = observeForm(question, plainFormOf(question), workbench.info());
+  return known.emplace(question.group, std::move(plain)).first->second;
+}
+
 }  // namespace
 
 variants::Variant plainFormOf(const VariantQuestion& question) {
@@ -28,11 +37,10 @@ Observation observeForm(const VariantQuestion& question, const variants::Variant
 }
 
 Finding compareForms(const VariantQuestion& question, Workbench& workbench) {
-  const auto [plain, isNew] = workbench.observations().try_emplace(question.group);
-  if (isNew) plain->second = observeForm(question, plainFormOf(question), workbench.info());
-  if (plain->second.key == kSkipped) return skipped(plain->second.text);
+  const Observation& plain = plainObservation(question, workbench);
+  if (plain.key == kSkipped) return skipped(plain.text);
   const Observation other = observeForm(question, question.variant, workbench.info());
-  const std::string difference = differenceBetween(plain->second, other, question.variant.name);
+  const std::string difference = differenceBetween(plain, other, question.variant.name);
   return difference.empty() ? passed() : failed(difference);
 }
 

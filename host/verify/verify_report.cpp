@@ -105,11 +105,13 @@ struct JunitCase {
   std::string text;  ///< of a failure
 };
 
+// The text of a failure is an attribute, whose line breaks parsers replace by spaces, and content, where they stay.
 std::string toXml(const JunitCase& junitCase) {
   const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"",
                                        xmlEscaped(junitCase.name));
   if (junitCase.passed) return head + "/>\n";
-  return fmt::format("{}>\n    <failure message=\"{}\"/>\n  </testcase>\n", head, xmlEscaped(junitCase.text));
+  const std::string text = xmlEscaped(junitCase.text);
+  return fmt::format("{}>\n    <failure message=\"{}\">{}</failure>\n  </testcase>\n", head, text, text);
 }
 
 }  // namespace

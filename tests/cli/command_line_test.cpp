@@ -85,6 +85,8 @@ TEST_CASE("a wrong command line names the expected value and the help") {
         "render --help");
   CHECK(messageFor({"a.p3f", "--stats", "--json", "-"}) ==
         "--stats and --json - both write to stdout\nsee candela render --help");
+  CHECK(messageFor({"conformance", "--csv", "-", "--junit", "-"}) ==
+        "--csv - and --junit - both write to stdout\nsee candela conformance --help");
 }
 
 TEST_CASE("a wrong value is named with the words that are allowed, and with a suggestion") {

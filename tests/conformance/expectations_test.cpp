@@ -38,6 +38,11 @@ TEST_CASE("a line of a baseline that cannot be read is an error with its place")
   CHECK_THROWS_AS(readBaseline("/nonexistent/fails.txt"), FileError);
   CHECK(readBaseline("").empty());
   CHECK(parseBaseline("a.b,Fail\r\n", "fails.txt").at("a.b") == Status::fail);
+  CHECK(parseBaseline("\xef\xbb\xbf"
+                      "a.b,Fail\n",
+                      "fails.txt")
+            .at("a.b") == Status::fail);
+  CHECK(NamePatterns("\xef\xbb\xbf^a$\n", "skips.txt").match("a"));
 }
 
 TEST_CASE("patterns match anywhere in a name unless they are anchored") {

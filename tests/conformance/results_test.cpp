@@ -52,7 +52,8 @@ TEST_CASE("JSON has every case, the counts and the device") {
 TEST_CASE("JUnit XML has a failure for each unexpected result, escaped") {
   const std::string xml = toJunit(madeRun(), madeDevice(), 3);
   CHECK_THAT(xml, Contains("tests=\"4\" failures=\"2\" skipped=\"1\""));
-  CHECK_THAT(xml, Contains("<failure type=\"Fail\" message=\"x &lt; y &amp; &quot;z&quot;\nsecond line\"/>"));
+  CHECK_THAT(xml, Contains("<failure type=\"Fail\" message=\"x &lt; y &amp; &quot;z&quot;\nsecond line\">"
+                           "x &lt; y &amp; &quot;z&quot;\nsecond line</failure>"));
   CHECK_THAT(xml, Contains("<skipped message=\"no &lt;feature&gt;\"/>"));
   CHECK_THAT(xml, Contains("<failure type=\"UnexpectedImprovement(Pass)\""));
   CHECK_THAT(xml, Contains("name=\"candela conformance made &amp; device\""));
@@ -66,7 +67,9 @@ TEST_CASE("JUnit XML is well-formed whatever a text contains") {
 
 TEST_CASE("the text names the result, the case and what differs") {
   CHECK(lineOf(madeRun().cases[1]) == "Fail b.fail (1.50 s)\n    x < y & \"z\"\n    second line\n");
-  CHECK(interruptionOf(madeRun(), 42) == "interrupted: 38 of 42 cases were not run");
+  CHECK(interruptionOf(madeRun(), 42) == "interrupted after 4 of 42 cases");
+  CHECK(interruptionOf({{}, true}, 1) == "interrupted after 0 of 1 case");
+  CHECK(countsOf({{}, true}) == "no results");
   CHECK(countsOf(madeRun()) == "Pass: 1, Fail: 1, Skip: 1, UnexpectedImprovement: 1");
 }
 

@@ -1,12 +1,15 @@
 // Cases in child processes: every possible result, without a device.
 #include "host/conformance/runner.h"
 
+#include <sys/mman.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <new>
 #include <thread>
 
 #include "host/core/errors.h"
@@ -54,6 +57,26 @@ class RunCount {
 
  private:
   std::filesystem::path file_;
+};
+
+/// Counters that the processes of one test share.
+class SharedCounts {
+ public:
+  struct Counts {
+    std::atomic<int> active{0}, started{0}, slowEnded{0};
+  };
+
+  SharedCounts()
+      : counts_(new (::mmap(nullptr, sizeof(Counts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))
+                    Counts) {}
+  ~SharedCounts() { ::munmap(counts_, sizeof(Counts)); }
+  SharedCounts(const SharedCounts&) = delete;
+  SharedCounts& operator=(const SharedCounts&) = delete;
+
+  Counts* operator->() const { return counts_; }
+
+ private:
+  Counts* counts_;
 };
 
 }  // namespace
@@ -118,6 +141,35 @@ TEST_CASE("a case that fails once is a flake, and one that fails twice a failure
   CHECK_THAT(results.at("a.once").text, Contains("run again alone, the result was Pass") && Contains("once"));
   CHECK(results.at("b.always").verdict == Verdict{Status::fail});
   CHECK_FALSE(run.isExpected());
+}
+
+TEST_CASE("if both results of a case are unexpected, the second one counts") {
+  const RunCount count;
+  const Cases cases{
+      {"a.case", "g", [&](Workbench& bench) { return count.next() == 1 ? failed("first") : crash(bench); }}};
+  const CaseResult one = runMade(cases).cases.at(0);
+  CHECK(one.verdict == Verdict{Status::crash});
+  CHECK_THAT(one.text, Contains("Segmentation fault") && Contains("\nin the first run, the result was Fail"));
+}
+
+TEST_CASE("second attempts run after all other cases, one at a time") {
+  SharedCounts counts;
+  const auto fail = [&](Workbench&) {
+    const int active = ++counts->active;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    --counts->active;
+    if (counts->started++ < 4) return failed("first attempt");
+    return active == 1 && counts->slowEnded == 1 ? passed() : failed("not alone");
+  };
+  const auto slow = [&](Workbench&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    ++counts->slowEnded;
+    return passed();
+  };
+  const Cases cases{{"a", "a", fail}, {"b", "b", fail}, {"c", "c", fail}, {"d", "d", fail}, {"e", "e", slow}};
+  const RunResult run = runMade(cases, {.jobs = 5});
+  REQUIRE(run.cases.size() == 5);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(run.cases[i].verdict == Verdict{Status::flake});
 }
 
 TEST_CASE("the run is as expected if all failures are in the baseline or in the list of flakes") {

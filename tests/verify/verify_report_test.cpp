@@ -54,6 +54,7 @@ TEST_CASE("two sides that agree on a wrong result fail") {
 TEST_CASE("JUnit has a case for each question, including failures, and is well-formed for any scene name") {
   CHECK_THAT(toJunit(reportOf(1), false), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
   const std::string failed = toJunit(reportOf(0.98, scene::ExactMean{}), false);
+  CHECK_THAT(failed, Contains("\">Device and reference do NOT") && Contains("</failure>"));
   CHECK_THAT(failed,
              Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
 }
