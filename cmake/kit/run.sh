@@ -38,8 +38,21 @@ done
 mkdir -p "$out" || exit 2
 out=$(cd "$out" && pwd)
 work=$(mktemp -d) || exit 2
+running=  # the process of the current step
+
+# A shell that waits for a process in the foreground handles signals only when the process has ended. A step runs in the
+# background, in a process group of its own, and is ended first.
+interrupted() {
+  trap '' HUP INT TERM
+  if [ -n "$running" ]; then
+    kill "$running" 2> /dev/null
+    wait "$running"
+  fi
+  echo "run.sh: interrupted, and no results are written" >&2
+  exit 7
+}
 trap 'rm -rf "$work"' EXIT
-trap 'echo "run.sh: interrupted, and no results are written" >&2; exit 7' INT TERM
+trap interrupted HUP INT TERM
 
 # The kit measures the behaviour for a new user: settings that `candela tune` stored on this machine, and compiled pipelines, have no effect.
 export CANDELA_CACHE_DIR="$work/cache"
@@ -68,8 +81,11 @@ step() {
   shift 2
   printf '%s ... ' "$name"
   started=$(date +%s)
-  timeout --kill-after=10 "$limit" "$kit/candela" "$@" ${device:+--device "$device"} --json "$work/$name.json" > "$work/$name.txt" 2>&1
+  timeout --kill-after=10 "$limit" "$kit/candela" "$@" ${device:+--device "$device"} --json "$work/$name.json" > "$work/$name.txt" 2>&1 &
+  running=$!
+  wait "$running"
   code=$?
+  running=
   seconds=$(($(date +%s) - started))
   case $code in
     0) echo "done ($seconds s)" ;;

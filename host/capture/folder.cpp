@@ -76,11 +76,14 @@ fs::path parentOf(const fs::path& folder) { return folder.has_parent_path() ? fo
 
 fs::path withoutSlash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
+// The number of the process follows.
+std::string temporaryName(const fs::path& target) { return fmt::format(".{}.", target.filename().string()); }
+
 /// A folder that is removed unless it was renamed.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const fs::path& target)
-      : path(parentOf(target) / fmt::format(".{}.{}", target.filename().string(), ::getpid())) {
+      : path(parentOf(target) / (temporaryName(target) + std::to_string(::getpid()))) {
     fs::create_directory(path);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -123,6 +126,17 @@ void writeFolder(const Capture& capture, const fs::path& given) {
     fs::rename(temporary.path, folder);
   } catch (const fs::filesystem_error& error) {
     throw FileError(fmt::format("{}: {}", given.string(), error.code().message()));
+  }
+}
+
+void removeRemains(const fs::path& given) {
+  const fs::path folder = withoutSlash(given);
+  const std::string name = temporaryName(folder);
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parentOf(folder), ignored)) {
+    const std::string other = entry.path().filename().string();
+    const bool isRemains = other.starts_with(name) && other.find_first_not_of("0123456789", name.size()) == other.npos;
+    if (isRemains) fs::remove_all(entry.path(), ignored);
   }
 }
 

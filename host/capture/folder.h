@@ -14,4 +14,7 @@ void requireNewFolder(const std::filesystem::path& folder);
 /// more objects than reproduce.c takes.
 void writeFolder(const Capture& capture, const std::filesystem::path& folder);
 
+/// Removes what a process that was ended while it wrote the folder has left beside it.
+void removeRemains(const std::filesystem::path& folder);
+
 }  // namespace candela::capture

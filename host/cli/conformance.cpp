@@ -121,11 +121,11 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   writeText(arguments.conformance.csv, toCsv(run));
   writeText(arguments.junit, toJunit(run, device, seconds));
   writeJson(arguments.json, toJson(run, device, seconds));
-  if (run.interrupted) {
+  captureFailures(arguments, run, cases, device, log);
+  if (*options.stop) {
     log.problem(interruptionOf(run, cases.size()));
     return ExitCode::interrupted;
   }
-  captureFailures(arguments, run, cases, device, log);
   return run.isExpected() ? ExitCode::done : ExitCode::differ;
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "host/capture/folder.h"
 #include "host/conformance/capture_case.h"
+#include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/process/child_process.h"
 
@@ -25,15 +27,29 @@ const Case& caseNamed(const Cases& cases, const std::string& name) {
   return *std::ranges::find(cases, name, &Case::name);
 }
 
+// Returns the description of the smallest difference; nothing after an interruption.
+std::optional<std::string> shrunk(const Case& question, const vulkan::DeviceInfo& device,
+                                  const conformance::ShrinkLimits& limits) {
+  try {
+    return question.shrink(device, limits);
+  } catch (const InterruptedError&) {
+    return std::nullopt;
+  }
+}
+
 // A driver that crashes ends only a child process.
 void captureFailure(const Case& question, const vulkan::DeviceInfo& device, const std::filesystem::path& folder,
                     const Log& log) {
-  const process::ChildResult result = process::runInChild(kCaptureLimit, [&] {
-    capture::writeFolder(conformance::captureCase(question, device), folder / question.name);
+  const std::filesystem::path target = folder / question.name;
+  const auto work = [&] {
+    capture::writeFolder(conformance::captureCase(question, device), target);
     return nlohmann::json(true);
-  });
+  };
+  const process::ChildResult result = process::runInChild(kCaptureLimit, work, &watchInterrupts());
+  if (!result.failure.empty()) capture::removeRemains(target);
+  if (result.interrupted) return;
   if (result.failure.empty()) {
-    log.note(fmt::format("{}: captured in {}", question.name, (folder / question.name).string()));
+    log.note(fmt::format("{}: captured in {}", question.name, target.string()));
   } else {
     log.warning(fmt::format("{}: the process that captures it {}", question.name, result.failure));
   }
@@ -48,9 +64,10 @@ void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunRes
     const Case& question = caseNamed(cases, result.name);
     if (result.verdict.isExpected() || !question.shrink || left == 0 || watchInterrupts()) continue;
     --left;
-    const std::string text = question.shrink(device, limits);
-    log.note(fmt::format("{}: {}", result.name, text));
-    result.text += "\n" + text;
+    const std::optional<std::string> text = shrunk(question, device, limits);
+    if (!text) return;
+    log.note(fmt::format("{}: {}", result.name, *text));
+    result.text += "\n" + *text;
   }
 }
 
@@ -58,12 +75,14 @@ void captureFailures(const Arguments& arguments, const conformance::RunResult& r
                      const vulkan::DeviceInfo& device, const Log& log) {
   const std::filesystem::path& folder = arguments.conformance.captures;
   if (folder.empty()) return;
+  bool isNew = false;
+  std::error_code ignored;
   for (const CaseResult& result : run.cases) {
     if (result.verdict.status != conformance::Status::fail || watchInterrupts()) continue;
-    std::error_code ignored;
-    std::filesystem::create_directory(folder, ignored);
+    isNew = std::filesystem::create_directory(folder, ignored) || isNew;
     captureFailure(caseNamed(cases, result.name), device, folder, log);
   }
+  if (isNew) std::filesystem::remove(folder, ignored);  // fails if there is a capture
 }
 
 }  // namespace candela::cli

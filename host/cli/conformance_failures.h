@@ -6,10 +6,11 @@
 namespace candela::cli {
 
 /// Searches for the smallest difference of the first variants that differ unexpectedly, and adds it to their texts.
+/// Ends at an interruption.
 void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunResult& run,
                     const conformance::Cases& cases, const vulkan::DeviceInfo& device, const Log& log);
 
-/// Captures the failures for --capture.
+/// Captures the failures for --capture. Ends at an interruption; the captures before it remain.
 void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const conformance::Cases& cases,
                      const vulkan::DeviceInfo& device, const Log& log);
 

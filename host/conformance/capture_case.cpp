@@ -13,9 +13,7 @@ namespace candela::conformance {
 namespace {
 
 void requireCapturable(const Case& question, const Finding& finding, const vulkan::DeviceInfo& device) {
-  if (finding.outcome == Outcome::skip) {
-    throw UsageError(fmt::format("{}: {} lacks {}", question.name, device.name, finding.text));
-  }
+  if (finding.outcome == Outcome::skip) refuseMissing(device, finding.text);
   if (finding.expected.empty()) {
     throw UsageError(fmt::format("{}: this case states no values of a buffer, and cannot be captured", question.name));
   }
@@ -33,6 +31,10 @@ capture::Capture captureOf(const vulkan::Recording& recording, const Finding& fi
 }
 
 }  // namespace
+
+void refuseMissing(const vulkan::DeviceInfo& device, const std::string& feature) {
+  throw UsageError(fmt::format("the case cannot be captured on {}, which lacks {}", device.name, feature));
+}
 
 capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device,
                              const vulkan::PrepareShader& prepareShader) {

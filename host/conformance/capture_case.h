@@ -12,4 +12,7 @@ namespace candela::conformance {
 capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& device,
                              const vulkan::PrepareShader& prepareShader = {});
 
+/// Throws UsageError: the device lacks a feature, as the text of a skipped case names it.
+[[noreturn]] void refuseMissing(const vulkan::DeviceInfo& device, const std::string& feature);
+
 }  // namespace candela::conformance

@@ -35,7 +35,7 @@ Finding perInvocation(Finding finding);
 struct ShrinkLimits {
   std::chrono::milliseconds trial{60'000};  ///< of each run of the case
   double seconds = 60;                      ///< for the whole search
-  const std::atomic<bool>* stop = nullptr;  ///< polled
+  const std::atomic<bool>* stop = nullptr;  ///< polled; if true, the search throws InterruptedError
 };
 
 struct Case {

@@ -38,7 +38,7 @@ Cases groupCases() {
   for (const GroupShape& shape : kGroupShapes) {
     cases.push_back(
         {fmt::format("group.size.{}x{}x{}", shape.x, shape.y, shape.z), kChild, [shape](Workbench& workbench) {
-           if (!hasShape(workbench.info(), shape)) return skipped(missingShape(workbench.info()));
+           if (!hasShape(workbench.info(), shape)) return skipped(missingShape(workbench.info(), shape));
            return runIdentities(shape, workbench.device(), workbench.info().subgroupSize);
          }});
   }
@@ -46,7 +46,7 @@ Cases groupCases() {
     cases.push_back({fmt::format("group.subgroup.{}", size), kChild, [size](Workbench& workbench) {
                        const vulkan::DeviceInfo& info = workbench.info();
                        return hasSubgroupSize(info, size) ? runSubgroup(size, workbench)
-                                                          : skipped(missingSubgroupSize(info));
+                                                          : skipped(missingSubgroupSize(info, size));
                      }});
   }
   return cases;

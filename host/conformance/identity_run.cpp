@@ -52,18 +52,20 @@ bool hasShape(const vulkan::DeviceInfo& device, const GroupShape& shape) {
          shape.z <= device.maxWorkgroupSize[2] && shape.x * shape.y * shape.z <= device.maxWorkgroupInvocations;
 }
 
-std::string missingShape(const vulkan::DeviceInfo& device) {
-  return fmt::format("workgroups have at most {} invocations, {}x{}x{}", device.maxWorkgroupInvocations,
-                     device.maxWorkgroupSize[0], device.maxWorkgroupSize[1], device.maxWorkgroupSize[2]);
+std::string missingShape(const vulkan::DeviceInfo& device, const GroupShape& shape) {
+  return fmt::format("workgroups of {}x{}x{} invocations (the maximum is {} invocations, {}x{}x{})", shape.x, shape.y,
+                     shape.z, device.maxWorkgroupInvocations, device.maxWorkgroupSize[0], device.maxWorkgroupSize[1],
+                     device.maxWorkgroupSize[2]);
 }
 
 bool hasSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t size) {
   return device.minSubgroupSize > 0 && size >= device.minSubgroupSize && size <= device.maxSubgroupSize;
 }
 
-std::string missingSubgroupSize(const vulkan::DeviceInfo& device) {
+std::string missingSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t size) {
   if (device.minSubgroupSize == 0) return "VK_EXT_subgroup_size_control for compute shaders";
-  return fmt::format("compute shaders have subgroups of {} to {}", device.minSubgroupSize, device.maxSubgroupSize);
+  return fmt::format("subgroups of {} invocations in compute shaders (minimum {}, maximum {})", size,
+                     device.minSubgroupSize, device.maxSubgroupSize);
 }
 
 Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint32_t subgroupSize) {

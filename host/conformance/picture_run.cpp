@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/capture/scene_capture.h"
+#include "host/conformance/capture_case.h"
 #include "host/conformance/identity_run.h"
 #include "host/conformance/scenes.h"
 #include "host/conformance/workbench.h"
@@ -39,25 +40,36 @@ Finding compareOn(render::Renderer& device, const Picture& picture, render::Rend
   return failed(differenceOf(report) + "\n" + explanationOf(scene, picture.settings, report.pixels, device, reference));
 }
 
+// Returns the feature of the picture that the device lacks; empty: it has all.
+std::string missingFor(const Picture& picture, const vulkan::DeviceInfo& device) {
+  const render::Extent workgroup = picture.settings.execution.workgroupInUse();
+  if (!device::hasWorkgroup(device, workgroup)) return missingShape(device, {workgroup.width, workgroup.height, 1});
+  if (picture.subgroupSize == 0 || hasSubgroupSize(device, picture.subgroupSize)) return "";
+  return missingSubgroupSize(device, picture.subgroupSize);
+}
+
+// Returns a renderer whose pipelines require the subgroup size of the picture.
+std::unique_ptr<render::Renderer> rendererFor(const Picture& picture, const Workbench& workbench) {
+  return device::makeGpuRenderer(workbench.open({.subgroupSize = picture.subgroupSize}));
+}
+
 }  // namespace
 
 Finding comparePicture(const Picture& picture, Workbench& workbench) {
-  const vulkan::DeviceInfo& info = workbench.info();
-  const render::Extent workgroup = picture.settings.execution.workgroupInUse();
-  if (!device::hasWorkgroup(info, workgroup)) return skipped(missingShape(info));
+  if (std::string missing = missingFor(picture, workbench.info()); !missing.empty()) return skipped(std::move(missing));
   if (picture.subgroupSize == 0) return compareOn(workbench.renderer(), picture, workbench.reference());
-  if (!hasSubgroupSize(info, picture.subgroupSize)) return skipped(missingSubgroupSize(info));
-  vulkan::Device device = workbench.open({.subgroupSize = picture.subgroupSize});
-  return compareOn(*device::makeGpuRenderer(device), picture, workbench.reference());
+  return compareOn(*rendererFor(picture, workbench), picture, workbench.reference());
 }
 
 capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,
                                 const vulkan::PrepareShader& prepareShader) {
+  if (const std::string missing = missingFor(picture, device); !missing.empty()) refuseMissing(device, missing);
   Workbench workbench(device, {}, prepareShader);
   const scene::Scene& scene = sceneNamed(picture.scene);
+  const std::unique_ptr<render::Renderer> renderer = rendererFor(picture, workbench);
   verify::PathRenders ignored;
-  const auto pixels = verify::comparePaths(scene, picture.settings, workbench.renderer(), workbench.reference(),
-                                           kPictureAlpha, {}, ignored);
+  const auto pixels = verify::comparePaths(scene, picture.settings, *renderer, workbench.reference(), kPictureAlpha, {},
+                                           ignored);
   capture::SceneRequest request;
   request.settings = picture.settings;
   request.settings.image.sampleCount = 1;

@@ -25,7 +25,8 @@ struct Picture {
 /// as Renderer::prepare() does.
 Finding comparePicture(const Picture& picture, Workbench& workbench);
 
-/// Captures sample 0 of the pixel of the picture that differs most. Throws as capture::captureScene() does.
+/// Captures sample 0 of the pixel of the picture that differs most, with the subgroup size of the picture. Throws as
+/// capture::captureScene() does, and UsageError if the device lacks the workgroup or the subgroup size.
 capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,
                                 const vulkan::PrepareShader& prepareShader = {});
 

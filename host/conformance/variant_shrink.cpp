@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/capture/subset.h"
+#include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/process/child_process.h"
 
@@ -80,26 +81,30 @@ class Shrinker {
 
   // Transforms only these modules.
   Trial observe(const Variant& form, const Names& modules) const {
-    const process::ChildResult result = process::runInChild(limits_.trial, [&] {
-      Names seen, notes;
-      variants::PreparationScope scope;
-      scope.isMeant = [&](std::span<const std::uint32_t> spirv) {
-        addOnce(seen, moduleName(spirv));
-        return std::ranges::find(modules, moduleName(spirv)) != modules.end();
-      };
-      scope.note = [&](std::span<const std::uint32_t> spirv, const std::string& text) {
-        addOnce(notes, moduleName(spirv) + ": " + text);
-      };
-      const std::string key = observeForm(question_, form, device_, scope).key;
-      return nlohmann::json{{"key", key}, {"modules", seen}, {"notes", notes}};
-    });
+    const process::ChildResult result = process::runInChild(
+        limits_.trial,
+        [&] {
+          Names seen, notes;
+          variants::PreparationScope scope;
+          scope.isMeant = [&](std::span<const std::uint32_t> spirv) {
+            addOnce(seen, moduleName(spirv));
+            return std::ranges::find(modules, moduleName(spirv)) != modules.end();
+          };
+          scope.note = [&](std::span<const std::uint32_t> spirv, const std::string& text) {
+            addOnce(notes, moduleName(spirv) + ": " + text);
+          };
+          const std::string key = observeForm(question_, form, device_, scope).key;
+          return nlohmann::json{{"key", key}, {"modules", seen}, {"notes", notes}};
+        },
+        limits_.stop);
+    if (result.interrupted) throw InterruptedError("interrupted while a difference was shrunk");
     if (!result.failure.empty()) return {kLost, {}, {}};
     return {result.answer.at("key"), result.answer.at("modules"), result.answer.at("notes")};
   }
 
   bool isOver() {
     passed_ += watch_.lap();
-    return passed_ > limits_.seconds || (limits_.stop != nullptr && limits_.stop->load());
+    return passed_ > limits_.seconds;
   }
 
   std::string textOf(const Variant& form, const Names& modules, std::size_t moduleCount, const Names& notes) {

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -26,6 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::json;
 
+constexpr std::chrono::milliseconds kNoTime{0};
 constexpr const char* kReturned = "\n";  // no JSON value is an empty line
 
 std::string lineOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
@@ -101,14 +103,17 @@ std::string lastLineOf(const std::string& text) {
   return text.substr(begin, end - begin);
 }
 
-// Returns whether the child sends something, or ends, before `end`.
-bool waitForMore(const ChildProcess& child, Clock::time_point end) {
-  while (true) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+bool isTrue(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(); }
+
+// Returns whether the child sends something, or ends, before `end` and before `stop` is true.
+bool waitForMore(const ChildProcess& child, Clock::time_point end, const std::atomic<bool>* stop) {
+  constexpr std::chrono::milliseconds kStep{50};
+  while (Clock::now() < end && !isTrue(stop)) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
     pollfd ready{child.descriptor(), POLLIN, 0};
-    const int count = left <= 0 ? 0 : ::poll(&ready, 1, static_cast<int>(left));
-    if (count >= 0) return count > 0;
+    if (::poll(&ready, 1, static_cast<int>(std::clamp(left, kNoTime, kStep).count())) > 0) return true;
   }
+  return false;
 }
 
 void interpret(const Json& json, ChildResult& result) {
@@ -170,11 +175,12 @@ std::string ChildProcess::lastMessage() const {
   return messages_ == nullptr ? "" : printableLine(lastLineOf(endOf(messages_.get())), kMaxBytes);
 }
 
-ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json()>& work) {
+ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json()>& work,
+                       const std::atomic<bool>* stop) {
   const Clock::time_point end = Clock::now() + limit;
   ChildProcess child(limit, [&](const ChildProcess::Send& send) { send(resultOf(work)); });
   std::optional<Json> sent;
-  while (!child.hasEnded() && waitForMore(child, end)) {
+  while (!child.hasEnded() && waitForMore(child, end, stop)) {
     for (Json& json : child.receive()) sent = std::move(json);
   }
   ChildResult result;
@@ -182,7 +188,10 @@ ChildResult runInChild(std::chrono::milliseconds limit, const std::function<Json
   if (!ended) child.kill();
   result.failure = child.failure();
   result.lastMessage = child.lastMessage();
-  if (!ended) {
+  result.interrupted = isTrue(stop) && !result.failure.empty();  // Ctrl-C may have ended the child, too
+  if (result.interrupted) {
+    result.failure = "is interrupted";
+  } else if (!ended) {
     result.failure = fmt::format("does not end within {:g} s", static_cast<double>(limit.count()) / 1000);
   } else if (sent) {
     interpret(*sent, result);

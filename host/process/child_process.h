@@ -2,6 +2,7 @@
 #pragma once
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -56,13 +57,16 @@ class ChildProcess {
 };
 
 struct ChildResult {
-  nlohmann::json answer;    ///< the result of the work; null after a failure
-  std::string failure;      ///< as ChildProcess::failure(), or "fails: " and the message of an exception; empty: none
-  std::string lastMessage;  ///< as ChildProcess::lastMessage()
+  nlohmann::json answer;     ///< the result of the work; null after a failure
+  std::string failure;       ///< as ChildProcess::failure(), or "fails: " and the message of an exception; empty: none
+  std::string lastMessage;   ///< as ChildProcess::lastMessage()
+  bool interrupted = false;  ///< `stop` was true before the end of the child; there is a failure, too
 };
 
-/// Calls `work` in a child process, and ends it after `limit`. An exception of `work` is a failure. Messages of the
-/// validation layer in the child are added to those of this process. Throws as the constructor of ChildProcess does.
-ChildResult runInChild(std::chrono::milliseconds limit, const std::function<nlohmann::json()>& work);
+/// Calls `work` in a child process, and ends it after `limit`, or within 0.1 s after `stop` becomes true (null: it is
+/// not polled). An exception of `work` is a failure. Messages of the validation layer in the child are added to those
+/// of this process. Throws as the constructor of ChildProcess does.
+ChildResult runInChild(std::chrono::milliseconds limit, const std::function<nlohmann::json()>& work,
+                       const std::atomic<bool>* stop = nullptr);
 
 }  // namespace candela::process

@@ -112,4 +112,30 @@ TEST_CASE("conformance --capture writes a folder for each case that fails") {
   CHECK(runIn(output, faulty).exitCode == 1);
 }
 
+TEST_CASE("capture: a feature that the device lacks is named") {
+  const TemporaryFolder folder;
+  for (const char* const name : {"group.subgroup.64", "kernel.megakernel.subgroup.64.cornell"}) {
+    const ProgramResult result = runCandela({"capture", name, "-o", folder.path("new")});
+    CAPTURE(name);
+    CHECK(result.exitCode == 1);
+    CHECK_THAT(result.err, Contains(", which lacks subgroups of 64 invocations in compute shaders (minimum "));
+    CHECK_FALSE(std::filesystem::exists(folder.path("new")));
+  }
+}
+
+TEST_CASE("conformance --capture ends soon after SIGTERM, and leaves no part of a capture") {
+  const TemporaryFolder folder;
+  std::vector<std::string> faulty = miscompiled("133:0:129");  // one OpFMul becomes OpFAdd
+  faulty.emplace_back("CANDELA_VALIDATION=0");
+  const std::string script =
+      "\"$0\" conformance --cases kernel.megakernel.scene.primitives --csv done.csv --capture new & "
+      "while ! [ -s done.csv ] && kill -0 $!; do sleep 0.1; done; sleep 1; kill -TERM $!; wait $!";
+  const ProgramResult result = runProgram(
+      "/bin/sh", {"-c", "cd \"$1\" || exit; " + script, CANDELA_PROGRAM, folder.path("")}, {.environment = faulty});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 7);
+  CHECK_THAT(result.err, Contains("interrupted after 1 of 1 case") && !Contains("the process that captures it"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("new")));
+}
+
 }  // namespace candela

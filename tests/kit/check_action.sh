@@ -11,6 +11,14 @@ run_steps() {
 }
 run_steps "conformance --cases leaf.film.*"
 run_steps "verify $GITHUB_ACTION_PATH/scenes/balls.p3f --size 16x16 --bias 5% --quiet"
+# Quotes keep the spaces of an argument, and nothing is expanded.
+message=$(run_steps "conformance --cases 'no case' --device \"a  b\" --junit c\\ d/*.xml" 2>&1) && exit 1
+printf '%s\n' "$message" | grep -qF 'no case: no case has such a name' || { echo "quotes are lost: $message"; exit 1; }
+message=$(run_steps "conformance --cases leaf.film.sums --device \"a  b\"" 2>&1) && exit 1
+printf '%s\n' "$message" | grep -qF '"a  b"' || { echo "spaces are lost: $message"; exit 1; }
+code=0
+run_steps "conformance --cases 'none" 2> /dev/null || code=$?
+[ "$code" = 1 ] || { echo "an unmatched quote ended with $code, not 1"; exit 1; }
 code=0
 run_steps "conformance --cases none" 2> /dev/null || code=$?
 [ "$code" = 1 ] || { echo "wrong arguments ended with $code, not 1"; exit 1; }

@@ -1,5 +1,7 @@
 // `candela report` and the kit's script as a newcomer uses them, without a device.
 #include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
 
 #include "tests/cli/run_program.h"
 
@@ -47,6 +49,30 @@ TEST_CASE("report refuses what it cannot read or write") {
     INFO(result.err);
     CHECK(result.exitCode == refusal.exitCode);
     CHECK(contains(result.err, refusal.message));
+  }
+}
+
+TEST_CASE("the kit's script ends at once when it is interrupted in a step, with the program and without remains") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(kScript, folder.path("run.sh"));
+    const std::string program = folder.write(
+        "candela",
+        "#!/bin/sh\ncase $1 in\ndevices) echo '{}' > \"$3\" ;;\n"
+        "*) echo $$ > \"${0%/*}/step\"; sleep 120 & trap 'kill $!; exit 7' TERM; wait ;;\nesac\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    std::filesystem::create_directory(folder.path("tmp"));
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramResult result = runProgram(
+        "/bin/sh", {folder.path("run.sh"), "-o", folder.path("out")},
+        {.environment = {"TMPDIR=" + folder.path("tmp")}, .interruptAfter = std::chrono::seconds(2), .signal = signal});
+    CAPTURE(signal);
+    CHECK(result.exitCode == 7);
+    CHECK(contains(result.err, "run.sh: interrupted, and no results are written"));
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+    CHECK(::kill(std::stoi(readText(folder.path("step"))), 0) != 0);
+    CHECK(std::filesystem::is_empty(folder.path("tmp")));
+    CHECK(std::filesystem::is_empty(folder.path("out")));
   }
 }
 

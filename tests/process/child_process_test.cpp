@@ -1,8 +1,10 @@
 // Work in a child process: its result, and every kind of failure.
 #include "host/process/child_process.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdio>
@@ -92,6 +94,26 @@ TEST_CASE("a child that hangs is ended after the limit") {
   });
   CHECK(result.failure == "does not end within 0.3 s");
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::minutes(1));
+}
+
+TEST_CASE("a child that hangs is ended soon after the flag is set") {
+  static std::atomic<bool> stop{false};
+  std::signal(SIGALRM, [](int) { stop = true; });
+  const itimerval soon{{}, {0, 200'000}};
+  ::setitimer(ITIMER_REAL, &soon, nullptr);
+  const auto start = std::chrono::steady_clock::now();
+  const ChildResult result = runInChild(
+      kLongLimit,
+      []() -> json {
+        std::this_thread::sleep_for(std::chrono::minutes(2));
+        return 1;
+      },
+      &stop);
+  std::signal(SIGALRM, SIG_DFL);
+  CHECK(result.interrupted);
+  CHECK(result.failure == "is interrupted");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+  CHECK_FALSE(runInChild(kLongLimit, []() -> json { return 1; }).interrupted);
 }
 
 TEST_CASE("messages of the validation layer in a child are those of the program") {
