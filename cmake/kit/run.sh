@@ -46,7 +46,7 @@ interrupted() {
   trap '' HUP INT TERM
   if [ -n "$running" ]; then
     kill "$running" 2> /dev/null
-    wait "$running"
+    wait "$running" 2> /dev/null
   fi
   echo "run.sh: interrupted, and no results are written" >&2
   exit 7
