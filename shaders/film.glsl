@@ -2,6 +2,7 @@
 #ifndef CANDELA_FILM_GLSL
 #define CANDELA_FILM_GLSL
 #include "math.glsl"
+#include "options.glsl"
 #include "shared/render_data.h"
 
 const float kFilmMaximum = 1048576.0;
@@ -30,15 +31,22 @@ bool inRange(float value) { return floatBitsToUint(value) < 0x7f800000u || value
 
 float keptValue(float value) { return inRange(value) ? min(value, kFilmMaximum) : 0.0; }
 
-// Returns the radiance that the film adds for a sample.
-vec3 keptRadiance(vec3 radiance) {
-  return vec3(keptValue(radiance.x), keptValue(radiance.y), keptValue(radiance.z));
+// Returns radiance in the unit of the film's sums. The product with a power of two is exact; what is below the normal
+// range of binary32 is below the resolution of the sums.
+vec3 filmRadiance(vec3 radiance) {
+  if (kFilmScale == 0u) return radiance;
+  precise vec3 scaled = radiance * uintBitsToFloat((127u - kFilmScale) << 23);
+  return scaled;
 }
 
+// Returns the value that the film adds for a sample of this radiance in its unit.
+vec3 keptRadiance(vec3 scaled) { return vec3(keptValue(scaled.x), keptValue(scaled.y), keptValue(scaled.z)); }
+
 void addSample(inout FilmRows film, vec3 radiance, uint sampleIndex) {
-  bool usable = inRange(radiance.x) && inRange(radiance.y) && inRange(radiance.z);
-  vec3 clamped = keptRadiance(radiance);
-  bool bad = !usable || clamped != radiance;
+  vec3 scaled = filmRadiance(radiance);
+  bool usable = inRange(scaled.x) && inRange(scaled.y) && inRange(scaled.z);
+  vec3 clamped = keptRadiance(scaled);
+  bool bad = !usable || clamped != scaled;
   precise float y = luminance(clamped);
   precise float ySquared = y * y;
   film.red = uvec4(addFixed(film.red.xyz, toFixed(clamped.x)), film.red.w + 1u);

@@ -11,6 +11,7 @@ layout(std430, set = 0, binding = 1) writeonly buffer PictureBuffer { vec4 pictu
 layout(push_constant) uniform Push {
   uvec2 filmSize;
   uvec2 pictureSize;
+  float radianceOfOne;  // 2^k with the film's scale k
 } push;
 
 // The sum of a channel in units of 2^-40, as in host/image/fixed_sum.h.
@@ -25,7 +26,7 @@ void main() {
   FilmRows pixel = film[place.y * push.filmSize.x + place.x];
   uint samples = pixel.red.w;
   if (samples == 0u) return;
-  vec3 mean = vec3(valueOf(pixel.red.xyz), valueOf(pixel.green.xyz), valueOf(pixel.blue.xyz)) / float(samples);
+  vec3 mean = vec3(valueOf(pixel.red.xyz), valueOf(pixel.green.xyz), valueOf(pixel.blue.xyz)) / float(samples) * push.radianceOfOne;
   uint scale = (push.pictureSize.x + push.filmSize.x - 1u) / push.filmSize.x;
   picture[at.y * push.pictureSize.x + at.x] = vec4(mean, scale == 1u ? float(samples) : -float(scale));
 }

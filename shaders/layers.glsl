@@ -131,8 +131,9 @@ vec3 layerValue(vec3 value, inout bool bad) {
 
 float partOf(float kept, float part) { return inRange(part) ? min(part, kept) : 0.0; }
 
-// Returns a part of the light, limited to the radiance that the film adds for the sample.
-vec3 partOf(vec3 kept, vec3 part) {
+// Returns a part of the light in the film's unit, limited to the value that the film adds for the sample.
+vec3 partOf(vec3 kept, vec3 radiance) {
+  vec3 part = filmRadiance(radiance);
   return vec3(partOf(kept.x, part.x), partOf(kept.y, part.y), partOf(kept.z, part.z));
 }
 
@@ -149,7 +150,7 @@ void gatherLayers(vec3 radiance) {
     addParts(gathered.depthTexCoord, hit ? layerValue(value, bad) : vec3(0.0));
   }
   if (kSumsPosition) addParts(gathered.position, hit ? layerValue(pending.position, bad) : vec3(0.0));
-  vec3 kept = keptRadiance(radiance);
+  vec3 kept = keptRadiance(filmRadiance(radiance));
   if (kSumsUnscattered) addParts(gathered.unscattered, partOf(kept, hasScattered ? pending.unscattered : radiance));
   if (kSumsScatteredOnce) addParts(gathered.scatteredOnce, partOf(kept, scattered ? pending.scatteredOnce : radiance));
   if (kSumsRootRadiance) addParts(gathered.rootRadiance, sqrt(kept));

@@ -12,6 +12,7 @@ CANDELA_FEATURES(DECLARE_FEATURE)
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
 layout(constant_id = kSpecLayerSums) const uint kLayerSums = 0u;
+layout(constant_id = kSpecFilmScale) const uint kFilmScale = 0u;
 layout(constant_id = kSpecListsHits) const bool kListsHits = false;
 layout(constant_id = kSpecThroughSpecular) const bool kThroughSpecular = false;
 layout(constant_id = kSpecTextureSlots) const uint kTextureSlots = 0xffffffffu;

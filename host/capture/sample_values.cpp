@@ -23,7 +23,7 @@ struct Radiance {
 };
 
 /// Returns nothing if replicas take different decisions.
-std::optional<Radiance> radianceOf(const render::PixelSample& sample, render::Session& reference) {
+std::optional<Radiance> radianceOf(const render::PixelSample& sample, render::Session& reference, double quantum) {
   std::vector<render::Replica> replicas;
   for (std::uint32_t i = 0; i < kReplicas; ++i) replicas.push_back(reference.replica(sample, i));
   Radiance radiance;
@@ -36,17 +36,20 @@ std::optional<Radiance> radianceOf(const render::PixelSample& sample, render::Se
     for (int k = 0; k < 3; ++k) spread = std::max(spread, std::abs(replica.radiance[k] - radiance.mean[k]));
   }
   for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(radiance.mean[k]));
-  radiance.tolerance = verify::kSpread * spread + verify::kSpreadFloor * largest + verify::kFilmQuantum;
+  radiance.tolerance = verify::kSpread * spread + verify::kSpreadFloor * largest + quantum;
   return radiance;
 }
 
-void expectPixel(std::uint32_t pixel, const Radiance& radiance, const image::FilmPixel& exact,
+// `one` is the radiance that is 1 in the sums.
+void expectPixel(std::uint32_t pixel, const Radiance& radiance, double one, const image::FilmPixel& exact,
                  ExpectedValues& expected) {
   const std::uint32_t first = kPixelWords * pixel;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const double mean = radiance.mean[static_cast<int>(k)];
-    expected.push_back(
-        {ValueType::sum, {kFilmBinding, first + kSumWords * k}, mean - radiance.tolerance, mean + radiance.tolerance});
+    expected.push_back({ValueType::sum,
+                        {kFilmBinding, first + kSumWords * k},
+                        (mean - radiance.tolerance) / one,
+                        (mean + radiance.tolerance) / one});
   }
   const std::array counts{exact.sampleCount, exact.badCount};
   for (std::uint32_t k = 0; k < counts.size(); ++k) {
@@ -74,8 +77,9 @@ ExpectedValues expectedFilm(const scene::Scene& scene, const render::RenderSetti
   for (std::uint32_t pixel = 0; pixel < window.width * window.height; ++pixel) {
     const std::uint32_t x = pixel % window.width, y = pixel / window.width;
     const image::FilmPixel& exact = film.at(x, y);
-    const std::optional<Radiance> radiance = radianceOf({window.x + x, window.y + y, index}, *session);
-    if (radiance && exact.badCount == 0) expectPixel(pixel, *radiance, exact, expected);
+    const std::optional<Radiance> radiance = radianceOf({window.x + x, window.y + y, index}, *session,
+                                                        verify::filmQuantum(film));
+    if (radiance && exact.badCount == 0) expectPixel(pixel, *radiance, film.radianceOfOne(), exact, expected);
   }
   return expected;
 }

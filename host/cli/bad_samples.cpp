@@ -67,9 +67,11 @@ std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
 
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {
   if (tally.samples() == 0) return {};
+  const std::uint32_t scale = job.settings().image.filmScale;
   std::vector<std::string> lines{
-      fmt::format("bad samples: {} in {}, not finite or negative (they count as 0) or too bright (they are clamped)",
-                  counted(tally.samples(), "sample"), counted(tally.pixels(), "pixel"))};
+      fmt::format("bad samples: {} in {}, not finite or negative (they count as 0) or above 2^{} (they are clamped{})",
+                  counted(tally.samples(), "sample"), counted(tally.pixels(), "pixel"), 20 + scale,
+                  scale < image::kMaxFilmScale ? "; --film-scale raises this limit" : "")};
   for (const render::BadPixel& pixel : tally.firstPixels()) lines.push_back(pixelLine(pixel, job));
   return lines;
 }

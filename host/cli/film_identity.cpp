@@ -17,13 +17,13 @@
 namespace candela::cli {
 namespace {
 
-// Size, samples and seed are members of the header. The folders that files may be in do not change what is read, and
-// the scene's hash covers the environment.
+// Size, samples and seed are members of the header. The folders that files may be in do not change what is read, the
+// scene's hash covers the environment, and the scale in use is a setting of its own.
 bool isSetting(const Option& option) {
   const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;
   const std::string name = option.name();
   const bool stated = name == "--size" || name == "--spp" || name == "--seed" || name == "--allow-path" ||
-                      name == "--env";
+                      name == "--env" || name == "--film-scale";
   return decides && !stated && option.isFor(Command::render);
 }
 
@@ -48,6 +48,7 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     settings[option.name().substr(2)] = film::validText(value);
   }
   if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;
+  if (job.settings().image.filmScale > 0) settings[film::kFilmScale] = fmt::to_string(job.settings().image.filmScale);
   if (!job.settings().image.antialiasing) settings["antialiasing"] = "off";
   if (job.settings().image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;
@@ -103,6 +104,13 @@ void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& hea
   const std::string layers = layerText(film.header().layers);
   throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
                               layers, layerText(header.layers), layers));
+}
+
+// Sums of different units cannot be added, whatever the user accepts.
+void requireSameScale(const film::FilmReader& film, const film::FilmHeader& header) {
+  if (film.header().filmScale() == header.filmScale()) return;
+  throw FileError(fmt::format("{0}: the film has the scale {1}, and the render {2}; use --film-scale {1}",
+                              film.file().string(), film.header().filmScale(), header.filmScale()));
 }
 
 template <class T>
@@ -185,6 +193,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
   film::FilmHeader film = reader.header();
   adoptSampleCount(job, reader, film);
   requireSameLayers(reader, header);
+  requireSameScale(reader, header);
   std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
   for (const film::Tracer& tracer : film.tracers) {
     const auto more = tracerDifferences(tracer, header.tracers.front(), "the film", "this render");

@@ -63,6 +63,8 @@ std::vector<Option> imageOptions() {
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.request.settings.image.indirectLimit; }),
     valued({"--background", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "what camera rays see where they hit nothing; `env`: the environment, sky or background colour that lights the scene; `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light on surfaces stays the same"},
            choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.request.settings.image.backdrop; }),
+    valued({"--film-scale", kTracing, kGroup, "scale of the film, a power of two: samples up to 2^(20+N) are recorded in units of 2^(N-40), brighter ones are clamped; `auto`: 0, and more if the scene has strong lights"},
+           orAbsent(wholeNumber(0, image::kMaxFilmScale), "auto"), [](auto& a) -> auto& { return a.request.filmScale; }),
     flag({"--aov-through-specular", kRender | kView, kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
          [](auto& a) -> auto& { return a.request.settings.image.layersThroughSpecular; }),
     valued({"--noise-threshold", kRender, kGroup, "sample adaptively: stop sampling a pixel when its estimated relative error is at most T, for example 0.1; --spp is the maximum number of samples; `off`: --spp samples everywhere"},

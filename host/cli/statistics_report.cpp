@@ -130,6 +130,7 @@ ordered_json toJson(const RenderReport& report) {
   json["sceneHash"] = hashText(report.job.scene.hash);
   json["filmHash"] = hashText(report.result.film.hash());
   json["settings"] = settingsJson(report.job.arguments);
+  json["filmScale"] = report.result.film.scale();
   json["interrupted"] = report.result.interrupted;
   json["device"] = statistics.device;
   json["driver"] = statistics.driver;

@@ -2,6 +2,7 @@
 #include "host/denoise/pixel_statistics.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/core/errors.h"
 
@@ -17,22 +18,27 @@ constexpr float kMinReflectance = 0.01f;
 class PixelSums {
  public:
   PixelSums(const image::Film& film, std::uint32_t x, std::uint32_t y)
-      : pixel_(film.at(x, y)), rows_(film.layerRowsAt(x, y)), sums_(image::layerSumsOf(film.layers())) {}
+      : pixel_(film.at(x, y)),
+        rows_(film.layerRowsAt(x, y)),
+        sums_(image::layerSumsOf(film.layers())),
+        one_(film.radianceOfOne()) {}
 
   double count() const { return pixel_.sampleCount; }
   double hits() const { return rows_[0].words[0]; }
   dvec3 radiance() const {
-    return {image::toDouble(pixel_.red), image::toDouble(pixel_.green), image::toDouble(pixel_.blue)};
+    return dvec3(image::toDouble(pixel_.red), image::toDouble(pixel_.green), image::toDouble(pixel_.blue)) * one_;
   }
   double channel(LayerSum sum, std::uint32_t index) const {
     return image::toSignedDouble(rows_[image::firstLayerRow(sums_, sum) + index].words);
   }
+  dvec3 rootRadiance() const { return vector(LayerSum::rootRadiance) * std::sqrt(one_); }
   dvec3 vector(LayerSum sum) const { return {channel(sum, 0), channel(sum, 1), channel(sum, 2)}; }
 
  private:
   const image::FilmPixel& pixel_;
   std::span<const image::LayerRow> rows_;
   std::uint32_t sums_;
+  double one_;
 };
 
 // The variance of a mean, all channels together, from the sum of the squared norms and the sum of the vectors.
@@ -47,7 +53,7 @@ gpu::DenoisePixel statisticsOfPixel(const PixelSums& sums) {
   const dvec3 reflectance = max(albedo + (count - sums.hits()), dvec3(0)) / count;
   const dvec3 divisor(divisorOf(glm::vec4(reflectance, 0)));
   const dvec3 mean = sums.radiance() / count / divisor;
-  const dvec3 root = sums.vector(LayerSum::rootRadiance) / count / sqrt(divisor);
+  const dvec3 root = sums.rootRadiance() / count / sqrt(divisor);
   const dvec3 variance = max(dvec3(0), mean - root * root) / (count - 1);
   const double misses = count - sums.hits();
   const double reflectanceSquares = sums.channel(LayerSum::albedoSquared, 0) + 3 * misses;

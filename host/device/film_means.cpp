@@ -17,6 +17,7 @@ constexpr std::uint64_t kPixelBytes = 16;
 struct PushConstants {
   render::Extent film;
   render::Extent picture;
+  float radianceOfOne;
 };
 
 }  // namespace
@@ -36,7 +37,7 @@ bool FilmMeans::update(render::Session& session) {
   const vulkan::Buffer* const film = source != nullptr ? source->residentFilm() : nullptr;
   if (film == nullptr || !film->isOn(device_)) return false;
   const vulkan::BindingSet bindings(pipeline_, {film, &buffer_});
-  const PushConstants push{source->filmSize(), size_};
+  const PushConstants push{source->filmSize(), size_, source->radianceOfOne()};
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&push, 1)),
                       {divideUp(size_.width, kGroupSide), divideUp(size_.height, kGroupSide), 1});

@@ -62,7 +62,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
 
   bandHeight_ = preferredBandHeight();
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
-  film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
+  film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
   startCounting();
 }
 
@@ -168,7 +168,7 @@ void GpuSession::setView(const scene::Camera& camera, const render::Extent& size
   cameraRecords_.constants.imageWidth = size.width;
   cameraRecords_.constants.imageHeight = size.height;
   resident_.reset();
-  film_ = image::Film(size.width, size.height, settings_.image.layers);
+  film_ = render::emptyFilm(settings_.image, size);
   fitBand();
   setCamera(camera);
 }
@@ -180,7 +180,7 @@ const vulkan::Buffer* GpuSession::residentFilm() const {
 void GpuSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
-  render::requireLayers(film, settings_.image.layers);
+  render::requireSameSums(film, settings_.image);
   empty();
   film_ = film;
   coverage_ = coverage;

@@ -37,6 +37,8 @@ class GpuSession final : public render::Session {
   /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.
   const vulkan::Buffer* residentFilm() const;
   render::Extent filmSize() const { return {film_.width(), film_.height()}; }
+  /// image::Film::radianceOfOne() of the film, which binary32 represents exactly.
+  float radianceOfOne() const { return static_cast<float>(film_.radianceOfOne()); }
 
  private:
   void describe();

@@ -71,6 +71,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecOneSided, settings.image.oneSided},
                                                 {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
                                                 {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
+                                                {gpu::kSpecFilmScale, settings.image.filmScale},
                                                 {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
                                                 {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
                                                 {gpu::kSpecTextureSlots, flat.textureSlots},

@@ -79,6 +79,7 @@ bool FilmHeader::isComplete() const {
 }
 
 std::uint32_t FilmHeader::format() const {
+  if (settings.contains(kFilmScale)) return 7;
   if (settings.contains(kStoppingRule)) return 6;
   if (hasMattes(layers)) return 5;
   if (settings.contains(kThresholdSetting)) return 4;
@@ -96,6 +97,15 @@ std::optional<double> FilmHeader::noiseThreshold() const {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threshold);
   if (error == std::errc() && end == text.data() + text.size() && threshold > 0) return threshold;
   throw FileError("the noise threshold of the film is not a number above 0");
+}
+
+std::uint32_t FilmHeader::filmScale() const {
+  const auto found = settings.find(kFilmScale);
+  if (found == settings.end()) return 0;
+  for (std::uint32_t scale = 1; scale <= image::kMaxFilmScale; ++scale) {
+    if (found->second == fmt::to_string(scale)) return scale;
+  }
+  throw FileError(fmt::format("the scale of the film is not a whole number from 1 to {}", image::kMaxFilmScale));
 }
 
 bool FilmHeader::hasFirstStoppingRule() const {

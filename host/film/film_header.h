@@ -17,6 +17,8 @@ namespace candela::film {
 /// first rule lack it: they can be read, but not be resumed or merged.
 inline constexpr const char* kStoppingRule = "stopping-rule";
 inline constexpr const char* kCurrentStoppingRule = "2";
+/// Name of the setting with the scale of a film, as a whole number; films of scale 0 lack it.
+inline constexpr const char* kFilmScale = "film-scale";
 
 /// A program and a device that traced samples. Films of equal tracers and equal samples have equal bytes. Nothing here
 /// names one machine: devices of one kind are equal.
@@ -54,11 +56,14 @@ struct FilmHeader {
   std::optional<double> noiseThreshold() const;
   /// Returns whether the film was sampled adaptively by the first rule.
   bool hasFirstStoppingRule() const;
+  /// Scale of the film, from the setting `film-scale`; 0 without it. Throws FileError if that is no number from 1 to
+  /// kMaxFilmScale in its shortest notation.
+  std::uint32_t filmScale() const;
   bool isMixed() const { return tracers.size() > 1 || !mixed.empty(); }
   /// Returns whether every pixel of the image has all samples.
   bool isComplete() const;
-  /// Version of the format of its file: 6 with a rule of stopping, 5 with mattes, 4 with a noise threshold and the
-  /// first rule, 3 with other layers, 2 with alpha only, else 1.
+  /// Version of the format of its file: 7 with a scale, 6 with a rule of stopping, 5 with mattes, 4 with a noise
+  /// threshold and the first rule, 3 with other layers, 2 with alpha only, else 1.
   std::uint32_t format() const;
   bool operator==(const FilmHeader&) const = default;
 };

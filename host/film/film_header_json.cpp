@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 /// For reading: an ordered_json with n members takes n^2 steps to parse.
 using Json = nlohmann::json;
 
-constexpr std::uint32_t kLastFormat = 6;
+constexpr std::uint32_t kLastFormat = 7;
 constexpr std::uint32_t kMaxSlots = 65536;
 constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 
@@ -200,6 +200,7 @@ void check(const FilmHeader& header) {
   checkBothLists(header);
   if (header.tracers.empty() || !isSortedSet(header.tracers)) refuse("tracers");
   if (!isSortedSet(header.mixed)) refuse("mixed");
+  static_cast<void>(header.filmScale());
   const auto rule = header.settings.find(kStoppingRule);
   const bool hasRule = rule != header.settings.end();
   if (hasRule && (rule->second != kCurrentStoppingRule || !header.noiseThreshold())) refuse("settings");

@@ -163,7 +163,7 @@ void FilmReader::forEachBlock(const std::function<void(const FilmRows&)>& use) t
 image::Film readFilm(FilmReader& reader) try {
   const render::Window& window = reader.header().window;
   requireMemoryForFilm(window.extent(), reader.header().layers);
-  image::Film film(window.width, window.height, reader.header().layers);
+  image::Film film(window.width, window.height, reader.header().layers, reader.header().filmScale());
   reader.forEachBlock([&](const FilmRows& rows) {
     std::ranges::copy(rows.pixels, &film.at(0, rows.first));
     if (!rows.layerRows.empty()) std::ranges::copy(rows.layerRows, film.layerRowsAt(0, rows.first).begin());

@@ -201,7 +201,8 @@ MergedFilm mergeFilms(std::span<const std::filesystem::path> files, const MergeO
                                 {render::windowOf(merged.header.size), {0, merged.header.samplesPerPixel}});
   if (!options.partial) requireWhole(parts, merged.missing);
   requireMemoryForFilm(merged.header.window.extent(), merged.header.layers);
-  merged.film = image::Film(merged.header.window.width, merged.header.window.height, merged.header.layers);
+  merged.film = image::Film(merged.header.window.width, merged.header.window.height, merged.header.layers,
+                            merged.header.filmScale());
   for (const Part& part : parts) add(part, merged);
   return merged;
 } catch (const std::bad_alloc&) {

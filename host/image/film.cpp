@@ -58,18 +58,21 @@ void addSums(FilmPixel& sums, const FilmPixel& terms) {
   sums.firstBadSample = earlier(sums.firstBadSample, terms.firstBadSample);
 }
 
-Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers)
+Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers, std::uint32_t scale)
     : width_(width),
       height_(height),
       pixels_(std::size_t{width} * height),
       layers_(layers),
+      scale_(scale),
       layerRows_(pixels_.size() * layerRowCount(layerSumsOf(layers))) {
   for (const MatteKind kind : kMatteKinds) {
     if (hasMatte(layers, kind)) ids(kind).resize(pixels_.size());
   }
 }
 
-void Film::clear() { *this = Film(width_, height_, layers_); }
+double Film::radianceOfOne() const { return std::ldexp(1.0, static_cast<int>(scale_)); }
+
+void Film::clear() { *this = Film(width_, height_, layers_, scale_); }
 
 std::span<LayerRow> Film::layerRowsAt(std::uint32_t x, std::uint32_t y) {
   const std::size_t count = layerRowCount(layerSumsOf(layers_));
@@ -82,12 +85,17 @@ std::span<const LayerRow> Film::layerRowsAt(std::uint32_t x, std::uint32_t y) co
 }
 
 void Film::addLayers(std::uint32_t x, std::uint32_t y, const LayerSample& sample, const glm::dvec3& radiance) {
-  addLayerSample(layerRowsAt(x, y), layerSumsOf(layers_), sample, radiance);
+  const double unit = 1 / radianceOfOne();
+  LayerSample scaled = sample;
+  if (scaled.unscattered) *scaled.unscattered *= unit;
+  if (scaled.scatteredOnce) *scaled.scatteredOnce *= unit;
+  addLayerSample(layerRowsAt(x, y), layerSumsOf(layers_), scaled, radiance * unit);
 }
 
 void Film::addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex) {
   bool bad = false;
-  const glm::dvec3 kept(inRange(radiance.x, bad), inRange(radiance.y, bad), inRange(radiance.z, bad));
+  const glm::dvec3 scaled = radiance / radianceOfOne();
+  const glm::dvec3 kept(inRange(scaled.x, bad), inRange(scaled.y, bad), inRange(scaled.z, bad));
   const double keptLuminance = luminance(kept);
 
   FilmPixel sample;
@@ -105,7 +113,7 @@ glm::dvec3 Film::mean(std::uint32_t x, std::uint32_t y) const {
   const FilmPixel& pixel = at(x, y);
   if (pixel.sampleCount == 0) return glm::dvec3(0);
   return glm::dvec3(toDouble(pixel.red), toDouble(pixel.green), toDouble(pixel.blue)) /
-         static_cast<double>(pixel.sampleCount);
+         static_cast<double>(pixel.sampleCount) * radianceOfOne();
 }
 
 double Film::alpha(std::uint32_t x, std::uint32_t y) const {
@@ -118,7 +126,7 @@ double Film::luminanceVariance(std::uint32_t x, std::uint32_t y) const {
   if (pixel.sampleCount < 2) return 0;
   const double count = pixel.sampleCount;
   const double meanLuminance = luminance(mean(x, y));
-  const double meanOfSquares = toDouble(pixel.luminanceSquared) / count;
+  const double meanOfSquares = toDouble(pixel.luminanceSquared) / count * radianceOfOne() * radianceOfOne();
   // Truncation makes the second moment slightly too small, so that equal samples may give a negative difference.
   return std::max(0.0, meanOfSquares - meanLuminance * meanLuminance) * (count / (count - 1));
 }
@@ -129,6 +137,7 @@ void Film::merge(const Film& other) {
                                  other.height_, width_, height_));
   }
   if (layers_ != other.layers_) throw UsageError("cannot merge films with different layers");
+  if (scale_ != other.scale_) throw UsageError("cannot merge films with different scales");
   constexpr std::uint32_t kMaximumCount = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     if (other.pixels_[i].sampleCount > kMaximumCount - pixels_[i].sampleCount) {
@@ -160,6 +169,7 @@ std::uint64_t Film::hash() const {
   }
   const bool hasHits = std::ranges::any_of(pixels_, [](const FilmPixel& pixel) { return pixel.hitCount > 0; });
   for (std::size_t i = 0; hasHits && i < pixels_.size(); ++i) hash.add(pixels_[i].hitCount);
+  if (scale_ > 0) hash.add(scale_);
   return hash.value();
 }
 

@@ -11,10 +11,10 @@
 
 namespace candela::image {
 
-/// The sums of one pixel, 64 bytes. The device writes the same layout. The sum of a channel, which is not negative,
-/// cannot overflow: samples are at most 2^20, so that 2^36 of them fit, more than sampleCount can count. The second
-/// moment holds 2^56 / Y^2 samples of luminance Y: 2^36 samples at Y = 1024, and 65,535 samples of the maximum
-/// luminance.
+/// The sums of one pixel, 64 bytes, of samples after multiplication by the film's unit. The device writes the same
+/// layout. The sum of a channel, which is not negative, cannot overflow: samples are at most 2^20, so that 2^36 of them
+/// fit, more than sampleCount can count. The second moment holds 2^56 / Y^2 samples of luminance Y: 2^36 samples at Y =
+/// 1024, and 65,535 samples of the maximum luminance.
 struct FilmPixel {
   FixedSum red{};
   std::uint32_t sampleCount = 0;
@@ -36,8 +36,9 @@ void addSums(FilmPixel& sums, const FilmPixel& terms);
 class Film {
  public:
   Film() = default;
-  /// `layers` are those that the film has beside its samples.
-  Film(std::uint32_t width, std::uint32_t height, LayerSet layers = {});
+  /// `layers` are those that the film has beside its samples. `scale` is the exponent k of docs/light-transport.md
+  /// section 8, at most kMaxFilmScale: sums have samples times 2^-k, and means and variances are those of the samples.
+  Film(std::uint32_t width, std::uint32_t height, LayerSet layers = {}, std::uint32_t scale = 0);
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
@@ -47,6 +48,9 @@ class Film {
   const std::vector<FilmPixel>& pixels() const { return pixels_; }
 
   LayerSet layers() const { return layers_; }
+  std::uint32_t scale() const { return scale_; }
+  /// Returns 2^k, the radiance that is 1 in the sums.
+  double radianceOfOne() const;
   /// The records of all pixels, as many for each as layerRowCount() says.
   std::vector<LayerRow>& layerRows() { return layerRows_; }
   const std::vector<LayerRow>& layerRows() const { return layerRows_; }
@@ -64,8 +68,8 @@ class Film {
   /// Removes all samples.
   void clear();
 
-  /// Adds one sample of linear RGB radiance. Each channel is truncated to a multiple of 2^-40 after the range rule of
-  /// FilmPixel::badCount. Negative values are bad and add 0.
+  /// Adds one sample of linear RGB radiance. After scaling, each channel is truncated to a multiple of 2^-40 by the
+  /// range rule of FilmPixel::badCount. Negative values are bad and add 0.
   void addSample(std::uint32_t x, std::uint32_t y, const glm::dvec3& radiance, std::uint32_t sampleIndex);
 
   /// Adds the layers of a sample with this radiance. The film must have sums of layers.
@@ -79,13 +83,13 @@ class Film {
   /// Returns the fraction of the samples whose camera rays hit something; 0 without samples.
   double alpha(std::uint32_t x, std::uint32_t y) const;
   /// Returns the unbiased variance of the luminance of one sample (not of the mean); 0 for fewer than two samples.
-  /// Squares below 2^-40 are truncated, so that it is 0 if every luminance is below 2^-20.
+  /// Squares below 2^-40 are truncated, so that it is 0 if every luminance is below 2^-20, both after scaling.
   double luminanceVariance(std::uint32_t x, std::uint32_t y) const;
-  /// Adds the sums of a film of the same size and layers. Throws UsageError and leaves the film unchanged if the sizes
-  /// or the layers differ or if a sampleCount would exceed 2^32 - 1.
+  /// Adds the sums of a film of the same size, layers and scale. Throws UsageError and leaves the film unchanged if
+  /// these differ or if a sampleCount would exceed 2^32 - 1.
   void merge(const Film& other);
-  /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes. Hit counts are part of
-  /// it unless all are 0. Layers are not part of it.
+  /// Returns the FNV-1a hash (64 bits) of the size and the sums. Equal films have equal hashes. The scale is part of it
+  /// unless it is 0, and hit counts unless all are 0. Layers are not part of it.
   std::uint64_t hash() const;
 
  private:
@@ -93,6 +97,7 @@ class Film {
   std::uint32_t height_ = 0;
   std::vector<FilmPixel> pixels_;
   LayerSet layers_;
+  std::uint32_t scale_ = 0;
   std::vector<LayerRow> layerRows_;
   std::array<std::vector<IdCounts>, kMatteKinds.size()> ids_;
 };

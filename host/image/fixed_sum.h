@@ -10,8 +10,10 @@ namespace candela::image {
 /// complement.
 using FixedSum = std::array<std::uint32_t, 3>;
 
-inline constexpr double kFilmScale = 1099511627776.0;  ///< 2^40
-inline constexpr double kFilmMaximum = 1048576.0;      ///< 2^20, the maximum of a channel of one sample
+inline constexpr double kFixedOne = 1099511627776.0;  ///< 2^40, the value 1 in units of the sums
+inline constexpr double kFilmMaximum = 1048576.0;     ///< 2^20, the maximum of a channel of one sample after scaling
+/// Maximum exponent of the scale of films: variances, which are at most 2^120, then fit into binary32.
+inline constexpr std::uint32_t kMaxFilmScale = 40;
 inline constexpr double kTwoTo64 = 18446744073709551616.0;
 
 inline void addFixed(FixedSum& sum, const FixedSum& term) {
@@ -32,7 +34,7 @@ inline FixedSum negated(const FixedSum& value) {
 /// Returns floor(value * 2^40) for a value in [0, 2^40]. Every step is exact: a product with a power of two, and a
 /// difference of doubles that share their low bits.
 inline FixedSum toFixed(double value) {
-  const double scaled = std::floor(value * kFilmScale);
+  const double scaled = std::floor(value * kFixedOne);
   const double high = std::floor(scaled / kTwoTo64);
   const auto low = static_cast<std::uint64_t>(scaled - high * kTwoTo64);
   return {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(high)};
@@ -41,7 +43,7 @@ inline FixedSum toFixed(double value) {
 /// Returns the value of an unsigned sum, rounded to double precision.
 inline double toDouble(const FixedSum& sum) {
   const std::uint64_t low = (std::uint64_t{sum[1]} << 32) | sum[0];
-  return (sum[2] * kTwoTo64 + static_cast<double>(low)) / kFilmScale;
+  return (sum[2] * kTwoTo64 + static_cast<double>(low)) / kFixedOne;
 }
 
 /// Returns the value of a signed sum, rounded to double precision.

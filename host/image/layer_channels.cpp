@@ -17,13 +17,17 @@ constexpr double kDepthOfNothing = 1e10;  // the distance that Blender uses
 class PixelSums {
  public:
   PixelSums(const Film& film, std::uint32_t x, std::uint32_t y)
-      : pixel_(film.at(x, y)), rows_(film.layerRowsAt(x, y)), sums_(layerSumsOf(film.layers())) {}
+      : pixel_(film.at(x, y)),
+        rows_(film.layerRowsAt(x, y)),
+        sums_(layerSumsOf(film.layers())),
+        one_(film.radianceOfOne()) {}
 
   std::uint32_t hitCount() const { return rows_[0].words[0]; }
   std::uint32_t sampleCount() const { return pixel_.sampleCount; }
   const FixedSum& sum(LayerSum sum, std::size_t channel) const {
     return rows_[firstLayerRow(sums_, sum) + channel].words;
   }
+  double radianceOfOne() const { return one_; }
   const FixedSum& radiance(std::size_t channel) const {
     return channel == 0 ? pixel_.red : channel == 1 ? pixel_.green : pixel_.blue;
   }
@@ -32,6 +36,7 @@ class PixelSums {
   const FilmPixel& pixel_;
   std::span<const LayerRow> rows_;
   std::uint32_t sums_;
+  double one_;
 };
 
 double quotient(const FixedSum& sum, std::uint32_t count) { return count == 0 ? 0 : toSignedDouble(sum) / count; }
@@ -47,13 +52,14 @@ double lightOf(const PixelSums& pixel, Layer layer, std::size_t channel) {
                                            : pixel.sum(LayerSum::unscattered, channel);
   if (layer == Layer::indirect) part = difference(part, pixel.sum(LayerSum::scatteredOnce, channel));
   if (layer == Layer::direct) part = difference(part, pixel.sum(LayerSum::unscattered, channel));
-  return quotient(part, pixel.sampleCount());
+  return quotient(part, pixel.sampleCount()) * pixel.radianceOfOne();
 }
 
 // The mean of the square roots of a channel, or the total variance of the albedo or of the normal of one sample.
 double momentOf(const PixelSums& pixel, std::size_t channel) {
   const std::uint32_t count = pixel.sampleCount();
-  if (channel < 3) return quotient(pixel.sum(LayerSum::rootRadiance, channel), count);
+  if (channel < 3)
+    return quotient(pixel.sum(LayerSum::rootRadiance, channel), count) * std::sqrt(pixel.radianceOfOne());
   if (count < 2) return 0;
   const LayerSum sum = channel == 3 ? LayerSum::albedo : LayerSum::normal;
   const double second = channel == 3 ? toSignedDouble(pixel.sum(LayerSum::albedoSquared, 0)) : pixel.hitCount();

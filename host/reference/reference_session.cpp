@@ -87,7 +87,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
     if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene);
-    film_ = image::Film(settings_.image.window().width, settings_.image.window().height, settings_.image.layers);
+    film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
     empty();
   });
   prepared_.seconds["build"] = watch.lap();
@@ -129,7 +129,7 @@ void ReferenceSession::setCamera(const scene::Camera& camera) {
 void ReferenceSession::setView(const scene::Camera& camera, const render::Extent& size) {
   if (settings_.image.crop) throw UsageError("a session that renders a crop has one size");
   settings_.image.size = size;
-  film_ = guarded([&] { return image::Film(size.width, size.height, settings_.image.layers); });
+  film_ = guarded([&] { return render::emptyFilm(settings_.image, size); });
   tracer_->setSize(size);
   setCamera(camera);
 }
@@ -137,7 +137,7 @@ void ReferenceSession::setView(const scene::Camera& camera, const render::Extent
 void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
-  render::requireLayers(film, settings_.image.layers);
+  render::requireSameSums(film, settings_.image);
   empty();
   film_ = film;
   coverage_ = coverage;

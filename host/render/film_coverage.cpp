@@ -35,9 +35,17 @@ void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, s
                   range.first, coverage.first, minSamples));
 }
 
-void requireLayers(const image::Film& film, image::LayerSet layers) {
-  if (image::withSums(film.layers()) == image::withSums(layers)) return;
-  throw UsageError("a film cannot be continued by a render with other layers (--aov)");
+image::Film emptyFilm(const ImageSettings& settings, const Extent& size) {
+  return {size.width, size.height, settings.layers, settings.filmScale};
+}
+
+void requireSameSums(const image::Film& film, const ImageSettings& settings) {
+  if (image::withSums(film.layers()) != image::withSums(settings.layers)) {
+    throw UsageError("a film cannot be continued by a render with other layers (--aov)");
+  }
+  if (film.scale() == settings.filmScale) return;
+  throw UsageError(fmt::format("a film of scale {} cannot be continued by a render with --film-scale {}", film.scale(),
+                               settings.filmScale));
 }
 
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels) {

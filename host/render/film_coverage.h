@@ -5,6 +5,7 @@
 
 #include "host/image/film.h"
 #include "host/render/session.h"
+#include "host/render/settings.h"
 
 namespace candela::render {
 
@@ -28,8 +29,11 @@ FilmCoverage coverageOf(const image::Film& film, std::uint32_t first, const Exte
 void requireContiguous(const SampleRange& range, const FilmCoverage& coverage, std::uint32_t minSamples,
                        std::uint32_t sampleCount);
 
-/// Throws UsageError unless a film has the layers of a render that continues it.
-void requireLayers(const image::Film& film, image::LayerSet layers);
+/// Returns a film without samples, of the layers and the scale of a render.
+image::Film emptyFilm(const ImageSettings& settings, const Extent& size);
+
+/// Throws UsageError unless a film has the layers and the scale of a render that continues it.
+void requireSameSums(const image::Film& film, const ImageSettings& settings);
 
 /// Minimum sampleCount of the pixels; 0 if there are none.
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/scene/film_scale.h"
 
 namespace candela::render {
 namespace {
@@ -29,6 +30,8 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.image.sampleCount = samples > 0 ? samples : 1;
   settings.image.size = request.size.value_or(Extent{scene.camera->width, scene.camera->height});
   settings.image.maxDepth = request.maxDepth.value_or(defaultMaxDepth(settings.image.integrator));
+  const bool isView = render::isView(settings.image.integrator);
+  settings.image.filmScale = request.filmScale ? *request.filmScale : isView ? 0 : filmScaleOf(scene);
   settings.structure.accel = request.accel.value_or(accelOf(scene));
   settings.structure.accelIsPreference = !request.accel;
   return settings;

@@ -12,10 +12,11 @@ namespace candela::render {
 struct RenderRequest {
   /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
   std::optional<std::uint32_t> sampleCount;
-  std::optional<Extent> size;             ///< default: the resolution of the scene's camera
-  std::optional<AccelKind> accel;         ///< default: BVH
-  std::optional<std::uint32_t> maxDepth;  ///< default: defaultMaxDepth()
-  RenderSettings settings;                ///< all other settings; those that the members above decide are not read
+  std::optional<Extent> size;              ///< default: the resolution of the scene's camera
+  std::optional<AccelKind> accel;          ///< default: BVH
+  std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
+  std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
+  RenderSettings settings;                 ///< all other settings; those that the members above decide are not read
 };
 
 /// Returns the number of samples per pixel that `request` and `scene` request; 0 as above.

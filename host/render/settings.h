@@ -83,7 +83,9 @@ struct ImageSettings {
   image::LayerSet layers;                     ///< beside the film; path tracer only
   bool layersThroughSpecular = false;  ///< layers show the surfaces that are seen in perfect mirrors and through smooth
                                        ///< glass
-  bool oneSided = false;               ///< hits on the back of triangles and planes with T = 0 are ignored
+  /// Exponent k of the film's scale, at most image::kMaxFilmScale: see image::Film. resolve() sets it.
+  std::uint32_t filmScale = 0;
+  bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }

@@ -2,56 +2,13 @@
 #include "host/scene/report.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "host/scene/bounds.h"
+#include "host/scene/film_scale.h"
 #include "host/scene/shape.h"
 
 namespace candela::scene {
 namespace {
-
-/// A growing box. It is computed in double precision and rounded to nearest at the end.
-class Extent3 {
- public:
-  void add(const glm::dvec3& centre, const glm::dvec3& halfSize = glm::dvec3(0)) {
-    min_ = glm::min(min_, centre - halfSize);
-    max_ = glm::max(max_, centre + halfSize);
-  }
-  std::optional<SceneReport::Bounds> bounds() const {
-    if (min_.x > max_.x) return std::nullopt;
-    return SceneReport::Bounds{glm::vec3(min_), glm::vec3(max_)};
-  }
-
- private:
-  glm::dvec3 min_{std::numeric_limits<double>::infinity()};
-  glm::dvec3 max_{-std::numeric_limits<double>::infinity()};
-};
-
-/// A circle around a unit axis reaches r sqrt(1 - axis^2) along each coordinate.
-void addCone(Extent3& extent, const Cone& cone) {
-  const glm::dvec3 base = cone.base;
-  const glm::dvec3 apex = cone.apex;
-  const glm::dvec3 axis = glm::normalize(apex - base);
-  const glm::dvec3 reach = glm::sqrt(glm::max(1.0 - axis * axis, 0.0));
-  extent.add(base, static_cast<double>(cone.baseRadius) * reach);
-  extent.add(apex, static_cast<double>(cone.apexRadius) * reach);
-}
-
-std::optional<SceneReport::Bounds> boundsOf(const Scene& scene) {
-  Extent3 extent;
-  for (const Sphere& s : scene.spheres) extent.add(s.centre, glm::dvec3(std::abs(static_cast<double>(s.radius))));
-  for (const Primitive& primitive : scene.primitives) {
-    if (primitive.kind != PrimitiveKind::triangle) continue;
-    const Triangle triangle = triangleOf(scene, primitive);
-    for (const glm::vec3& vertex : triangle.p) extent.add(vertex);
-  }
-  for (const Box& box : scene.boxes) {
-    extent.add(box.min);
-    extent.add(box.max);
-  }
-  for (const Cone& cone : scene.cones) addCone(extent, cone);
-  return extent.bounds();
-}
 
 struct EmitterCount {
   SceneReport::Lights& lights;
@@ -133,6 +90,7 @@ SceneReport makeReport(const LoadedScene& loaded) {
   report.camera = scene.camera;
   report.background = scene.background;
   report.skySide = skySideOf(scene);
+  report.filmScale = filmScaleOf(scene);
   report.requestedAccel = scene.requestedAccel;
   report.requestedSamples = scene.requestedSamples;
   report.hash = scene.hash;

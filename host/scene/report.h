@@ -6,16 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "host/scene/bounds.h"
 #include "host/scene/load.h"
 #include "host/scene/memory.h"
 
 namespace candela::scene {
 
 struct SceneReport {
-  struct Bounds {
-    glm::vec3 min;
-    glm::vec3 max;
-  };
   /// Primitives as traced: polygons, patches, meshes and emitting boxes have become triangles.
   struct Primitives {
     std::uint64_t spheres = 0, triangles = 0, boxes = 0, cones = 0, planes = 0;
@@ -37,12 +34,13 @@ struct SceneReport {
   StatementCounts statements;  ///< numbers of statements in the file
   FileFacts facts;             ///< further properties that the loader reports
   Primitives primitives;
-  std::optional<Bounds> bounds;  ///< bounds of all primitives except infinite planes; empty if there are no others
+  std::optional<Bounds> bounds;  ///< as boundsOf() returns them
   Lights lights;
   Materials materials;
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
   std::optional<std::uint32_t> skySide;  ///< maximum side of a face of the sky box, in texels
+  std::uint32_t filmScale = 0;           ///< as filmScaleOf() returns it
   std::optional<std::uint32_t> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
   std::uint64_t hash = 0;

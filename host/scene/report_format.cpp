@@ -97,6 +97,7 @@ std::string toText(const SceneReport& r) {
                    materials.total(), materials.diffuse, materials.glossy, materials.mirror, materials.dielectric,
                    materials.mixture, materials.surface, materials.black, materials.emitting));
   line("camera", r.camera ? toText(*r.camera) : "none");
+  if (r.filmScale > 0) line("film scale", fmt::format("2^{}, because of strong lights", r.filmScale));
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
   if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
@@ -108,7 +109,7 @@ std::string toText(const SceneReport& r) {
 
 json toJson(const SceneReport& r) {
   const auto same = [](const auto& value) { return json(value); };
-  const auto bounds = [](const SceneReport::Bounds& b) { return json{{"min", toJson(b.min)}, {"max", toJson(b.max)}}; };
+  const auto bounds = [](const Bounds& b) { return json{{"min", toJson(b.min)}, {"max", toJson(b.max)}}; };
   const auto camera = [](const Camera& c) { return toJson(c); };
   return {
       {"name", r.name},
@@ -145,6 +146,7 @@ json toJson(const SceneReport& r) {
       {"camera", orNull(r.camera, camera)},
       {"background", toJson(r.background)},
       {"skySide", orNull(r.skySide, same)},
+      {"filmScale", r.filmScale},
       {"requestedAccel", orNull(r.requestedAccel, same)},
       {"requestedSamples", orNull(r.requestedSamples, same)},
       {"memory",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/render/bad_sample_tally.h"
+#include "host/render/film_coverage.h"
 #include "host/render/renderer.h"
 #include "host/verify/regions.h"
 
@@ -39,7 +40,7 @@ class Batches {
   /// Returns the number of samples per pixel of each batch so far.
   std::uint64_t samples() const { return samples_; }
   /// Stores the sum of all batches from now on, in a film of 64 bytes per pixel.
-  void keepFilm(const render::Extent& size) { film_ = image::Film(size.width, size.height); }
+  void keepFilm() { film_ = render::emptyFilm(settings_.image, settings_.image.size); }
   image::Film takeFilm() { return std::move(film_); }
   /// Returns the batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;

@@ -21,6 +21,8 @@ double maxChannel(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
 /// Values that agree with each other.
 class Consensus {
  public:
+  explicit Consensus(double quantum) : quantum_(quantum) {}
+
   void add(const glm::dvec3& value) { values_.push_back(value); }
 
   bool excludes(const glm::dvec3& value) const {
@@ -28,21 +30,23 @@ class Consensus {
     for (const glm::dvec3& other : values_) mean += other / static_cast<double>(values_.size());
     double spread = 0;
     for (const glm::dvec3& other : values_) spread = std::max(spread, maxChannel(glm::abs(other - mean)));
-    const double tolerance = kSpread * spread + kSpreadFloor * maxChannel(glm::abs(mean)) + kFilmQuantum;
+    const double tolerance = kSpread * spread + kSpreadFloor * maxChannel(glm::abs(mean)) + quantum_;
     return maxChannel(glm::abs(value - mean)) > tolerance;
   }
 
  private:
+  double quantum_;
   std::vector<glm::dvec3> values_;
 };
 
 /// One sample: the replicas, then the device, of which only the value is known.
 struct Participants {
+  double quantum;  ///< filmQuantum() of the device's film
   std::array<glm::dvec3, kReplicas + 1> values;
   std::array<std::uint64_t, kReplicas> decisions;
 
   Consensus othersOf(std::size_t odd) const {
-    Consensus others;
+    Consensus others(quantum);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i != odd) others.add(values[i]);
     }
@@ -118,7 +122,7 @@ class DecisionCounts {
  private:
   void addPixel(std::uint32_t x, std::uint32_t y) {
     const render::Replica* const replicas = &replicas_[kReplicas * (std::size_t{y} * device_.width() + x)];
-    Participants participants;
+    Participants participants{filmQuantum(device_), {}, {}};
     bool decides = true;
     for (std::size_t i = 0; i < kReplicas; ++i) {
       participants.values[i] = replicas[i].radiance;

@@ -25,8 +25,8 @@ inline constexpr double kSpread = 16;
 /// Differences below this fraction of a value are always tolerated: 16 roundings in single precision.
 inline constexpr double kSpreadFloor = 0x1p-20;
 
-/// Both films truncate samples to multiples of 2^-40.
-inline constexpr double kFilmQuantum = 0x1p-39;
+/// Returns twice the unit of a film's sums, since both films truncate samples to multiples of it.
+inline double filmQuantum(const image::Film& film) { return 0x1p-39 * film.radianceOfOne(); }
 
 struct DecisionTest {
   bool isPossible = false;  ///< false: the reference traced no replicas

@@ -28,8 +28,8 @@ class LightTest {
         reference_(Side::reference, reference, scene, settings, regions_) {
     result_.bias = options.bias.value_or(kIndependentBias);
     if (!options.keepFilms) return;
-    device_.keepFilm(settings.image.size);
-    reference_.keepFilm(settings.image.size);
+    device_.keepFilm();
+    reference_.keepFilm();
   }
 
   LightTestResult run() {

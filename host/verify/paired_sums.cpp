@@ -30,6 +30,7 @@ PairedSums::PairedSums(std::span<const Region> regions, double scale)
 
 void PairedSums::add(const image::Film& device, const image::Film& reference,
                      std::span<const render::Deviation> deviations) {
+  const double quantum = filmQuantum(device);
   for (std::size_t i = 0; i < regions_.size(); ++i) {
     const Region& region = regions_[i];
     const auto component = static_cast<int>(componentOf(region.quantity));
@@ -40,7 +41,7 @@ void PairedSums::add(const image::Film& device, const image::Film& reference,
         const double a = count * valueOf(device.mean(x, y), region.quantity);
         const double b = count * valueOf(reference.mean(x, y), region.quantity);
         const render::Deviation deviation = deviations.empty() ? render::Deviation{} : deviations[pixel];
-        const double margin = kOneWay * deviation.magnitude[component] + count * kFilmQuantum;
+        const double margin = kOneWay * deviation.magnitude[component] + count * quantum;
         const double difference = a - b - deviation.drift[component];
         PairedSum& sum = sums_[i];
         sum.brighter.add(difference - margin);

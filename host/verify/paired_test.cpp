@@ -36,7 +36,7 @@ class PairedTest {
         batches_(batchesFor(settings.image.size)),
         maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)) {
     if (!options.keepFilms) return;
-    result_.deviceFilm = image::Film(settings.image.size.width, settings.image.size.height);
+    result_.deviceFilm = render::emptyFilm(settings.image, settings.image.size);
     result_.referenceFilm = result_.deviceFilm;
   }
 

@@ -24,6 +24,7 @@ CANDELA_CONST uint kSpecLimitsIndirect = 90u;   // contributions of indirect lig
 CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
 CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
 CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
+CANDELA_CONST uint kSpecFilmScale = 89u;        // k: the film adds samples times 2^-k
 CANDELA_CONST uint kSpecTextureSlots = 92u;     // a bit for each texture slot that some material of the scene uses
 CANDELA_CONST uint kSpecBackdrop = 91u;         // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.

@@ -35,6 +35,14 @@ TEST_CASE("capture: one dispatch of a path kernel gives the reference's values, 
   CHECK_THAT(header, Contains(".groups = {1, 1, 1}"));
 }
 
+TEST_CASE("capture: the expected sums have the scale of the film") {
+  const TemporaryFolder folder;
+  CHECK_THAT(captureTo(folder.path("scaled"), cornell({"--film-scale", "6"})).out,
+             Contains("computes the expected values"));
+  compileReproducer(folder.path("scaled"));
+  CHECK(runIn(folder.path("scaled")).exitCode == 0);
+}
+
 TEST_CASE("capture: a wavefront is captured with all its dispatches", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   captureTo(folder.path("wave"), cornell({"--kernel", "wavefront", "--max-depth", "3"}));

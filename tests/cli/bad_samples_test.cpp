@@ -72,7 +72,8 @@ TEST_CASE("bad samples are reported with their number, their pixels and a replay
   const std::vector<std::string> lines = badSampleLines(tallyOfOne(), job);
   REQUIRE(lines.size() == 2);
   CHECK(lines[0] ==
-        "bad samples: 2 samples in 1 pixel, not finite or negative (they count as 0) or too bright (they are clamped)");
+        "bad samples: 2 samples in 1 pixel, not finite or negative (they count as 0) or above 2^20 (they are clamped; "
+        "--film-scale raises this limit)");
   CHECK(lines[1] == "pixel (2, 1): 2 bad, the first is sample 5; replay: " + replayCommand(kPixel, job));
 
   const nlohmann::ordered_json json = badSamplesJson({tallyOfOne(), {}}, job);

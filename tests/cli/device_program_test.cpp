@@ -196,9 +196,10 @@ TEST_CASE("two tracers that agree on bad samples fail only with --strict, and ha
                                          "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\nf 0 0 "
                                          "0 1 0 0 0 0 1 0 1 1e7 1 1\ns 0 0 0 0.5\n");
   const std::string junit = folder.path("verdict.xml");
-  const ProgramResult compared = runOnDevice({"compare", scene, "--spp", "4", "--json", "-", "--strict"});
+  const ProgramResult compared = runOnDevice(
+      {"compare", scene, "--film-scale", "0", "--spp", "4", "--json", "-", "--strict"});
   const ProgramResult verified = runOnDevice(
-      {"verify", scene, "--bias", "5%", "--json", "-", "--junit", junit, "--strict"});
+      {"verify", scene, "--film-scale", "0", "--bias", "5%", "--json", "-", "--junit", junit, "--strict"});
   for (const ProgramResult& result : {compared, verified}) {
     INFO(result.out << result.err);
     REQUIRE(result.exitCode == 3);
@@ -215,7 +216,7 @@ TEST_CASE("two tracers that agree on bad samples fail only with --strict, and ha
   CHECK(contains(readText(junit), "failures=\"1\""));
 
   const std::string exr = folder.path("a.exr");
-  CHECK(runOnDevice({scene, "-o", exr, "--spp", "4", "--strict"}).exitCode == 3);
+  CHECK(runOnDevice({scene, "-o", exr, "--film-scale", "0", "--spp", "4", "--strict"}).exitCode == 3);
   CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 }
 

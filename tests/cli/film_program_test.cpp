@@ -94,6 +94,37 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
 }
 
+TEST_CASE("a film with a scale can be divided, and is continued and merged only with its scale") {
+  const TemporaryFolder folder;
+  requireEqualDivisions(kReference, folder, {"--film-scale", "5"});
+  const std::string scene = folder.write("b.p3f", smallScene());
+  const std::string film = folder.path("film.exr"), rest = folder.path("rest.exr");
+  kReference.film(scene, film, {"--film-scale", "5", "--samples", "0:4"});
+  CHECK_THAT(runCandela({"film", film}).out, Contains("--film-scale 5"));
+  for (const char* accepted : {"--resume-anyway", "-q"}) {
+    CHECK_THAT(kReference.refusal(scene, {"--resume", film, accepted}),
+               Contains("film.exr: the film has the scale 5, and the render 0; use --film-scale 5"));
+  }
+  kReference.film(scene, rest, {"--samples", "4:12"});
+  const ProgramResult merged = runCandela({"merge", film, rest, "-o", folder.path("all.exr")});
+  CHECK(merged.exitCode == 2);
+  CHECK_THAT(merged.err, Contains("--film-scale is 5 in") && Contains("absent in"));
+}
+
+TEST_CASE("the scale 0 leaves no trace in a film file, and the scale of strong lights is chosen by itself") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  CHECK(kReference.film(scene, folder.path("a.exr")) ==
+        kReference.film(scene, folder.path("b.exr"), {"--film-scale", "0"}));
+  const std::string strong = folder.write("c.p3f", smallScene("l 0 9 9 4e4 4e4 4e4\n"));
+  const std::string json = folder.path("c.json");
+  CHECK(kReference.film(strong, folder.path("c.exr"), {"--json", json}) ==
+        kReference.film(strong, folder.path("d.exr"), {"--film-scale", "17"}));
+  CHECK(jsonOf(json)["filmScale"] == 17);
+  CHECK_THAT(runCandela({"check", strong}).out, Contains("film scale  2^17"));
+  CHECK_THAT(runCandela({"check", scene}).out, !Contains("film scale"));
+}
+
 TEST_CASE("a film under an environment can be divided") {
   const TemporaryFolder folder;
   requireEqualDivisions(kReference, folder, {"--env", "sun:30,200,3"});

@@ -37,6 +37,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--spp", "N", "the scene's `spp`, else 16"},
       {"--seed", "N", "0"},
       {"--size", "WxH", "the scene's"},
+      {"--film-scale", "N", "auto"},
       {"--max-depth", "N", "64; whitted: 4"},
       {"--rr-start", "N", "4"},
       {"--integrator", "path|whitted|ao|normal|albedo|depth|id|cost", "path"},

@@ -50,7 +50,7 @@ TEST_CASE("an EXR file describes how it was rendered") {
   CHECK(metadata.at("candela.settings") ==
         "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 4 --integrator path --ao-distance auto --nee on "
         "--sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --clamp-indirect off "
-        "--background env --noise-threshold off --one-sided");
+        "--background env --film-scale auto --noise-threshold off --one-sided");
 }
 
 TEST_CASE("the JSON report has every documented figure") {
@@ -67,7 +67,7 @@ TEST_CASE("the JSON report has every documented figure") {
        "structure",         "bvhSplit",       "bvhQuality",        "kernel",         "device",    "driver",
        "truncated",         "badSamples",     "seconds",           "rays",           "dispatch",  "structureQuality",
        "sceneHash",         "filmHash",       "settings",          "samples",        "tile",      "segmentsPerDispatch",
-       "threads",           "version"}) {
+       "threads",           "version",        "filmScale"}) {
     INFO(key);
     CHECK(report.contains(key));
   }

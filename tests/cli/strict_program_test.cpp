@@ -26,7 +26,7 @@ TEST_CASE("a render with bad samples reports their number, positions and replays
   const std::string exr = folder.path("a.exr");
   const std::string report = folder.path("a.json");
   const ProgramResult result = runCandela(
-      {scene, "-o", exr, "--json", report, "--device", "cpu", "--spp", "4", "--seed", "3", "-q"});
+      {scene, "-o", exr, "--json", report, "--device", "cpu", "--film-scale", "0", "--spp", "4", "--seed", "3", "-q"});
   CHECK(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("samples in") && Contains("the first is sample 0; replay: candela explain ") &&
                              Contains("--seed 3") && Contains("--sample 0"));
@@ -51,7 +51,8 @@ TEST_CASE("the option --strict exits with 3 after bad samples and still writes t
   const TemporaryFolder folder;
   const std::string scene = folder.write("bright.p3f", tooBrightScene());
   const std::string exr = folder.path("a.exr");
-  const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "4", "--strict", "-q"});
+  const ProgramResult result = runCandela(
+      {scene, "-o", exr, "--device", "cpu", "--film-scale", "0", "--spp", "4", "--strict", "-q"});
   CHECK(result.exitCode == 3);
   CHECK_THAT(result.err, Contains("--strict: ") && Contains("the run fails"));
   CHECK(image::badSampleCount(image::readImage(exr)) > 0);

@@ -55,6 +55,20 @@ TEST_CASE("samples that miss everything have the reflectance 1 and no normal") {
   CHECK(pixel.normal.w == Approx(0.25));
 }
 
+TEST_CASE("statistics of a film with a scale are those of its samples") {
+  image::Film plain(1, 1, momentLayers()), scaled(1, 1, momentLayers(), 7);
+  for (image::Film* const film : {&plain, &scaled}) {
+    addSample(*film, {4, 1, 0}, hitOf({0.5, 0.25, 0}, {0, 0, 1}));
+    addSample(*film, {16, 1, 0}, hitOf({0.5, 0.75, 0}, {0, 1, 0}));
+  }
+  const gpu::DenoisePixel a = statisticsOf(plain).pixels.front(), b = statisticsOf(scaled).pixels.front();
+  for (int i = 0; i < 4; ++i) {
+    CHECK(b.light[i] == Approx(a.light[i]));
+    CHECK(b.root[i] == Approx(a.root[i]));
+    CHECK(b.reflectance[i] == a.reflectance[i]);
+  }
+}
+
 TEST_CASE("a pixel with one sample has no statistics") {
   image::Film film(1, 1, momentLayers());
   addSample(film, glm::dvec3(1), hitOf(glm::dvec3(0.5), {0, 0, 1}));

@@ -90,9 +90,9 @@ TEST_CASE("every member of a description that is impossible is refused by name")
 
 TEST_CASE("another version of the format is refused by its number") {
   ordered_json json = ordered_json::parse(toJson(fullHeader()));
-  json["format"] = 7;
+  json["format"] = 8;
   CHECK_THROWS_WITH(headerFromJson(json.dump()),
-                    Catch::Contains("has version 7") && Catch::Contains("reads versions 1 to 6"));
+                    Catch::Contains("has version 8") && Catch::Contains("reads versions 1 to 7"));
 }
 
 TEST_CASE("only films with alpha have version 2 of the format") {
@@ -141,6 +141,31 @@ TEST_CASE("adaptively sampled films have version 6 of the format, and those of t
         std::vector<std::string>{"--stopping-rule is absent in A and 2 in B"});
   current.layers.add(image::Layer::cryptoObject);
   CHECK(current.format() == 6);
+}
+
+TEST_CASE("films with a scale have version 7 of the format") {
+  FilmHeader header = fullHeader();
+  CHECK(header.filmScale() == 0);
+  header.settings["film-scale"] = "17";
+  CHECK(header.format() == 7);
+  CHECK(header.filmScale() == 17);
+  CHECK(headerFromJson(toJson(header)) == header);
+  header.settings["noise-threshold"] = "0.2";
+  header.settings["stopping-rule"] = "2";
+  header.layers.add(image::Layer::cryptoObject);
+  CHECK(header.format() == 7);
+  CHECK(headerFromJson(toJson(header)) == header);
+  CHECK(estimateDifferences(fullHeader(), headerFromJson(toJson(header)), "A", "B").front() ==
+        "--film-scale is absent in A and 17 in B");
+}
+
+TEST_CASE("scales that no film has are refused") {
+  FilmHeader header = fullHeader();
+  for (const char* scale : {"0", "41", "-1", "017", "1.5", "", "auto"}) {
+    CAPTURE(scale);
+    header.settings["film-scale"] = scale;
+    CHECK_THROWS_WITH(headerFromJson(toJson(header)), Catch::Contains("scale of the film"));
+  }
 }
 
 TEST_CASE("films by unknown rules of stopping are refused") {

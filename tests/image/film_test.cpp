@@ -110,6 +110,40 @@ TEST_CASE("a film channel above the maximum is clamped and counted") {
   CHECK(pixel.firstBadSample == 1);
 }
 
+TEST_CASE("a film of scale k adds samples times 2^-k, and its means and variances are those of the samples") {
+  Film film(1, 1, {}, 5);
+  film.addSample(0, 0, {32, 48, 0x1p25}, 0);
+  film.addSample(0, 0, {96, 16, 0x1p25 + 4}, 1);
+  CHECK(film.at(0, 0).red == FixedSum{0, 4 << 8, 0});
+  CHECK(film.at(0, 0).badCount == 1);
+  CHECK(film.at(0, 0).firstBadSample == 2);
+  CHECK(film.mean(0, 0) == glm::dvec3(64, 32, 0x1p25));
+  Film plain(1, 1);
+  plain.addSample(0, 0, {1, 1.5, 0x1p20}, 0);
+  plain.addSample(0, 0, {3, 0.5, 0x1p20}, 1);
+  CHECK(film.luminanceVariance(0, 0) == 1024 * plain.luminanceVariance(0, 0));
+  CHECK(film.luminanceVariance(0, 0) > 0);
+}
+
+TEST_CASE("the scale is part of a film's hash unless it is 0, and films of different scales are not merged") {
+  Film plain(2, 2), scaled(2, 2, {}, 1), other(2, 2, {}, 2);
+  CHECK(Film(2, 2, {}, 0).hash() == plain.hash());
+  CHECK(scaled.hash() != plain.hash());
+  CHECK(scaled.hash() != other.hash());
+  CHECK_THROWS_WITH(scaled.merge(other), Catch::Contains("different scales"));
+  scaled.merge(Film(2, 2, {}, 1));
+  scaled.clear();
+  CHECK(scaled.scale() == 1);
+}
+
+TEST_CASE("the largest scale has variances that single precision represents") {
+  Film film(1, 1, {}, kMaxFilmScale);
+  film.addSample(0, 0, glm::dvec3(0), 0);
+  film.addSample(0, 0, glm::dvec3(1e30), 1);
+  CHECK(film.mean(0, 0).x == 0x1p59);
+  CHECK(std::isfinite(static_cast<float>(film.luminanceVariance(0, 0))));
+}
+
 TEST_CASE("negative zero is no bad sample") { CHECK(pixelOf({-0.0, 0.0, -0.0}).badCount == 0); }
 
 TEST_CASE("a film remembers the lowest bad sample, whatever the order") {

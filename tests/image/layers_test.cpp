@@ -108,6 +108,33 @@ TEST_CASE("films with layers add up, and refuse films with other layers") {
   CHECK(a.layerRows() == Film(1, 1, depth).layerRows());
 }
 
+TEST_CASE("layers of light have the film's scale, and the others have none") {
+  const LayerSet layers = setOf({Layer::depth, Layer::direct, Layer::indirect, Layer::emission, Layer::moments});
+  Film plain(1, 1, layers), scaled(1, 1, layers, 3);
+  const auto add = [](Film& film, double factor) {
+    LayerSample sample{LayerSample::FirstHit{.albedo = glm::dvec3(0.5), .depth = 2e5}, factor * glm::dvec3(1, 2, 3),
+                       factor * glm::dvec3(2, 4, 8)};
+    film.addSample(0, 0, factor * glm::dvec3(3, 7, 10), 0);
+    film.addLayers(0, 0, sample, factor * glm::dvec3(3, 7, 10));
+  };
+  add(plain, 1);
+  add(scaled, 8);
+  CHECK(plain.layerRows() == scaled.layerRows());
+  Image a = toImage(plain), b = toImage(scaled);
+  addLayers(a, plain);
+  addLayers(b, scaled);
+  REQUIRE(a.channels.size() == b.channels.size());
+  for (std::size_t i = 0; i < a.channels.size(); ++i) {
+    INFO(a.channels[i].name);
+    const bool isRoot = a.channels[i].name.starts_with("sqrt");
+    const bool isLight = isRoot || a.channels[i].name.find("direct") != std::string::npos ||
+                         a.channels[i].name.starts_with("emission");
+    const double factor = isRoot ? std::sqrt(8.0) : isLight ? 8 : 1;
+    CHECK(b.channels[i].values[0] == Approx(factor * a.channels[i].values[0]));
+    if (isLight) CHECK(a.channels[i].values[0] > 0);
+  }
+}
+
 TEST_CASE("moments are means of square roots, and variances of albedo and normal, of two samples by hand") {
   Film film(2, 1, setOf({Layer::moments}));
   const auto add = [&](const glm::dvec3& radiance, const LayerSample& sample) {

@@ -46,6 +46,20 @@ TEST_CASE("the means of a film are computed on the device as on the host, in eve
   }
 }
 
+TEST_CASE("the means of a film with a scale are those of its samples") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  vulkan::Device device = openTestDevice();
+  render::RenderSettings settings = squareSettings(40, 2);
+  settings.image.filmScale = 9;
+  const auto session = makeGpuRenderer(device)->prepare(scene, settings);
+  session->advance({0, 2}, {});
+  FilmMeans means(device, {40, 40});
+  REQUIRE(means.update(*session));
+  view::Picture expected({40, 40});
+  show(session->film(), expected);
+  requireClose(pictureOf(means), expected);
+}
+
 TEST_CASE("films in several bands, and those of the reference, are not on the device") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   vulkan::Device device = openTestDevice();
