@@ -24,10 +24,11 @@ void requireWhole(const Value& reference, const ElementType& type) {
 
 }  // namespace
 
-Value Accessors::accessorOf(const Value& reference) const {
-  const std::size_t index = reference.indexInto("accessors", root_.sizeOf("accessors"));
-  return root_.require("accessors")[index];
+std::size_t Accessors::indexOf(const Value& reference) const {
+  return reference.indexInto("accessors", root_.sizeOf("accessors"));
 }
+
+Value Accessors::accessorOf(const Value& reference) const { return root_.require("accessors")[indexOf(reference)]; }
 
 ElementType Accessors::type(const Value& reference) const { return elementTypeOf(accessorOf(reference)); }
 
@@ -114,7 +115,26 @@ void Accessors::readReals(const Elements& elements, std::span<float> result) {
   requireFinite(elements.place, elements.type, result);
 }
 
-std::vector<std::uint32_t> Accessors::readWhole(const Value& reference, std::size_t components) {
+std::span<const float> Accessors::storedReals(const Value& reference, std::size_t components) {
+  return reals_.get({indexOf(reference), components}, [&] {
+    const Elements elements = elementsOf(reference, components);
+    std::vector<float> values(elements.type.count * components);
+    readReals(elements, values);
+    return values;
+  });
+}
+
+std::vector<std::uint32_t> Accessors::readWhole(const Value& reference, std::size_t components,
+                                                const Selection& selection) {
+  if (!selection) return readAllWhole(reference, components);
+  const std::span<const std::uint32_t> all = wholes_.get({indexOf(reference), components},
+                                                         [&] { return readAllWhole(reference, components); });
+  std::vector<std::uint32_t> result(selection->size() * components);
+  gather(all, components, *selection, std::span(result));
+  return result;
+}
+
+std::vector<std::uint32_t> Accessors::readAllWhole(const Value& reference, std::size_t components) {
   requireWhole(reference, type(reference));
   const Elements elements = elementsOf(reference, components);
   std::vector<std::uint32_t> result(elements.type.count * components);

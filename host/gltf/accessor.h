@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/gltf/element.h"
+#include "host/gltf/stored_values.h"
 
 namespace candela::gltf {
 
@@ -26,24 +27,33 @@ class Accessors {
 
   /// Elements with as many components as Vector has, or floats for SCALAR. Normalised integers are converted to
   /// their values (-1 to 1 or 0 to 1), other integers are not changed. All results are finite.
+  ///
+  /// With a selection, only these elements are returned, which must exist. The accessor is read and checked as a whole
+  /// the first time only, so that many primitives may select a few elements each from one large accessor.
   template <class Vector>
-  std::vector<Vector> read(const Value& reference);
+  std::vector<Vector> read(const Value& reference, const Selection& selection = {});
   /// SCALAR or vectors of unsigned integers that are not normalised, all components in sequence.
-  std::vector<std::uint32_t> readWhole(const Value& reference, std::size_t components);
+  std::vector<std::uint32_t> readWhole(const Value& reference, std::size_t components, const Selection& selection = {});
 
  private:
+  static constexpr std::size_t kMaxStoredValues = std::size_t{1} << 26;
+
   struct Elements {
     Value place;
     ElementType type;
     Bytes bytes;  ///< from the first element on; empty: all elements are 0
     std::size_t stride;
   };
+  std::size_t indexOf(const Value& reference) const;
   Value accessorOf(const Value& reference) const;
   Elements elementsOf(const Value& reference, std::size_t components);
   Elements inView(const Value& place, const ElementType& type);
   /// The elements of an accessor, all 0 without a buffer view, apart from sparse ones.
   Elements elementsIn(const Value& accessor, const ElementType& type);
   void readReals(const Elements& elements, std::span<float> result);
+  std::vector<std::uint32_t> readAllWhole(const Value& reference, std::size_t components);
+  /// All components of an accessor. They are valid until the next call.
+  std::span<const float> storedReals(const Value& reference, std::size_t components);
   template <class Out>
   void applySparse(const Value& accessor, const ElementType& type, std::span<Out> result);
 
@@ -51,14 +61,24 @@ class Accessors {
   Buffers& buffers_;
   std::uint64_t readCount_ = 0;  ///< elements of buffer views
   std::uint64_t zeroCount_ = 0;  ///< elements without a buffer view
+  StoredValues<float> reals_{kMaxStoredValues};
+  StoredValues<std::uint32_t> wholes_{kMaxStoredValues};
 };
 
 template <class Vector>
-std::vector<Vector> Accessors::read(const Value& reference) {
+std::vector<Vector> Accessors::read(const Value& reference, const Selection& selection) {
   constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
+  const auto numbersOf = [](std::vector<Vector>& vectors) {
+    return std::span(reinterpret_cast<float*>(vectors.data()), vectors.size() * kComponents);
+  };
+  if (selection) {
+    std::vector<Vector> result(selection->size());
+    gather(storedReals(reference, kComponents), kComponents, *selection, numbersOf(result));
+    return result;
+  }
   const Elements elements = elementsOf(reference, kComponents);
   std::vector<Vector> result(elements.type.count);
-  readReals(elements, {reinterpret_cast<float*>(result.data()), result.size() * kComponents});
+  readReals(elements, numbersOf(result));
   return result;
 }
 

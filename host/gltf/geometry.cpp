@@ -3,24 +3,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/core/memory_budget.h"
 
 namespace candela::gltf {
 namespace {
 
-std::vector<glm::vec4> readStoredColours(const VertexSource& source, std::size_t count) {
+/// The vertices of a primitive: all that its attributes have, and those that it uses.
+struct Vertices {
+  std::size_t count = 0;
+  Selection selection{};
+};
+
+std::vector<glm::vec4> readStoredColours(const VertexSource& source, const Vertices& vertices) {
   const std::optional<Value> reference = source.attribute("COLOR_0");
   if (!reference) return {};
-  if (source.components(*reference, "COLOR_0") == 4) return source.read<glm::vec4>("COLOR_0", count);
-  const std::vector<glm::vec3> opaque = source.read<glm::vec3>("COLOR_0", count);
+  if (source.components(*reference, "COLOR_0") == 4)
+    return source.read<glm::vec4>("COLOR_0", vertices.count, vertices.selection);
+  const std::vector<glm::vec3> opaque = source.read<glm::vec3>("COLOR_0", vertices.count, vertices.selection);
   std::vector<glm::vec4> colours;
   for (const glm::vec3& colour : opaque) colours.emplace_back(colour, 1.0f);
   return colours;
 }
 
 /// Colours are clamped to [0, 1]: section 3.7.2.1 of the specification.
-std::vector<glm::vec4> readColours(const VertexSource& source, std::size_t count) {
-  std::vector<glm::vec4> colours = readStoredColours(source, count);
+std::vector<glm::vec4> readColours(const VertexSource& source, const Vertices& vertices) {
+  std::vector<glm::vec4> colours = readStoredColours(source, vertices);
   for (glm::vec4& colour : colours) colour = glm::clamp(colour, 0.0f, 1.0f);
   return colours;
 }
@@ -42,11 +51,11 @@ std::size_t countSets(const VertexSource& source) {
   return count;
 }
 
-Influences readInfluences(const VertexSource& source, std::size_t count) {
+Influences readInfluences(const VertexSource& source, const Vertices& vertices) {
   Influences influences;
   for (std::size_t set = 0; set < countSets(source); ++set) {
-    influences.joints.push_back(source.readWhole(jointsOf(set), count));
-    influences.weights.push_back(source.read<glm::vec4>(weightsOf(set), count));
+    influences.joints.push_back(source.readWhole(jointsOf(set), vertices.count, vertices.selection));
+    influences.weights.push_back(source.read<glm::vec4>(weightsOf(set), vertices.count, vertices.selection));
   }
   return influences;
 }
@@ -66,39 +75,61 @@ std::uint64_t bytesOf(const VertexSource& source, bool isSkinned) {
 }
 
 /// Without normals, tangents are ignored: section 3.7.2.1 of the specification.
-void readAttributes(const VertexSource& source, scene::Mesh& mesh) {
-  const std::size_t count = mesh.positions.size();
-  if (source.attribute("NORMAL")) mesh.normals = source.read<glm::vec3>("NORMAL", count);
-  if (!mesh.normals.empty() && source.attribute("TANGENT")) mesh.tangents = source.read<glm::vec4>("TANGENT", count);
+void readAttributes(const VertexSource& source, const Vertices& vertices, scene::Mesh& mesh) {
+  const auto& [count, selection] = vertices;
+  mesh.positions = source.read<glm::vec3>("POSITION", count, selection);
+  if (source.attribute("NORMAL")) mesh.normals = source.read<glm::vec3>("NORMAL", count, selection);
+  if (!mesh.normals.empty() && source.attribute("TANGENT")) {
+    mesh.tangents = source.read<glm::vec4>("TANGENT", count, selection);
+  }
   for (std::size_t set = 0; set < mesh.texCoords.size(); ++set) {
     const std::string name = fmt::format("TEXCOORD_{}", set);
-    if (source.attribute(name)) mesh.texCoords[set] = source.read<glm::vec2>(name, count);
+    if (source.attribute(name)) mesh.texCoords[set] = source.read<glm::vec2>(name, count, selection);
   }
-  mesh.colours = readColours(source, count);
+  mesh.colours = readColours(source, vertices);
 }
 
 /// Adds `weight` times a target's displacements to an attribute, of which it may move the first three components.
 template <class Vector>
-void addTarget(const Value& target, const char* name, float weight, Accessors& accessors, std::vector<Vector>& values) {
+void addTarget(const Value& target, const char* name, float weight, const Vertices& vertices, Accessors& accessors,
+               std::vector<Vector>& values) {
   const std::optional<Value> reference = target.find(name);
   if (!reference || values.empty()) return;
-  requireCount(*reference, accessors.type(*reference).count, values.size());
-  const std::vector<glm::vec3> moves = accessors.read<glm::vec3>(*reference);
+  requireCount(*reference, accessors.type(*reference).count, vertices.count);
+  const std::vector<glm::vec3> moves = accessors.read<glm::vec3>(*reference, vertices.selection);
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (glm::length_t c = 0; c < 3; ++c) values[i][c] += weight * moves[i][c];
   }
 }
 
-void addTargets(const Value& primitive, std::span<const double> weights, Accessors& accessors, scene::Mesh& mesh) {
+void addTargets(const Value& primitive, std::span<const double> weights, const Vertices& vertices, Accessors& accessors,
+                scene::Mesh& mesh) {
   const std::optional<Value> targets = primitive.find("targets");
   if (!targets) return;
   for (std::size_t i = 0; i < targets->size() && i < weights.size(); ++i) {
     const auto weight = static_cast<float>(weights[i]);
     if (weight == 0) continue;
-    addTarget((*targets)[i], "POSITION", weight, accessors, mesh.positions);
-    addTarget((*targets)[i], "NORMAL", weight, accessors, mesh.normals);
-    addTarget((*targets)[i], "TANGENT", weight, accessors, mesh.tangents);
+    addTarget((*targets)[i], "POSITION", weight, vertices, accessors, mesh.positions);
+    addTarget((*targets)[i], "NORMAL", weight, vertices, accessors, mesh.normals);
+    addTarget((*targets)[i], "TANGENT", weight, vertices, accessors, mesh.tangents);
   }
+}
+
+/// Numbers the vertices that are used anew, in their order, and returns their old indices.
+std::vector<std::uint32_t> compactIndices(std::vector<std::uint32_t>& indices) {
+  std::vector<std::uint32_t> used = indices;
+  std::ranges::sort(used);
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& index : indices) {
+    index = static_cast<std::uint32_t>(std::ranges::lower_bound(used, index) - used.begin());
+  }
+  return used;
+}
+
+/// Selects the vertices of triangles, if there are more than twice as many vertices as corners.
+Selection selectVertices(const VertexSource& source, std::size_t count, std::vector<std::uint32_t>& indices) {
+  if (source.isCompressed() || count <= 2 * indices.size()) return std::nullopt;
+  return compactIndices(indices);
 }
 
 }  // namespace
@@ -135,11 +166,12 @@ std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& 
                 use.usedBytes + bytesOf(source, use.isSkinned), "use a machine with more memory");
   Geometry geometry;
   scene::Mesh& mesh = geometry.mesh;
-  mesh.positions = source.read<glm::vec3>("POSITION", 0);
-  readAttributes(source, mesh);
-  if (use.isSkinned) geometry.influences = readInfluences(source, mesh.positions.size());
-  addTargets(primitive, use.morphWeights, accessors, mesh);
-  mesh.indices = toTriangles(topologyOf(primitive), source.readIndices(mesh.positions.size()));
+  Vertices vertices{source.vertexCount()};
+  mesh.indices = toTriangles(topologyOf(primitive), source.readIndices(vertices.count));
+  vertices.selection = selectVertices(source, vertices.count, mesh.indices);
+  readAttributes(source, vertices, mesh);
+  if (use.isSkinned) geometry.influences = readInfluences(source, vertices);
+  addTargets(primitive, use.morphWeights, vertices, accessors, mesh);
   return geometry;
 }
 

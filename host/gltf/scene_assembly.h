@@ -46,8 +46,8 @@ class SceneAssembly {
   void addObject(const Value& node, std::size_t index, std::size_t first);
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
-  /// Reads a primitive without its unused vertices. If it had many, which would take longer to read than to copy, the
-  /// result is stored for other nodes.
+  /// Reads a primitive without its unused vertices. If many of its compressed vertices are unused, which take longer to
+  /// read than the result to copy, the result is stored for other nodes.
   std::optional<Geometry> geometryOf(const Value& primitive, const std::vector<double>& morphWeights, bool isSkinned);
   void addLight(const Value& node, std::size_t index);
   /// Counts copies of a mesh before they are made, and throws PlaceError or OutOfMemoryError if there are too many.

@@ -43,7 +43,8 @@ std::size_t VertexSource::indexCount(std::size_t vertexCount) const {
   return reference ? accessors_.count(*reference) : vertexCount;
 }
 
-std::vector<glm::uvec4> VertexSource::readWhole(const std::string& name, std::size_t count) const {
+std::vector<glm::uvec4> VertexSource::readWhole(const std::string& name, std::size_t count,
+                                                const Selection& selection) const {
   const Value reference = attributes_.require(name);
   std::vector<glm::uvec4> values;
   if (const DracoMesh::Attribute* source = compressed(name, 4)) {
@@ -55,14 +56,14 @@ std::vector<glm::uvec4> VertexSource::readWhole(const std::string& name, std::si
       }
       values.emplace_back(value);
     }
+    requireCount(reference, values.size(), count);
   } else {
     requireCount(reference, accessors_.type(reference).count, count);
-    const std::vector<std::uint32_t> words = accessors_.readWhole(reference, 4);
+    const std::vector<std::uint32_t> words = accessors_.readWhole(reference, 4, selection);
     for (std::size_t i = 0; i < words.size(); i += 4) {
       values.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
     }
   }
-  requireCount(reference, values.size(), count);
   return values;
 }
 

@@ -24,14 +24,16 @@ class VertexSource {
   std::size_t vertexCount() const;
   /// Number of indices that readIndices() returns for this number of vertices.
   std::size_t indexCount(std::size_t vertexCount) const;
-  /// The values of an attribute that exists. There must be `count` of them, unless count is 0.
+  /// The values of an attribute that exists, of the selected vertices. The attribute must have `count` of them in all.
   template <class Vector>
-  std::vector<Vector> read(const std::string& name, std::size_t count) const;
-  /// The four unsigned integers of each vertex in an attribute that exists.
-  std::vector<glm::uvec4> readWhole(const std::string& name, std::size_t count) const;
+  std::vector<Vector> read(const std::string& name, std::size_t count, const Selection& selection) const;
+  /// The four unsigned integers of each selected vertex in an attribute that exists.
+  std::vector<glm::uvec4> readWhole(const std::string& name, std::size_t count, const Selection& selection) const;
   /// Indices of vertices, each below `vertexCount`; 0, 1, 2 ... if the primitive has none.
   std::vector<std::uint32_t> readIndices(std::size_t vertexCount) const;
   bool hasIndices() const { return draco_ || primitive_.find("indices"); }
+  /// Returns whether vertices are compressed, so that all of them must be read.
+  bool isCompressed() const { return draco_.has_value(); }
 
  private:
   const DracoMesh::Attribute* compressed(const std::string& name, std::size_t components) const;
@@ -46,19 +48,16 @@ class VertexSource {
 void requireCount(const Value& reference, std::size_t count, std::size_t expected);
 
 template <class Vector>
-std::vector<Vector> VertexSource::read(const std::string& name, std::size_t count) const {
+std::vector<Vector> VertexSource::read(const std::string& name, std::size_t count, const Selection& selection) const {
   const Value reference = attributes_.require(name);
   constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
-  std::vector<Vector> values;
   if (const DracoMesh::Attribute* source = compressed(name, kComponents)) {
-    values.resize(draco_->vertexCount);
+    std::vector<Vector> values(draco_->vertexCount);
     std::copy(source->values.begin(), source->values.end(), reinterpret_cast<float*>(values.data()));
-  } else {
-    if (count > 0) requireCount(reference, accessors_.type(reference).count, count);
-    values = accessors_.read<Vector>(reference);
+    return values;
   }
-  if (count > 0) requireCount(reference, values.size(), count);
-  return values;
+  requireCount(reference, accessors_.type(reference).count, count);
+  return accessors_.read<Vector>(reference, selection);
 }
 
 }  // namespace candela::gltf
