@@ -10,7 +10,7 @@ namespace candela::flatten {
 
 /// The rule by which a device traces a scene without any structure.
 struct SmallSceneRule {
-  std::uint32_t maxCost = 48;  ///< maximum cost of testing all primitives, in the units of rowCost()
+  std::uint32_t maxCost = 48;  ///< maximum cost of testing all primitives, in the units of TestCost (small_scene.cpp)
   bool rowsAhead = false;  ///< the kernel reads all records before anything else, which saves time if later reads are
                            ///< more expensive
 };
