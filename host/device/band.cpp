@@ -128,7 +128,7 @@ std::uint32_t Band::setWidth(std::uint32_t width) {
 void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
                 std::uint32_t firstSample, const render::PixelMask& mask) {
   rows_ = rows;
-  sweep_ = sweepOf(rows, width_, mask);
+  sampled_ = sampledRegionOf(rows, width_, mask);
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
   volumeFaultsBefore_ = 0;
@@ -217,20 +217,20 @@ std::uint64_t Band::takeFinishedSamples() {
 
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const render::Extent corner{std::min(sweep_.box.width, workgroup.width),
-                              std::min(sweep_.box.height, workgroup.height)};
-  dispatch({sweep_.box.x, sweep_.box.y, corner.width, corner.height}, 1, sampleEnd, budget);
+  const render::Extent corner{std::min(sampled_.box.width, workgroup.width),
+                              std::min(sampled_.box.height, workgroup.height)};
+  dispatch({sampled_.box.x, sampled_.box.y, corner.width, corner.height}, 1, sampleEnd, budget);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  if (!cursor_) cursor_ = cursorOver({sweep_.box.width, sweep_.box.height}, settings_);
+  if (!cursor_) cursor_ = cursorOver({sampled_.box.width, sampled_.box.height}, settings_);
   if (!governor_) {
     governor_.emplace(governorOptions(settings_, budget, pixels()));
     governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
   }
-  UnfinishedRows unfinished(sweep_.box.width, sweep_.selectedInRows);
+  UnfinishedRows unfinished(sampled_.box.width, sampled_.selectedInRows);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
   while (counters().finishedPixels < pixelsLeft) {
     if (control.stop != nullptr && *control.stop) {
@@ -242,7 +242,7 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;
     const Plan plan{lanes, governor_->segmentsFor(active)};
-    const Rect inBand{sweep_.box.x + region.x, sweep_.box.y + region.y, region.width, region.height};
+    const Rect inBand{sampled_.box.x + region.x, sampled_.box.y + region.y, region.width, region.height};
     const double seconds = dispatch(inBand, plan.segments, sampleEnd, budget);
     governor_->record(plan, active, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);
