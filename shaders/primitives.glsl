@@ -74,7 +74,7 @@ struct Surface {
   vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
   vec3 colour;      // vertex colour; 1 if the primitive has none
   vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
-  vec3 grain;       // direction in which the material is rougher; 0: none
+  vec3 anisotropyDirection;  // direction in which the material is rougher; 0: none
   bool isMapped;    // `shading` is that of a normal map
   float facet;      // the number that chooses a facet then
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
@@ -132,7 +132,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.texCoords = vec4(0.0);
   surface.colour = vec3(1.0);
   surface.tangent = vec4(0.0);
-  surface.grain = vec3(0.0);
+  surface.anisotropyDirection = vec3(0.0);
   surface.isMapped = false;
   surface.facet = 0.0;
   surface.jitter = vec4(0.0);

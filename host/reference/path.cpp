@@ -152,7 +152,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.decide(surface.fromOutside);
     SurfaceMaterial material = materialAt(surface, rounding);
     dimEmission(surface, ray.direction, material);
-    alignGrain(scene(), surface, material, rounding);
+    alignAnisotropy(scene(), surface, material, rounding);
     mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
     if (isShown) shownDistance += hit.distance;
