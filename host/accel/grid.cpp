@@ -214,13 +214,13 @@ class GridBuilder {
 }  // namespace
 
 std::uint64_t maxGridCells(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 128, kMinimum = 1024;
-  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 30);
+  constexpr std::uint64_t kPerPrimitive = 128, kMin = 1024;
+  return std::min(kPerPrimitive * primitiveCount + kMin, std::uint64_t{1} << 30);
 }
 
 std::uint64_t maxGridReferences(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 64, kMinimum = 4096;
-  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 31);
+  constexpr std::uint64_t kPerPrimitive = 64, kMin = 4096;
+  return std::min(kPerPrimitive * primitiveCount + kMin, std::uint64_t{1} << 31);
 }
 
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {

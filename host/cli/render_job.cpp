@@ -24,9 +24,9 @@ namespace candela::cli {
 namespace {
 
 void requirePixelLimit(const render::Extent& size) {
-  if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
+  if (std::uint64_t{size.width} * size.height <= image::kMaxImagePixels) return;
   throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
-                              image::kMaximumImagePixels));
+                              image::kMaxImagePixels));
 }
 
 void requireCropWithin(const render::ImageSettings& image) {

@@ -58,9 +58,9 @@ std::uint32_t numberAt(const Json& json, const char* key, std::uint32_t lowest, 
 render::Extent sizeAt(const Json& json) {
   const Json& list = listAt(json, "size");
   if (list.size() != 2) refuse("size");
-  const render::Extent size{number(list[0], "size", 1, image::kMaximumImageSide),
-                            number(list[1], "size", 1, image::kMaximumImageSide)};
-  if (std::uint64_t{size.width} * size.height > image::kMaximumImagePixels) refuse("size");
+  const render::Extent size{number(list[0], "size", 1, image::kMaxImageSide),
+                            number(list[1], "size", 1, image::kMaxImageSide)};
+  if (std::uint64_t{size.width} * size.height > image::kMaxImagePixels) refuse("size");
   return size;
 }
 

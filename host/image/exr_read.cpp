@@ -66,7 +66,7 @@ void checkHeader(ByteView bytes) {
 /// Limits the memory that OpenEXR allocates while it opens a file, before checkImageSize can check the size.
 void limitSizes() {
   static const bool limited = [] {
-    constexpr auto kSide = static_cast<int>(kMaximumImageSide);
+    constexpr auto kSide = static_cast<int>(kMaxImageSide);
     Imf::Header::setMaxImageSize(kSide, kSide);
     Imf::Header::setMaxTileSize(kSide, kSide);
     return true;
@@ -87,10 +87,10 @@ Imath::Box2i checkedWindow(const Imf::Header& header) {
 /// methods to fewer, and a pixel has at least two bytes. DWA stores at least a value of two bytes, which it deflates,
 /// for each square of 8 x 8 pixels.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
-  constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
+  constexpr std::size_t kMaxPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   const bool isDwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
-  const std::size_t maximum = isDwa ? 64 * kMaximumPixelsPerByte : kMaximumPixelsPerByte;
+  const std::size_t maximum = isDwa ? 64 * kMaxPixelsPerByte : kMaxPixelsPerByte;
   if (pixelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 

@@ -129,10 +129,10 @@ void Film::merge(const Film& other) {
                                  other.height_, width_, height_));
   }
   if (layers_ != other.layers_) throw UsageError("cannot merge films with different layers");
-  constexpr std::uint32_t kMaximumCount = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    if (other.pixels_[i].sampleCount > kMaximumCount - pixels_[i].sampleCount) {
-      throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaximumCount));
+    if (other.pixels_[i].sampleCount > kMaxCount - pixels_[i].sampleCount) {
+      throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaxCount));
     }
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) addSums(pixels_[i], other.pixels_[i]);
