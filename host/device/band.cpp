@@ -36,18 +36,18 @@ std::uint64_t filmBytesPerPixel(const render::RenderSettings& settings) {
 }
 
 /// Bytes before the path records of `pixels` pixels.
-std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
+std::uint64_t headerBytes(const Kernel& kernel, std::uint64_t pixels) {
   return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
 }
 
 std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
   const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, filmBytesPerPixel(settings));
-  const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
+  const std::uint64_t queues = headerBytes(kernel, 1) - headerBytes(kernel, 0);
   return settings.execution.recordPaths ? std::max(path, queues + kRecordBytes) : path;
 }
 
 std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& settings, std::uint64_t pixels) {
-  return headBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+  return headerBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
 }
 
 vulkan::Usage resultUsage(const Kernel& kernel) {
@@ -96,8 +96,8 @@ std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, c
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
   // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
   const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, usableMemory(info) / 4});
-  const std::uint64_t head = headBytes(kernel, 0);
-  const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
+  const std::uint64_t header = headerBytes(kernel, 0);
+  const std::uint64_t rows = allowedBytes <= header ? 0 : (allowedBytes - header) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
                                 settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
@@ -202,7 +202,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
   return device_.run(record);
 }
 
-std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
+std::uint64_t Band::recordOffset() const { return headerBytes(kernel_, pixels()); }
 
 const gpu::Counters& Band::counters() const {
   return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());

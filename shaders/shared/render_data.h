@@ -120,7 +120,7 @@ struct WaveState {
 
 // Header of a queue of the wavefront: the number of workgroups of its stage, as vkCmdDispatchIndirect reads it, and the
 // number of pending pixels.
-struct QueueHead {
+struct QueueHeader {
   uint groupsX;
   uint groupsY;
   uint groupsZ;

@@ -144,8 +144,8 @@ TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++,
                       MEMBER(WaveState, shadowLeaving), MEMBER(WaveState, shadowLight)};
   CHECK(module.offsetsOf("WaveState") == waves);
   CHECK(waves.at("path") == 0);
-  CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
-                                                 MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
+  CHECK(module.offsetsOf("QueueHeader") == Offsets{MEMBER(QueueHeader, groupsX), MEMBER(QueueHeader, groupsY),
+                                                   MEMBER(QueueHeader, groupsZ), MEMBER(QueueHeader, count)});
   for (const char* name :
        {"PathState", "PathCounts", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
     CAPTURE(name);
