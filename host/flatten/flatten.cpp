@@ -152,7 +152,7 @@ void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& f
 
 // Returns the number of records of a tree's state. Only glass makes rays pending.
 std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
-  return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
+  return gpu::kTreeRows + (features.dielectric ? gpu::kPendingRows * (maxDepth - 1) : 0);
 }
 
 // Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.

@@ -146,7 +146,7 @@ struct TreeState {
   uvec4 originLeaving;    // of the current ray: origin, leaving
   uvec4 directionWeight;  // its direction, its weight in the sample
   uint node;              // of the current ray (0: the sample has not started)
-  uint waiting;           // depths that have a pending ray
+  uint pending;           // depths that have a pending ray
   uint nextLight;
   uint nodesDone;
   uvec4 radianceSample;  // rgb, sample index
@@ -164,7 +164,7 @@ CANDELA_CONST uint kTreeRows = 6u;
 
 // Records of a pending refracted ray: its first two as in TreeState. There is at most one for each depth from 2 on;
 // they follow the TreeState in this order.
-CANDELA_CONST uint kWaitingRows = 2u;
+CANDELA_CONST uint kPendingRows = 2u;
 
 // Maximum number of lights that a segment of the Whitted tracer tests, so that segments are short on devices that limit
 // loops.
