@@ -21,7 +21,7 @@ TreeState loadTree(uint row) {
 }
 
 void storeTree(uint row, TreeState state) {
-  treeRows[row] = state.originLeaving;
+  treeRows[row] = state.originAndSlot;
   treeRows[row + 1u] = state.directionWeight;
   treeRows[row + 2u] = uvec4(state.node, state.pending, state.nextLight, state.nodesDone);
   treeRows[row + 3u] = state.radianceSample;
@@ -29,12 +29,12 @@ void storeTree(uint row, TreeState state) {
   treeRows[row + 5u] = uvec4(state.vertices, state.steps, 0u, 0u);
 }
 
-Ray unpackRay(uvec4 originLeaving, uvec4 directionWeight) {
-  return makeRay(uintBitsToFloat(originLeaving.xyz), uintBitsToFloat(directionWeight.xyz), originLeaving.w);
+Ray unpackRay(uvec4 originAndSlot, uvec4 directionWeight) {
+  return makeRay(uintBitsToFloat(originAndSlot.xyz), uintBitsToFloat(directionWeight.xyz), originAndSlot.w);
 }
 
 Tree unpackTree(TreeState state) {
-  return Tree(unpackRay(state.originLeaving, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
+  return Tree(unpackRay(state.originAndSlot, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
               state.node, state.pending, state.nextLight, uintBitsToFloat(state.radianceSample.xyz));
 }
 
@@ -42,7 +42,7 @@ uint pendingRow(uint treeRow, uint depth) { return treeRow + kTreeRows + (depth 
 
 void storePending(inout Tree tree, uint treeRow, uint depth, Ray ray, float weight) {
   uint row = pendingRow(treeRow, depth);
-  treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.leaving);
+  treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.originSlot);
   treeRows[row + 1u] = floatBitsToUint(vec4(ray.direction, weight));
   tree.pending |= 1u << depth;
 }
@@ -51,9 +51,9 @@ void storePending(inout Tree tree, uint treeRow, uint depth, Ray ray, float weig
 void takePending(inout Tree tree, uint treeRow) {
   uint depth = uint(findMSB(tree.pending));
   uint row = pendingRow(treeRow, depth);
-  uvec4 originLeaving = treeRows[row];
+  uvec4 originAndSlot = treeRows[row];
   uvec4 directionWeight = treeRows[row + 1u];
-  tree.ray = unpackRay(originLeaving, directionWeight);
+  tree.ray = unpackRay(originAndSlot, directionWeight);
   tree.weight = uintBitsToFloat(directionWeight.w);
   tree.node = (tree.node >> (depthOf(tree.node) - depth)) | 1u;
   tree.pending ^= 1u << depth;
@@ -138,7 +138,7 @@ void main() {
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
-  storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.leaving),
+  storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.originSlot),
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),
                                tree.node, tree.pending, tree.nextLight, nodesDone,
                                uvec4(floatBitsToUint(tree.radiance), sampleIndex), counts.cameraHits, counts.reflected,

@@ -127,7 +127,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                 MEMBER(DispatchConstants, sampleEnd), MEMBER(DispatchConstants, maxIterations),
                 MEMBER(DispatchConstants, roundParity), MEMBER(DispatchConstants, bandPixels),
                 MEMBER(DispatchConstants, firstColumn)});
-  CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving),
+  CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionAndSlot),
                                                  MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
                                                  MEMBER(PathState, counts)});
   CHECK(module.offsetsOf("PathCounts") == Offsets{MEMBER(PathCounts, bounceRays), MEMBER(PathCounts, shadowRays),
@@ -141,7 +141,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
 TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin like the megakernel's") {
   const Module module(spirv::wave_shade);
   const Offsets waves{MEMBER(WaveState, path), MEMBER(WaveState, hit), MEMBER(WaveState, shadowLimit),
-                      MEMBER(WaveState, shadowLeaving), MEMBER(WaveState, shadowLight)};
+                      MEMBER(WaveState, shadowDirection), MEMBER(WaveState, shadowLight)};
   CHECK(module.offsetsOf("WaveState") == waves);
   CHECK(waves.at("path") == 0);
   CHECK(module.offsetsOf("QueueHeader") == Offsets{MEMBER(QueueHeader, groupsX), MEMBER(QueueHeader, groupsY),
