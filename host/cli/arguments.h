@@ -41,7 +41,7 @@ enum class Command : unsigned {
 /// The renderer that finishes a render after its device has failed for good.
 enum class Fallback { none, reference };
 
-struct PixelPlace {
+struct PixelPosition {
   std::uint32_t x = 0;  ///< from the left
   std::uint32_t y = 0;  ///< from the top
 };
@@ -111,7 +111,7 @@ struct Arguments {
   std::string junit;     ///< like `json`
   bool explain = false;  ///< for `verify`: explain the pixel that differs most
 
-  std::optional<PixelPlace> pixel;  ///< pixel to explain; empty: the one that differs most
+  std::optional<PixelPosition> pixel;  ///< pixel to explain; empty: the one that differs most
   std::uint32_t sample = 0;
 
   std::optional<std::uint32_t> generatedSize;  ///< empty: the default of the kind

@@ -92,7 +92,7 @@ std::vector<Option> explanationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::explanation;
   return {
     valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
-           orAbsent(pixelPlace(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+           orAbsent(pixelPosition(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
     valued({"--sample", kExplain | kCapture, kGroup, "index of the pixel's sample, from 0"},
            wholeNumber(0, kMaxSamples - 1), [](auto& a) -> auto& { return a.sample; }),
   };

@@ -165,7 +165,7 @@ std::size_t attributeRowsOf(const SceneFeatures& features) {
 
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
                       std::span<const LightEntry> table, const render::ImageSettings& image, FlatScene& flat) {
-  const std::vector<bool> touched = touchedPrimitives(scene, lightPlaces(scene, table, image));
+  const std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, image));
   flat.features.touched = std::find(touched.begin(), touched.end(), true) != touched.end();
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {

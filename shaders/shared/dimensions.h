@@ -46,8 +46,8 @@ CANDELA_DIMENSION kDimensionLightTextureV = 0x80000007u;
 CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
 CANDELA_DIMENSION kDimensionTapX = 0u;
 CANDELA_DIMENSION kDimensionTapY = 1u;
-CANDELA_DIMENSION kDimensionPlaceX = 2u;
-CANDELA_DIMENSION kDimensionPlaceY = 3u;
+CANDELA_DIMENSION kDimensionTexelX = 2u;
+CANDELA_DIMENSION kDimensionTexelY = 3u;
 CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
 
 #undef CANDELA_DIMENSION

@@ -159,7 +159,7 @@ TEST_CASE("the records of a replayed sample have the same layout in SPIR-V and i
                        MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
                        MEMBER(TracedVertex, normalMaterial),   MEMBER(TracedVertex, shadingNormalLobe),
                        MEMBER(TracedVertex, emissionWeight),   MEMBER(TracedVertex, lightDirectionDistance),
-                       MEMBER(TracedVertex, lightPlace),       MEMBER(TracedVertex, lightDensities),
+                       MEMBER(TracedVertex, lightEntry),       MEMBER(TracedVertex, lightDensities),
                        MEMBER(TracedVertex, lightRadiance),    MEMBER(TracedVertex, nextDirectionPdf),
                        MEMBER(TracedVertex, weightSurvival),   MEMBER(TracedVertex, radiance),
                        MEMBER(TracedVertex, lightNumbers),     MEMBER(TracedVertex, bsdfNumbers)};
