@@ -104,7 +104,7 @@ Report imageReport(const Arguments& arguments, const image::Image& a, const imag
   page.display = chooseDisplay(arguments, reference);
   page.comparison = comparison;
   page.flip = flip;
-  if (verdict.films) page.tests = report::LightTests{verdict.films->regions, verdict.films->level};
+  if (verdict.films) page.tests = *verdict.films;
   page.facts = factsOf(arguments, a, reference);
   page.commands = commandsOf(arguments, a, reference);
   return page;
