@@ -49,7 +49,7 @@ struct AgreementReport : RegionTests {
   render::RenderStatistics deviceStatistics;  ///< of the films; `truncated` counts the pixels' images, too
   PixelAgreement pixels;
   std::uint32_t samples = 0;              ///< per pixel, of the films
-  render::BadSampleTallies badSamples;    ///< bad samples of all renders
+  render::BadSampleTallies badSamples;    ///< of all renders
   image::Film deviceFilm, referenceFilm;  ///< films with `samples` samples per pixel
   bool interrupted = false;
 

@@ -45,14 +45,12 @@ struct LightTestResult : RegionTests {
       watchedReference;                           ///< independent: over the batches; empty without a watched region
   std::optional<RegionResult> watchedDifference;  ///< paired: of the watched region
   double bias = kIndependentBias;                 ///< that was to be detected
-  double information = 0;            ///< at the last look; 1: `bias` would have been detected with probability kPower
-  bool outOfTime = false;            ///< the time limit was reached before all of the information was available
-  bool interrupted = false;          ///< no verdict
-  render::BadSampleTallies tallies;  ///< bad samples of all batches
+  double information = 0;    ///< at the last look; 1: `bias` would have been detected with probability kPower
+  bool outOfTime = false;    ///< the time limit was reached before all of the information was available
+  bool interrupted = false;  ///< no verdict
+  render::BadSampleTallies badSamples;  ///< of all batches
   render::RenderStatistics deviceStatistics;
   image::Film deviceFilm, referenceFilm;  ///< of all samples; empty unless keepFilms is set
-
-  std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
 };
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.

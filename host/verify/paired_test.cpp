@@ -100,8 +100,8 @@ class PairedTest {
     const image::Film deviceFilm = device.film();
     const image::Film referenceFilm = reference.film();
     sums_.add(deviceFilm, referenceFilm, reference.replicas().deviations);
-    result_.tallies.device.add(deviceFilm, image);
-    result_.tallies.reference.add(referenceFilm, image);
+    result_.badSamples.device.add(deviceFilm, image);
+    result_.badSamples.reference.add(referenceFilm, image);
     if (!options_.keepFilms) return;
     result_.deviceFilm.merge(deviceFilm);
     result_.referenceFilm.merge(referenceFilm);
