@@ -113,8 +113,7 @@ std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
 
 void GpuSession::startCounting() {
   statistics_ = prepared_;
-  samplesLoaded_ = 0;
-  badSamplesLoaded_ = 0;
+  loaded_ = {};
   paths_.clear();
 }
 
@@ -184,10 +183,7 @@ void GpuSession::load(const image::Film& film, std::uint32_t first) {
   empty();
   film_ = film;
   coverage_ = coverage;
-  for (const image::FilmPixel& pixel : film_.pixels()) {
-    samplesLoaded_ += pixel.sampleCount;
-    badSamplesLoaded_ += pixel.badCount;
-  }
+  loaded_ = film_.counts();
 }
 
 void GpuSession::fetchFilm() {
@@ -212,12 +208,9 @@ render::RenderStatistics GpuSession::statistics() {
 }
 
 void GpuSession::countSamples(render::RenderStatistics& statistics) const {
-  for (const image::FilmPixel& pixel : film_.pixels()) {
-    statistics.samples += pixel.sampleCount;
-    statistics.badSamples += pixel.badCount;
-  }
-  statistics.samples -= samplesLoaded_;
-  statistics.badSamples -= badSamplesLoaded_;
+  const image::FilmCounts counts = film_.counts();
+  statistics.samples += counts.samples - loaded_.samples;
+  statistics.badSamples += counts.badSamples - loaded_.badSamples;
 }
 
 render::Salvage GpuSession::salvage() {

@@ -69,6 +69,15 @@ Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers)
   }
 }
 
+FilmCounts Film::counts() const {
+  FilmCounts counts;
+  for (const FilmPixel& pixel : pixels_) {
+    counts.samples += pixel.sampleCount;
+    counts.badSamples += pixel.badCount;
+  }
+  return counts;
+}
+
 void Film::clear() { *this = Film(width_, height_, layers_); }
 
 std::span<LayerRow> Film::layerRowsAt(std::uint32_t x, std::uint32_t y) {
