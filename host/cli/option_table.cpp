@@ -1,6 +1,8 @@
 // Joins the groups of options to the option table.
 #include "host/cli/option_table.h"
 
+#include <algorithm>
+
 #include "host/cli/option_groups.h"
 
 namespace candela::cli {
@@ -17,6 +19,12 @@ const std::vector<Option>& optionTable() {
     return all;
   }();
   return table;
+}
+
+const Option* findOption(Command command, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      optionTable(), [&](const Option& option) { return option.isFor(command) && option.name() == name; });
+  return found == optionTable().end() ? nullptr : &*found;
 }
 
 std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged) {

@@ -83,9 +83,7 @@ image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
   const auto integrator = header.settings.find("integrator");
   if (integrator == header.settings.end()) return arguments;
-  for (const Option& option : optionTable()) {
-    if (option.name() == "--integrator") option.apply(arguments, integrator->second);
-  }
+  findOption(Command::render, "--integrator")->apply(arguments, integrator->second);
   return arguments;
 }
 
