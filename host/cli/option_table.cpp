@@ -42,8 +42,7 @@ std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool on
 }
 
 std::string shellQuoted(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (!word.empty() && word.find_first_not_of(kPlainCharacters) == std::string::npos) return word;
   std::string quoted = "'";
   for (const char character : word) {
     if (character == '\'') {

@@ -54,8 +54,8 @@ std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image
 
 // Metadata may contain anything; settings with characters that are special to a shell give no command.
 bool isHarmless(const std::string& settings) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@% ";
-  return settings.starts_with("--") && settings.find_first_not_of(kPlain) == std::string::npos;
+  const std::string plain = std::string(kPlainCharacters) + ' ';
+  return settings.starts_with("--") && settings.find_first_not_of(plain) == std::string::npos;
 }
 
 // Returns the command that rendered the file, or nothing if the metadata do not contain it.
