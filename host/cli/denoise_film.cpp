@@ -55,7 +55,7 @@ Arguments withDenoiseLayers(Arguments arguments) {
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
   denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
-    return arguments.device == "cpu" ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
+    return arguments.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
   });
   noteBias(image);
 }

@@ -175,8 +175,8 @@ Notation<std::string> deviceSelector() {
   Notation<std::string> notation = text("cpu|N|SUBSTRING", "a device", "the best GPU");
   notation.parse = [](const std::string& word) -> std::optional<std::string> {
     if (word.empty()) return std::nullopt;
-    const bool isReference = std::ranges::equal(word, std::string_view("cpu"), {}, lowerCase);
-    return isReference ? "cpu" : word;
+    const bool isReference = std::ranges::equal(word, std::string_view(render::kReferenceDevice), {}, lowerCase);
+    return isReference ? render::kReferenceDevice : word;
   };
   return notation;
 }

@@ -168,7 +168,7 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
 }
 
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") return reference::makeReferenceRenderer();
+  if (arguments.usesReference()) return reference::makeReferenceRenderer();
   auto cached = std::make_unique<CachedDevice>(arguments, log);
   render::AutomaticChoices choices = automaticChoices(arguments, cached->device().info(), log);
   return std::make_unique<TunedRenderer>(std::move(cached), std::move(choices), log);

@@ -55,7 +55,7 @@ class FilmTrace {
         control_(control),
         range_(samplesOf(job)),
         settings_(job.settings()),
-        usesReference_(job.arguments.device == "cpu"),
+        usesReference_(job.arguments.usesReference()),
         reader_(openFilm(job)),
         watch_(deadlineOf(job, start), control.stop, control.writeRequested),
         failures_(job, log) {}
@@ -147,7 +147,7 @@ void FilmTrace::begin() {
   isReady_ = false;
   settings_.execution.maxBandBytes = failures_.maxBandBytes();
   Arguments arguments = job_.arguments;
-  if (usesReference_) arguments.device = "cpu";
+  if (usesReference_) arguments.device = render::kReferenceDevice;
   renderer_ = makeRenderer(arguments, log_);
   session_ = renderer_->prepare(job_.scene, settings_);
   loop_.emplace(*session_, watch_, [this](bool mustWrite) { pause(mustWrite); });

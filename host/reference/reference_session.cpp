@@ -72,7 +72,7 @@ auto guarded(Work&& work) {
 ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings)
     : settings_(settings) {
   render::requireIntegrator(scene, settings_);
-  prepared_.device = "cpu";
+  prepared_.device = render::kReferenceDevice;
   prepared_.kernel = "reference";
   prepared_.kernels = "reference";
   prepared_.platform = toolchainText();
