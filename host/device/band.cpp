@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/device/device_memory.h"
 #include "host/device/tile_cursor.h"
@@ -53,8 +54,6 @@ std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& se
 vulkan::Usage resultUsage(const Kernel& kernel) {
   return kernel.isWavefront() ? vulkan::Usage::storage | vulkan::Usage::indirect : vulkan::Usage::storage;
 }
-
-std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + size - 1) / size; }
 
 GovernorOptions governorOptions(const render::RenderSettings& settings, const LoopBudget& budget,
                                 std::uint64_t pixels) {
@@ -188,7 +187,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
                                          .bandPixels = static_cast<std::uint32_t>(pixels()),
                                          .firstColumn = window.x};
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
+  const vulkan::GroupCount count{divideUp(region.width, workgroup.width), divideUp(region.height, workgroup.height), 1};
   const auto record = [&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
       const std::uint64_t longestPixel = std::uint64_t{sampleEnd} * settings_.image.maxDepth;

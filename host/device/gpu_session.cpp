@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/device/device_memory.h"
@@ -99,7 +100,7 @@ BandRows GpuSession::bandAt(std::uint32_t index) const {
   return {first, std::min(bandHeight_, film_.height() - first)};
 }
 
-std::uint32_t GpuSession::bandCount() const { return (film_.height() + bandHeight_ - 1) / bandHeight_; }
+std::uint32_t GpuSession::bandCount() const { return divideUp(film_.height(), bandHeight_); }
 
 std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
   const std::uint64_t width = film_.width();
