@@ -12,6 +12,7 @@
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
 #include "host/device/hit_lists.h"
+#include "host/device/small_scene_rule.h"
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
@@ -43,7 +44,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
   preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
   flat_ = flatten::flattenScene(scene_, settings_,
-                                {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
+                                {maxGridSideFor(context_->loopLimit, info, rays), smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
   if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene_);
   budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
