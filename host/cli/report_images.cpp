@@ -6,8 +6,8 @@
 #include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
 #include "host/cli/report_page.h"
+#include "host/core/hash.h"
 #include "host/core/hash_text.h"
-#include "host/scene/hash.h"
 
 namespace candela::cli {
 namespace {
@@ -39,7 +39,7 @@ std::string metadataOf(const image::Image& image, const char* key) {
 // The hash is that of the colours, since not every format can store a hash of the film.
 std::string pixelHash(const image::Image& image) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(image.rgb.data());
-  return hashText(scene::fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
+  return hashText(fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
 }
 
 std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {

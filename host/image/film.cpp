@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 
 namespace candela::image {
 namespace {
@@ -31,18 +32,14 @@ std::uint32_t earlier(std::uint32_t a, std::uint32_t b) { return std::min(a - 1,
 /// Computes FNV-1a over the little-endian bytes of 32-bit words.
 class Fnv1a {
  public:
-  void add(std::uint32_t word) {
-    for (int shift = 0; shift < 32; shift += 8) {
-      hash_ = (hash_ ^ ((word >> shift) & 0xffu)) * 0x100000001b3u;
-    }
-  }
+  void add(std::uint32_t word) { hash_ = fnv1aOfWord(word, hash_); }
   void add(const FixedSum& sum) {
     for (const std::uint32_t word : sum) add(word);
   }
   std::uint64_t value() const { return hash_; }
 
  private:
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
+  std::uint64_t hash_ = fnv1a({});
 };
 
 }  // namespace
