@@ -19,11 +19,6 @@
 namespace candela::cli {
 namespace {
 
-void addBias(Metadata& metadata, const std::string& sentence) {
-  std::string& bias = metadata[verify::kBiasMetadata];
-  bias += (bias.empty() ? "" : "; ") + sentence;
-}
-
 void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Metadata& metadata) {
   for (const image::MatteKind kind : image::kMatteKinds) {
     if (hasMatte(layers, kind)) metadata.merge(cryptomatteMetadata(kind, names[static_cast<std::size_t>(kind)]));
