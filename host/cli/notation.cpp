@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "host/core/lower_case.h"
+
 namespace candela::cli {
 namespace {
 
@@ -15,8 +17,6 @@ std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t low
   if (value < lowest || value > highest) return std::nullopt;
   return value;
 }
-
-char lowerCase(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20) : letter; }
 
 }  // namespace
 
@@ -175,7 +175,7 @@ Notation<std::string> deviceSelector() {
   Notation<std::string> notation = text("cpu|N|SUBSTRING", "a device", "the best GPU");
   notation.parse = [](const std::string& word) -> std::optional<std::string> {
     if (word.empty()) return std::nullopt;
-    const bool isReference = std::ranges::equal(word, std::string_view(render::kReferenceDevice), {}, lowerCase);
+    const bool isReference = std::ranges::equal(word, std::string_view(render::kReferenceDevice), {}, lowerLetter);
     return isReference ? render::kReferenceDevice : word;
   };
   return notation;

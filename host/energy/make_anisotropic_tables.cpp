@@ -11,21 +11,18 @@
 #include "host/energy/anisotropic_albedo.h"
 #include "host/energy/anisotropic_tables.h"
 #include "host/energy/energy_tables.h"
+#include "host/energy/quadrature.h"
 #include "host/energy/table_grid.h"
 
 namespace {
 
 using namespace candela::energy;
 
-constexpr double kQuadratureMargin = 1.001;
 const Lattice kFine(2584, 1597);
 const Lattice kCoarse(987, 610);  // of glass, whose interpolation has larger errors
 
 /// Fractions of the way from the first to the last node of the cosines, azimuths, roughnesses and strengths.
 using Fractions = std::array<double, 4>;
-
-// Returns the cosine c at which c (1 + scale) / (c + scale) is x.
-double cosineAt(double x, double scale) { return std::min(1.0, scale * x / (1 + scale - x)); }
 
 // The light that microfacets scatter at a place of the tables.
 struct Scattering {

@@ -22,6 +22,14 @@ class ByteCursor {
     return taken;
   }
 
+  /// Returns the next four bytes as a little-endian word.
+  std::uint32_t takeWord() {
+    const ByteView bytes = take(4);
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
+    return word;
+  }
+
   std::uint8_t takeByte() { return std::to_integer<std::uint8_t>(take(1)[0]); }
 
   /// Returns the characters before the first one for which `isEnd` is true, and skips that one. Throws FileError if

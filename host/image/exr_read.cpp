@@ -39,13 +39,6 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-std::uint32_t takeWord(ByteCursor& cursor) {
-  const ByteView bytes = cursor.take(4);
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
-  return word;
-}
-
 /// Checks the header before OpenEXR reads it: deep files and files of several parts are refused, since their decoders
 /// are the largest part of OpenEXR, and OpenEXR trusts the size of an attribute, up to 2 GiB, before it looks for the
 /// bytes.
@@ -54,12 +47,12 @@ void checkHeader(ByteView bytes) {
   const auto isNul = [](char c) { return c == 0; };
   ByteCursor cursor(bytes);
   cursor.take(4);  // magic number
-  const std::uint32_t flags = takeWord(cursor);
+  const std::uint32_t flags = cursor.takeWord();
   if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
   if ((flags & kMultiPart) != 0) throw FileError("EXR files of several parts are not read");
   while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
     const std::string_view type = cursor.takeUntil(isNul);
-    requireExrAttribute(type, cursor.take(takeWord(cursor)));
+    requireExrAttribute(type, cursor.take(cursor.takeWord()));
   }
 }
 
