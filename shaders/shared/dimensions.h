@@ -16,7 +16,6 @@ CANDELA_DIMENSION kDimensionFilterX = 0u;
 CANDELA_DIMENSION kDimensionFilterY = 1u;
 CANDELA_DIMENSION kDimensionLensU = 2u;
 CANDELA_DIMENSION kDimensionLensV = 3u;
-CANDELA_DIMENSION kDimensionTime = 4u;
 CANDELA_DIMENSION kCameraDimensionCount = 8u;
 
 // The block of path vertex n (n = 1 is the camera ray's hit) starts at kCameraDimensionCount + (n - 1) *
