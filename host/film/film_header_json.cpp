@@ -19,7 +19,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint32_t kLastFormat = 6;
 constexpr std::uint32_t kMaxSlots = 65536;
-constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 
 ordered_json boxesJson(const std::vector<SampleBox>& boxes) {
   ordered_json json = ordered_json::array();
@@ -259,7 +258,7 @@ FilmHeader headerFromJson(const std::string& text) {
   FilmHeader header;
   header.sceneHash = textAt(json, "scene");
   header.size = sizeAt(json);
-  header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, kMaxSamples);
+  header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, render::kMaxSampleCount);
   header.seed = numberAt(json, "seed", 0, 0xffffffffu);
   header.settings = settingsAt(json);
   header.layers = layersAt(json);
