@@ -6,7 +6,7 @@
 
 // Sets the direction in which an anisotropic material is rougher, and scales its strength by the texture. Where the surface
 // has no tangent, the material becomes isotropic.
-void alignGrain(inout Surface surface, inout Material material) {
+void alignAnisotropy(inout Surface surface, inout Material material) {
   if (!material.isSurface || material.surface.anisotropy == 0.0) return;
   vec3 tangent = surface.tangent.xyz;
   if (tangent == vec3(0.0)) {
@@ -23,7 +23,8 @@ void alignGrain(inout Surface surface, inout Material material) {
     direction = mat2(turn, -turn.y, turn.x) * direction;
     material.surface.anisotropy *= blueOf(texel);
   }
-  surface.grain = unit(direction.x * tangent + direction.y * surface.tangent.w * cross(surface.shading, tangent));
+  surface.anisotropyDirection =
+      unit(direction.x * tangent + direction.y * surface.tangent.w * cross(surface.shading, tangent));
 }
 
 // Returns the frame of a normal whose x axis is the projection of a direction; that of the normal alone if the direction is

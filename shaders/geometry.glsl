@@ -1,5 +1,5 @@
 // Ray-primitive tests in single precision: docs/light-transport.md section 4. Each returns the distance of the closest
-// valid hit, or kNoHit. `leaving` is true if the primitive is the ray's origin primitive.
+// valid hit, or kNoHit. `startsHere` is true if the primitive is the ray's origin primitive.
 #ifndef CANDELA_GEOMETRY_GLSL
 #define CANDELA_GEOMETRY_GLSL
 #include "math.glsl"
@@ -11,7 +11,7 @@ const float kNoHit = kLargestFloat;
 struct Ray {
   vec3 origin;
   vec3 direction;  // unit
-  uint leaving;    // slot of the origin primitive | kLeavingInward, or kNoSlot
+  uint originSlot; // slot of the origin primitive | kOriginInward, or kNoSlot
   bvec2 along;     // the direction's largest component is x, or y; else it is z
   vec3 shear;      // coefficients of `sheared`; set if the scene has triangles
   uint opacityKey; // of the decisions which transparent triangles it hits; set if the scene has any
@@ -23,7 +23,7 @@ vec3 largestLast(vec3 v, bvec2 along) {
   return mix(w, v.yzx, bvec3(along.x));
 }
 
-Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
+Ray makeRay(vec3 origin, vec3 direction, uint originSlot) {
   bvec2 along = bvec2(false);
   vec3 shear = vec3(0.0);
   if (kHasTriangles) {
@@ -33,7 +33,7 @@ Ray makeRay(vec3 origin, vec3 direction, uint leaving) {
     vec3 d = largestLast(direction, along);
     shear = vec3(-d.x / d.z, -d.y / d.z, 1.0 / d.z);
   }
-  return Ray(origin, direction, leaving, along, shear, 0u);
+  return Ray(origin, direction, originSlot, along, shear, 0u);
 }
 
 // The shear of Woop, Benthin and Wald (JCGT 2013). It maps the ray's origin to 0 and its direction to (0, 0, 1).
@@ -44,7 +44,7 @@ vec3 sheared(vec3 p, Ray ray) {
 }
 
 // Returns whether the primitive in this slot is the ray's origin primitive.
-bool leaves(Ray ray, uint slot) { return (ray.leaving & ~kLeavingInward) == slot; }
+bool startsOn(Ray ray, uint slot) { return (ray.originSlot & ~kOriginInward) == slot; }
 
 float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 
@@ -52,16 +52,16 @@ float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 // a = origin - anchor, |o-c|^2 - r^2 = |a|^2 + 2 r a.k and (o-c).d = a.d + r k.d, which avoids the cancellation of a
 // radius of 1e5. There are no branches, because the invocations of a subgroup would execute both sides. If the ray
 // starts on the sphere, c is 0 and the roots are 0, which is not a hit, and -2 b.
-float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, bool leaving) {
+float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, bool startsHere) {
   vec3 a = ray.origin - anchor;
   precise float b = dot(a, ray.direction) + radius * dot(k, ray.direction);
   precise float aa = dot(a, a);
-  precise float c = leaving ? 0.0 : aa + 2.0 * radius * dot(a, k);
+  precise float c = startsHere ? 0.0 : aa + 2.0 * radius * dot(a, k);
   // Far from a small sphere, b*b - c cancels; the distance between the centre and the ray's closest point does not.
   precise vec3 closest = (a + radius * k) - b * ray.direction;
   precise float near2 = b * b - c;
   precise float far2 = radius * radius - dot(closest, closest);
-  float discriminant = aa > radius * radius && !leaving ? far2 : near2;
+  float discriminant = aa > radius * radius && !startsHere ? far2 : near2;
   float root = sqrt(larger(discriminant, 0.0));
   precise float q = b > 0.0 ? -b - root : root - b;
   precise float other = c / q;
@@ -108,13 +108,13 @@ void boxSlabs(Ray ray, vec3 low, vec3 high, out vec3 near, out vec3 far) {
   far = mix(max(t0, t1), -always, parallel);
 }
 
-float hitBox(Ray ray, vec3 low, vec3 high, bool leaving, bool inward) {
+float hitBox(Ray ray, vec3 low, vec3 high, bool startsHere, bool inward) {
   vec3 near, far;
   boxSlabs(ray, low, high, near, far);
   float entry = largest(near);
   float exit = min(far.x, min(far.y, far.z));
   if (entry > exit) return kNoHit;
-  if (leaving) return inward ? positiveOrNone(exit) : kNoHit;
+  if (startsHere) return inward ? positiveOrNone(exit) : kNoHit;
   return entry > 0.0 ? entry : positiveOrNone(exit);
 }
 
@@ -150,13 +150,13 @@ float coneShift(ConeFrame cone, vec3 fromBase, vec3 direction, vec3 dAcross, flo
   return toMiddle + clamp(toAxis, -reach, reach);
 }
 
-float hitCone(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRadius, bool leaving) {
+float hitCone(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRadius, bool startsHere) {
   ConeFrame cone = coneFrame(base, baseRadius, apex, apexRadius);
   vec3 fromBase = ray.origin - base;
   precise float dz = dot(ray.direction, cone.axis);
   precise vec3 dAcross = ray.direction - dz * cone.axis;
   float reach = cone.height + baseRadius + apexRadius;
-  float shift = leaving ? 0.0 : coneShift(cone, fromBase, ray.direction, dAcross, reach);
+  float shift = startsHere ? 0.0 : coneShift(cone, fromBase, ray.direction, dAcross, reach);
   precise vec3 m = fromBase + shift * ray.direction;
   precise float z = dot(m, cone.axis);
   precise vec3 across = m - z * cone.axis;
@@ -164,7 +164,7 @@ float hitCone(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRadius,
   float dRho = cone.slope * dz;
   precise float a = dot(dAcross, dAcross) - dRho * dRho;
   precise float b = dot(across, dAcross) - dRho * rho;
-  if (leaving) return a == 0.0 ? kNoHit : coneRootInRange(-2.0 * b / a, 0.0, z, dz, cone.height);
+  if (startsHere) return a == 0.0 ? kNoHit : coneRootInRange(-2.0 * b / a, 0.0, z, dz, cone.height);
   precise float c = dot(across, across) - rho * rho;
   precise float discriminant = b * b - a * c;
   if (discriminant < 0.0) return kNoHit;
@@ -186,10 +186,10 @@ vec3 coneNormal(vec3 position, vec3 base, float baseRadius, vec3 apex, float ape
 
 // Returns the outward normal of the face that the ray hits, and makes the position's coordinate on that axis exact. The
 // face follows from the slabs and not from the position, which on a thin box may be closer to the opposite face.
-vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool leaving, inout vec3 position) {
+vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool startsHere, inout vec3 position) {
   vec3 near, far;
   boxSlabs(ray, low, high, near, far);
-  bool entering = !leaving && largest(near) > 0.0;
+  bool entering = !startsHere && largest(near) > 0.0;
   vec3 order = entering ? -near : far;
   int axis = order.x <= order.y && order.x <= order.z ? 0 : order.y <= order.z ? 1 : 2;
   bool lower = (ray.direction[axis] > 0.0) == entering;

@@ -22,10 +22,10 @@ struct LightSample {
 const LightSample kNoLight = LightSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, false, kNoPoint);
 
 // Height of the cap of directions that a sphere subtends, seen from `position`; 2 (all directions) from inside it.
-float sphereCapHeight(vec3 toCentre, float radius, bool leaving) {
+float sphereCapHeight(vec3 toCentre, float radius, bool startsHere) {
   float distanceSquared = dot(toCentre, toCentre);
   float radiusSquared = radius * radius;
-  if (leaving || distanceSquared <= radiusSquared) return 2.0;
+  if (startsHere || distanceSquared <= radiusSquared) return 2.0;
   float sinSquared = radiusSquared / distanceSquared;
   float cosine = sqrt(max(0.0, (distanceSquared - radiusSquared) / distanceSquared));
   return sinSquared / (1.0 + cosine);
@@ -125,8 +125,8 @@ LightSample sampleLight(Light light, Surface from, vec2 u) {
 }
 
 float sphereLightPdf(Light light, Ray ray) {
-  bool leaving = leaves(ray, light.slot);
-  return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, leaving));
+  bool startsHere = startsOn(ray, light.slot);
+  return light.probability * capPdf(sphereCapHeight(light.position - ray.origin, light.radius, startsHere));
 }
 
 float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {

@@ -94,14 +94,14 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   vec4 shape = sceneRowFloat(row + 2u);
   float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
   volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
-  vec3 grain = kHasAnisotropy ? sceneRowFloat(row + 4u).yzw : vec3(0.0);
+  vec3 anisotropy = kHasAnisotropy ? sceneRowFloat(row + 4u).yzw : vec3(0.0);
   vec4 sheen = kHasSheen ? sceneRowFloat(row + 5u) : vec4(0.0);
   vec4 film = kHasFilm ? sceneRowFloat(row + 6u) : vec4(0.0);
   vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
   vec4 kappa = kHasConductors || kHasDispersion ? sceneRowFloat(row + 8u) : vec4(0.0);
-  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, grain.x, grain.yz, shape.y, shape.z, kappa.w,
-                           volume == 0u, coat, shape.w, false, sheen.xyz, sheen.w, film.x, film.y, film.z, film.w, eta.w != 0.0, eta.xyz,
-                           kappa.xyz);
+  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, anisotropy.x, anisotropy.yz, shape.y,
+                           shape.z, kappa.w, volume == 0u, coat, shape.w, false, sheen.xyz, sheen.w, film.x,
+                           film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa.xyz);
 }
 
 // Loads a material by its index in the scene.

@@ -8,18 +8,19 @@
 const float kMinRoughness = 0.01;
 const uvec3 kGlassCells = uvec3(kGlassCosineCells, kGlassRoughnessCells, kGlassIorCells);
 const uint kGlassTableRows = 2u * kGlassCosineCells * kGlassRoughnessCells * (kGlassIorCells + 1u);
-const uvec4 kGrainCells = uvec4(kGrainCosineCells, kGrainAzimuthCells, kGrainRoughnessCells, kGrainStrengthCells);
-const uvec4 kGrainGlassCells =
-    uvec4(kGrainGlassCosineCells, kGrainGlassAzimuthCells, kGrainGlassRoughnessCells, kGrainGlassStrengthCells);
+const uvec4 kAnisotropicCells = uvec4(kAnisotropicCosineCells, kAnisotropicAzimuthCells, kAnisotropicRoughnessCells,
+                                      kAnisotropicStrengthCells);
+const uvec4 kAnisotropicGlassCells = uvec4(kAnisotropicGlassCosineCells, kAnisotropicGlassAzimuthCells,
+                                           kAnisotropicGlassRoughnessCells, kAnisotropicGlassStrengthCells);
 
 // The first records of the tables after the energy tables, which exist only if the scene needs them.
 uint firstGlassRow() { return constants.firstEnergyRow + kEnergyRows * kEnergyCells * kEnergyCells; }
 uint firstSheenRow() { return firstGlassRow() + (kHasVolumes ? kGlassTableRows : 0u); }
-uint firstGrainRow() { return firstSheenRow() + (kHasSheen ? kSheenCosineCells * kSheenRoughnessCells : 0u); }
+uint firstAnisotropicRow() { return firstSheenRow() + (kHasSheen ? kSheenCosineCells * kSheenRoughnessCells : 0u); }
 
 // The number of records of a table with these cells of cosines, azimuths, roughnesses and strengths.
-uint grainRows(uvec4 cells) { return cells.x * cells.y * (cells.z + 1u) * (cells.w + 1u); }
-uint firstGrainGlassRow() { return firstGrainRow() + 2u * grainRows(kGrainCells); }
+uint anisotropicRows(uvec4 cells) { return cells.x * cells.y * (cells.z + 1u) * (cells.w + 1u); }
+uint firstAnisotropicGlassRow() { return firstAnisotropicRow() + 2u * anisotropicRows(kAnisotropicCells); }
 
 // The length of w after its stretching by alpha.
 float stretchedLength(vec3 w, float alpha) { return sqrt(alpha * alpha * dot(w.xy, w.xy) + w.z * w.z); }
@@ -78,10 +79,10 @@ vec2 microfacetAlbedo(float cosO, float roughness) {
   return vec2(white, white * fifthPower(max(0.0, 1.0 - cosO - alpha * tilt)));
 }
 
-// Interpolates a table of anisotropic microfacets that begins at `first`, at the fractions `place` of the cosine, azimuth,
-// roughness and strength.
-float grainValue(uint first, uvec4 cells, vec4 place) {
-  vec4 scaled = clamp(place, 0.0, 1.0) * vec4(cells);
+// Interpolates a table of anisotropic microfacets that begins at `first`. The coordinates are fractions of the cosine,
+// azimuth, roughness and strength.
+float anisotropicValue(uint first, uvec4 cells, vec4 coordinates) {
+  vec4 scaled = clamp(coordinates, 0.0, 1.0) * vec4(cells);
   uvec4 cell = min(uvec4(scaled), cells - 1u);
   vec4 part = scaled - vec4(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);
@@ -94,8 +95,8 @@ float grainValue(uint first, uvec4 cells, vec4 place) {
   return mix(across.x, across.y, part.z);
 }
 
-// Returns fractions of the cosine, azimuth, roughness and strength for grainValue().
-vec4 grainPlace(vec3 wo, float roughness, float strength, vec2 alpha) {
+// Returns fractions of the cosine, azimuth, roughness and strength for anisotropicValue().
+vec4 anisotropicCoordinates(vec3 wo, float roughness, float strength, vec2 alpha) {
   float square = dot(wo.xy, wo.xy);
   float cosSquared = square > 0.0 ? wo.x * wo.x / square : 1.0;
   float towards = sqrt(mix(alpha.y * alpha.y, alpha.x * alpha.x, cosSquared));
@@ -104,11 +105,12 @@ vec4 grainPlace(vec3 wo, float roughness, float strength, vec2 alpha) {
 }
 
 // As microfacetAlbedo(), for alphas along x and y.
-vec2 grainAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
-  vec4 place = grainPlace(wo, roughness, strength, alpha);
-  float white = min(1.0, grainValue(firstGrainRow(), kGrainCells, place));
-  place.x = wo.z * (1.0 + alpha.x) / (wo.z + alpha.x);
-  float tilt = grainValue(firstGrainRow() + grainRows(kGrainCells), kGrainCells, place);
+vec2 anisotropicAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
+  vec4 coordinates = anisotropicCoordinates(wo, roughness, strength, alpha);
+  float white = min(1.0, anisotropicValue(firstAnisotropicRow(), kAnisotropicCells, coordinates));
+  coordinates.x = wo.z * (1.0 + alpha.x) / (wo.z + alpha.x);
+  uint tilts = firstAnisotropicRow() + anisotropicRows(kAnisotropicCells);
+  float tilt = anisotropicValue(tilts, kAnisotropicCells, coordinates);
   return vec2(white, white * fifthPower(clamp(1.0 - wo.z - alpha.x * tilt, 0.0, 1.0)));
 }
 

@@ -29,9 +29,9 @@ bool triangleContains(vec3 p0, vec3 p1, vec3 p2, vec3 point) {
 }
 
 // Tests the face that the ray hits.
-bool boxContains(Ray ray, vec3 low, vec3 high, bool leaving, vec3 point) {
+bool boxContains(Ray ray, vec3 low, vec3 high, bool startsHere, vec3 point) {
   vec3 onFace = point;
-  vec3 normal = boxNormal(ray, low, high, leaving, onFace);
+  vec3 normal = boxNormal(ray, low, high, startsHere, onFace);
   return isInPlane(point - onFace, normal, lightMargin(point, largest(max(abs(low), abs(high)))));
 }
 
@@ -65,14 +65,14 @@ bool coneContains(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRad
 }
 
 // Returns whether the primitive, which the ray hits at distance t before its end, contains the light.
-bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool leaving, RayEnd end, float t) {
+bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool startsHere, RayEnd end, float t) {
   if (!kHasTouched || (kind & kFlagTouched) == 0u || end.point.x >= kNoHit) return false;
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec3 row2 = uintBitsToFloat(rows[2].xyz);
   if (kHasSpheres && isKind(kind, kKindSphere)) return sphereContains(ray, row0.xyz, row0.w, row1.xyz, end, t);
   if (kHasTriangles && isKind(kind, kKindTriangle)) return triangleContains(row0.xyz, row1.xyz, row2, end.point);
-  if (kHasBoxes && isKind(kind, kKindBox)) return boxContains(ray, row0.xyz, row1.xyz, leaving, end.point);
+  if (kHasBoxes && isKind(kind, kKindBox)) return boxContains(ray, row0.xyz, row1.xyz, startsHere, end.point);
   if (kHasCones && isKind(kind, kKindCone)) return coneContains(ray, row0.xyz, row0.w, row1.xyz, row2.x, end, t);
   if (kHasPlanes && isKind(kind, kKindPlane)) {
     return isInPlane(end.point - row0.xyz, row1.xyz, lightMargin(end.point, largest(abs(row0.xyz))));
@@ -83,7 +83,7 @@ bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool leaving, RayEnd end, 
 // Returns whether a primitive other than the light, with these records, hides the light at the ray's end.
 bool rowsHide(Ray ray, uint slot, uvec4 rows[3], uint kind, RayEnd end) {
   float t = hitRows(ray, slot, rows, kind).t;
-  return t < end.distance && !containsLight(ray, rows, kind, leaves(ray, slot), end, t);
+  return t < end.distance && !containsLight(ray, rows, kind, startsOn(ray, slot), end, t);
 }
 
 bool primitiveHides(Ray ray, uint slot, RayEnd end) {

@@ -183,7 +183,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     float cosine = abs(dot(surface.outward, path.ray.direction));
     material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
   }
-  if (kHasAnisotropy) alignGrain(surface, material);
+  if (kHasAnisotropy) alignAnisotropy(surface, material);
   if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
   noteSurface(path.ray, surface, hit.t);
   if (kHasEmission) {

@@ -17,8 +17,8 @@ const uint kDepthMask = (1u << kVolumeShift) - 1u;
 
 Path unpackPath(PathState state) {
   Path path;
-  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionLeaving.xyz),
-                     state.directionLeaving.w);
+  path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionAndSlot.xyz),
+                     state.directionAndSlot.w);
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
   path.depth = depthOf(state);
@@ -29,7 +29,7 @@ Path unpackPath(PathState state) {
 
 PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
   return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
-                   uvec4(floatBitsToUint(path.ray.direction), path.ray.leaving),
+                   uvec4(floatBitsToUint(path.ray.direction), path.ray.originSlot),
                    uvec4(floatBitsToUint(path.throughput), path.depth | (kHasVolumes ? path.volume << kVolumeShift : 0u)),
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
 }

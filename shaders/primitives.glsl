@@ -14,22 +14,22 @@ struct PrimitiveHit {
 
 bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
-float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool leaving, bool inward) {
+float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool startsHere, bool inward) {
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec4 row2 = uintBitsToFloat(rows[2]);
   if (kHasSpheres && isKind(kind, kKindSphere)) {
     bool insideOnly = kHasInsideOnly && (kind & kFlagInsideOnly) != 0u;
-    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, leaving);
+    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, startsHere);
   }
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
-    return leaving ? kNoHit : hitTriangle(ray, row0.xyz, row1.xyz, row2.xyz);
+    return startsHere ? kNoHit : hitTriangle(ray, row0.xyz, row1.xyz, row2.xyz);
   }
-  if (kHasBoxes && isKind(kind, kKindBox)) return hitBox(ray, row0.xyz, row1.xyz, leaving, inward);
+  if (kHasBoxes && isKind(kind, kKindBox)) return hitBox(ray, row0.xyz, row1.xyz, startsHere, inward);
   if (kHasCones && isKind(kind, kKindCone)) {
-    return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, leaving);
+    return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, startsHere);
   }
-  if (kHasPlanes && isKind(kind, kKindPlane)) return leaving ? kNoHit : hitPlane(ray, row0.xyz, row1.xyz);
+  if (kHasPlanes && isKind(kind, kKindPlane)) return startsHere ? kNoHit : hitPlane(ray, row0.xyz, row1.xyz);
   return kNoHit;
 }
 
@@ -45,7 +45,7 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
 }
 
 PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
-  float t = hitDistance(ray, rows, kind, leaves(ray, slot), (ray.leaving & kLeavingInward) != 0u);
+  float t = hitDistance(ray, rows, kind, startsOn(ray, slot), (ray.originSlot & kOriginInward) != 0u);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, rows, t)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
@@ -74,7 +74,7 @@ struct Surface {
   vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
   vec3 colour;      // vertex colour; 1 if the primitive has none
   vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
-  vec3 grain;       // direction in which the material is rougher; 0: none
+  vec3 anisotropyDirection;  // direction in which the material is rougher; 0: none
   bool isMapped;    // `shading` is that of a normal map
   float facet;      // the number that chooses a facet then
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
@@ -132,7 +132,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.texCoords = vec4(0.0);
   surface.colour = vec3(1.0);
   surface.tangent = vec4(0.0);
-  surface.grain = vec3(0.0);
+  surface.anisotropyDirection = vec3(0.0);
   surface.isMapped = false;
   surface.facet = 0.0;
   surface.jitter = vec4(0.0);
@@ -143,7 +143,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
     surface.flatSurface = false;
   }
   if (kHasBoxes && isKind(surface.kind, kKindBox)) {
-    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, leaves(ray, slot), surface.position);
+    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, startsOn(ray, slot), surface.position);
   }
   if (kHasCones && isKind(surface.kind, kKindCone)) {
     surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);
@@ -165,7 +165,7 @@ Ray rayFrom(Surface surface, vec3 direction) {
   bool inward = dot(surface.outward, direction) < 0.0;
   vec3 origin = surface.position;
   if (kHasFlat && surface.flatSurface) origin = offsetAlong(origin, surface.outward, direction);
-  return makeRay(origin, direction, surface.slot | (inward ? kLeavingInward : 0u));
+  return makeRay(origin, direction, surface.slot | (inward ? kOriginInward : 0u));
 }
 
 #endif

@@ -18,7 +18,7 @@ struct Shading {
 
 Shading shadingAt(Surface surface, vec3 wo) {
   Normals normals = normalsTowards(surface, wo);
-  mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.grain) : frameAround(normals.shading);
+  mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.anisotropyDirection) : frameAround(normals.shading);
   Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
   if (kHasNormalMaps && surface.isMapped) {
     shading.facets = Facets(true, normals.geometric * frame);

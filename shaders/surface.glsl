@@ -37,7 +37,7 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   vec2 albedo;
   if (kHasAnisotropy && s.anisotropy > 0.0) {
     lobes.alpha.x = mix(lobes.alpha.y, 1.0, s.anisotropy * s.anisotropy);
-    albedo = grainAlbedo(wo, roughness, s.anisotropy, lobes.alpha);
+    albedo = anisotropicAlbedo(wo, roughness, s.anisotropy, lobes.alpha);
   } else {
     albedo = microfacetAlbedo(wo.z, roughness);
   }

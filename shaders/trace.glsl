@@ -33,18 +33,18 @@ void noteEmission(vec3 emission, float weight) {
 void noteLightChoice(uint k) {
   uint truncated = 0u;
   noteStage(kTracedLight);
-  traced.lightPlace = uvec4(chooseLight(k, truncated), kRecordMiss, kShadowNotTraced, 0u);
+  traced.lightEntry = uvec4(chooseLight(k, truncated), kRecordMiss, kShadowNotTraced, 0u);
 }
 
 void noteShadowRay(Light light, LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
-  if (light.slot != kNoSlot) traced.lightPlace.y = sceneRow(primitiveRow(light.slot) + 1u).w;
+  if (light.slot != kNoSlot) traced.lightEntry.y = sceneRow(primitiveRow(light.slot) + 1u).w;
   traced.lightDirectionDistance = vec4(lit.wi, lit.distance);
   traced.lightDensities = vec4(lit.pdf, bsdfPdf, weight, 0.0);
   traced.lightRadiance = vec4(radiance, 0.0);
 }
 
 void noteShadow(uint shadow) {
-  traced.lightPlace.z = shadow;
+  traced.lightEntry.z = shadow;
   if (shadow == kShadowVisible) return;
   traced.lightDensities.z = 0.0;
   traced.lightRadiance = vec4(0.0);

@@ -21,14 +21,14 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
 }
 
 // As glassAlbedo(), for alphas along x and y.
-float grainGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alpha, float ior, bool outside) {
-  vec4 place = grainPlace(wo, roughness, strength, alpha);
-  float scaled = min(sqrt(2.0 * (ior - 1.0) / (ior + 1.0)), 1.0) * float(kGrainGlassIorCells);
-  uint cell = min(uint(scaled), kGrainGlassIorCells - 1u);
-  uint layer = grainRows(kGrainGlassCells);
-  uint row = firstGrainGlassRow() + layer * (cell + (outside ? 0u : kGrainGlassIorCells + 1u));
-  float low = grainValue(row, kGrainGlassCells, place);
-  return min(1.0, mix(low, grainValue(row + layer, kGrainGlassCells, place), scaled - float(cell)));
+float anisotropicGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alpha, float ior, bool outside) {
+  vec4 coordinates = anisotropicCoordinates(wo, roughness, strength, alpha);
+  float scaled = min(sqrt(2.0 * (ior - 1.0) / (ior + 1.0)), 1.0) * float(kAnisotropicGlassIorCells);
+  uint cell = min(uint(scaled), kAnisotropicGlassIorCells - 1u);
+  uint layer = anisotropicRows(kAnisotropicGlassCells);
+  uint row = firstAnisotropicGlassRow() + layer * (cell + (outside ? 0u : kAnisotropicGlassIorCells + 1u));
+  float low = anisotropicValue(row, kAnisotropicGlassCells, coordinates);
+  return min(1.0, mix(low, anisotropicValue(row + layer, kAnisotropicGlassCells, coordinates), scaled - float(cell)));
 }
 
 // `weight` of the glass among the surface's lobes; `normal` + `rise` (1 - x)^5: reflectance of the dielectric.
@@ -41,7 +41,7 @@ Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight
   float albedo = white;
   if (!glass.isThin) {
     if (kHasAnisotropy && s.anisotropy > 0.0)
-      albedo = grainGlassAlbedo(wo, roughness, s.anisotropy, alpha, ior, outside);
+      albedo = anisotropicGlassAlbedo(wo, roughness, s.anisotropy, alpha, ior, outside);
     else
       albedo = glassAlbedo(wo.z, roughness, ior, outside);
   }

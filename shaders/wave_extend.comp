@@ -6,7 +6,7 @@
 void main() {
   uint pixelIndex;
   if (!takePixel(queueNow(), gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
-  uvec4 direction = waves[pixelIndex].path.directionLeaving;
+  uvec4 direction = waves[pixelIndex].path.directionAndSlot;
   Ray ray = makeRay(uintBitsToFloat(waves[pixelIndex].path.originPdf.xyz), uintBitsToFloat(direction.xyz), direction.w);
   if (kHasTransparency) {
     SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(waves[pixelIndex].path));

@@ -7,7 +7,7 @@
 
 void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
   waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.end.distance));
-  waves[pixelIndex].shadowLeaving = uvec4(floatBitsToUint(shadow.ray.direction), shadow.ray.leaving);
+  waves[pixelIndex].shadowDirection = uvec4(floatBitsToUint(shadow.ray.direction), shadow.ray.originSlot);
   waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.end.light);
   if (kHasTouched) lightPointOf(waves[pixelIndex]) = floatBitsToUint(shadow.end.point);
 }

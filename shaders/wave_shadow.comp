@@ -5,7 +5,7 @@
 
 ShadowRay loadShadowRay(uint pixelIndex) {
   uvec4 origin = waves[pixelIndex].shadowLimit;
-  uvec4 direction = waves[pixelIndex].shadowLeaving;
+  uvec4 direction = waves[pixelIndex].shadowDirection;
   uvec4 light = waves[pixelIndex].shadowLight;
   Ray ray = makeRay(uintBitsToFloat(origin.xyz), uintBitsToFloat(direction.xyz), direction.w);
   vec3 point = kNoPoint;

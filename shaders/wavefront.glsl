@@ -12,7 +12,7 @@
 layout(set = 0, binding = kBindingPathStates, std430) buffer WaveStates { WaveState waves[]; };
 layout(set = 0, binding = kBindingResults, std430) buffer Results {
   Counters counters;
-  QueueHead heads[kQueueCount];
+  QueueHeader headers[kQueueCount];
   uint words[];
 };
 
@@ -23,24 +23,24 @@ uint queueOfNextRound() { return extendQueue(1u - dispatch.roundParity); }
 // Number of invocations of a workgroup.
 uint laneCount() { return gl_WorkGroupSize.x * gl_WorkGroupSize.y; }
 
-uint queueWord(uint queue, uint place) { return queue * dispatch.bandPixels + place; }
+uint queueWord(uint queue, uint position) { return queue * dispatch.bandPixels + position; }
 
 // Takes the pixel of a workgroup's invocation `lane` from a queue. Returns false if the queue has fewer pixels.
 bool takePixel(uint queue, uvec2 group, uint lane, out uint pixelIndex) {
-  uint place = (group.y * kGroupsPerRow + group.x) * laneCount() + lane;
-  bool taken = place < heads[queue].count;
-  pixelIndex = taken ? words[queueWord(queue, place)] : 0u;
+  uint position = (group.y * kGroupsPerRow + group.x) * laneCount() + lane;
+  bool taken = position < headers[queue].count;
+  pixelIndex = taken ? words[queueWord(queue, position)] : 0u;
   return taken;
 }
 
 // Puts a pixel into a queue. The invocation that fills the first position of a workgroup also requests that workgroup.
 void pushPixel(uint queue, uint pixelIndex) {
-  uint place = atomicAdd(heads[queue].count, 1u);
-  words[queueWord(queue, place)] = pixelIndex;
-  if (place % laneCount() != 0u) return;
-  uint group = place / laneCount();
-  atomicMax(heads[queue].groupsX, min(group + 1u, kGroupsPerRow));
-  atomicMax(heads[queue].groupsY, group / kGroupsPerRow + 1u);
+  uint position = atomicAdd(headers[queue].count, 1u);
+  words[queueWord(queue, position)] = pixelIndex;
+  if (position % laneCount() != 0u) return;
+  uint group = position / laneCount();
+  atomicMax(headers[queue].groupsX, min(group + 1u, kGroupsPerRow));
+  atomicMax(headers[queue].groupsY, group / kGroupsPerRow + 1u);
 }
 
 uvec2 pixelAt(uint pixelIndex) {

@@ -21,42 +21,42 @@ TreeState loadTree(uint row) {
 }
 
 void storeTree(uint row, TreeState state) {
-  treeRows[row] = state.originLeaving;
+  treeRows[row] = state.originAndSlot;
   treeRows[row + 1u] = state.directionWeight;
-  treeRows[row + 2u] = uvec4(state.node, state.waiting, state.nextLight, state.nodesDone);
+  treeRows[row + 2u] = uvec4(state.node, state.pending, state.nextLight, state.nodesDone);
   treeRows[row + 3u] = state.radianceSample;
   treeRows[row + 4u] = uvec4(state.cameraHits, state.reflectedRays, state.refractedRays, state.shadowRays);
   treeRows[row + 5u] = uvec4(state.vertices, state.steps, 0u, 0u);
 }
 
-Ray unpackRay(uvec4 originLeaving, uvec4 directionWeight) {
-  return makeRay(uintBitsToFloat(originLeaving.xyz), uintBitsToFloat(directionWeight.xyz), originLeaving.w);
+Ray unpackRay(uvec4 originAndSlot, uvec4 directionWeight) {
+  return makeRay(uintBitsToFloat(originAndSlot.xyz), uintBitsToFloat(directionWeight.xyz), originAndSlot.w);
 }
 
 Tree unpackTree(TreeState state) {
-  return Tree(unpackRay(state.originLeaving, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
-              state.node, state.waiting, state.nextLight, uintBitsToFloat(state.radianceSample.xyz));
+  return Tree(unpackRay(state.originAndSlot, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
+              state.node, state.pending, state.nextLight, uintBitsToFloat(state.radianceSample.xyz));
 }
 
-uint waitingRow(uint treeRow, uint depth) { return treeRow + kTreeRows + (depth - 2u) * kWaitingRows; }
+uint pendingRow(uint treeRow, uint depth) { return treeRow + kTreeRows + (depth - 2u) * kPendingRows; }
 
-void keepWaiting(inout Tree tree, uint treeRow, uint depth, Ray ray, float weight) {
-  uint row = waitingRow(treeRow, depth);
-  treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.leaving);
+void storePending(inout Tree tree, uint treeRow, uint depth, Ray ray, float weight) {
+  uint row = pendingRow(treeRow, depth);
+  treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.originSlot);
   treeRows[row + 1u] = floatBitsToUint(vec4(ray.direction, weight));
-  tree.waiting |= 1u << depth;
+  tree.pending |= 1u << depth;
 }
 
 // Makes the deepest pending ray current. It is the sibling of a reflected ray on the way from the root to `node`.
-void takeWaiting(inout Tree tree, uint treeRow) {
-  uint depth = uint(findMSB(tree.waiting));
-  uint row = waitingRow(treeRow, depth);
-  uvec4 originLeaving = treeRows[row];
+void takePending(inout Tree tree, uint treeRow) {
+  uint depth = uint(findMSB(tree.pending));
+  uint row = pendingRow(treeRow, depth);
+  uvec4 originAndSlot = treeRows[row];
   uvec4 directionWeight = treeRows[row + 1u];
-  tree.ray = unpackRay(originLeaving, directionWeight);
+  tree.ray = unpackRay(originAndSlot, directionWeight);
   tree.weight = uintBitsToFloat(directionWeight.w);
   tree.node = (tree.node >> (depthOf(tree.node) - depth)) | 1u;
-  tree.waiting ^= 1u << depth;
+  tree.pending ^= 1u << depth;
 }
 
 // Goes to the next node: the reflected child, else the deepest pending ray. Returns true if there is one.
@@ -66,7 +66,8 @@ bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches bra
   tree.node *= 2u;
   if (kHasDielectric && branches.refractedFactor > 0.0) {
     counts.refracted += 1u;
-    keepWaiting(tree, treeRow, depthOf(tree.node), rayFrom(surface, branches.refracted), weight * branches.refractedFactor);
+    storePending(tree, treeRow, depthOf(tree.node), rayFrom(surface, branches.refracted),
+                 weight * branches.refractedFactor);
   }
   bool reflects = (kHasMirror || kHasDielectric) && branches.reflectedFactor > 0.0;
   if (reflects) {
@@ -75,9 +76,9 @@ bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches bra
     tree.weight = weight * branches.reflectedFactor;
     return true;
   }
-  bool waits = kHasDielectric && tree.waiting != 0u;
-  if (waits) takeWaiting(tree, treeRow);
-  return waits;
+  bool hasPending = kHasDielectric && tree.pending != 0u;
+  if (hasPending) takePending(tree, treeRow);
+  return hasPending;
 }
 
 // Records a node's decisions. A node whose lights take several segments adds to its record.
@@ -137,9 +138,9 @@ void main() {
   }
   uint truncated = work.truncated + cutShort;
   film[pixelIndex] = sums;
-  storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.leaving),
+  storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.originSlot),
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),
-                               tree.node, tree.waiting, tree.nextLight, nodesDone,
+                               tree.node, tree.pending, tree.nextLight, nodesDone,
                                uvec4(floatBitsToUint(tree.radiance), sampleIndex), counts.cameraHits, counts.reflected,
                                counts.refracted, counts.shadow, counts.vertices, state.steps + work.steps, 0u, 0u));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);

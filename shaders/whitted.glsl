@@ -13,7 +13,7 @@ struct Tree {
   Ray ray;         // the current ray
   float weight;    // of the ray's radiance in the sample
   uint node;       // 1: the camera ray; n reflects 2n and refracts 2n + 1. 0: the sample has not started
-  uint waiting;    // bit d: the refracted ray of depth d, a sibling of an ancestor of `node`, is pending
+  uint pending;    // bit d: the refracted ray of depth d, a sibling of an ancestor of `node`, is pending
   uint nextLight;  // of this node; the lights before it are done
   vec3 radiance;
 };
@@ -52,7 +52,7 @@ void startTree(inout Tree tree, SampleKey key, uvec2 pixel) {
   tree.ray = makeRay(origin, direction, kNoSlot);
   tree.weight = 1.0;
   tree.node = 1u;
-  tree.waiting = 0u;
+  tree.pending = 0u;
   tree.nextLight = 0u;
   tree.radiance = vec3(0.0);
 }

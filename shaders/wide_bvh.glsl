@@ -74,12 +74,12 @@ uint tripled(uint bits) {
 
 // State of the invocation's current traversal. A word states which nodes of a block are pending: the block << 8, and a
 // bit for each node, from near to far. If the bits are 0, no node is pending.
-uint waiting;
+uint pendingNodes;
 uint left;            // the rest of the block once its nearest node has been visited
 uint leafHits;        // bits of the current node's leaf mask whose primitives are still to be tested
 uint leafMask;
 uint firstPrimitive;
-bool noneWaits;       // no node of any block is pending
+bool nonePending;     // no node of any block is pending
 uint wideUnfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
 // The stack of words below the current block, the last one first, the rest 0. BVHs that need more words use the array
@@ -94,19 +94,19 @@ void startWideTraversal(WideRay ray) {
   kept0 = uvec4(0u);
   kept1 = uvec4(0u);
   kept2 = uvec4(0u);
-  waiting = 1u << ray.octant;
+  pendingNodes = 1u << ray.octant;
   leafHits = 0u;
-  noneWaits = false;
+  nonePending = false;
   wideUnfinished = 1u;
 }
 
-void noteWideEnd() { wideUnfinished = noneWaits && leafHits == 0u ? 0u : 1u; }
+void noteWideEnd() { wideUnfinished = nonePending && leafHits == 0u ? 0u : 1u; }
 
 // Tests the children of the nearest pending node.
 void visitWideNode(WideRay ray, float limit) {
-  uint child = lowestBit(waiting & 255u) ^ ray.octant;
-  uint row = constants.firstStructureRow + ((waiting >> 8) + child) * kWideNodeRows;
-  left = waiting & (waiting - 1u);
+  uint child = lowestBit(pendingNodes & 255u) ^ ray.octant;
+  uint row = constants.firstStructureRow + ((pendingNodes >> 8) + child) * kWideNodeRows;
+  left = pendingNodes & (pendingNodes - 1u);
 
   uvec4 head = sceneRow(row);
   uvec4 links = sceneRow(row + 1u);
@@ -128,31 +128,31 @@ void visitWideNode(WideRay ray, float limit) {
   leafMask = links.z;
   firstPrimitive = links.y;
   leafHits = tripled(hits & ~inner) & leafMask;
-  waiting = (links.x << 8) | fromNearToFar(hits & inner, ray.octant);
+  pendingNodes = (links.x << 8) | fromNearToFar(hits & inner, ray.octant);
 }
 
-bool anyWaits(uint word) { return (word & 255u) != 0u; }
+bool anyPending(uint word) { return (word & 255u) != 0u; }
 
 void nextOfKept() {
-  bool deeper = anyWaits(waiting) && anyWaits(left);
-  bool back = !anyWaits(waiting) && !anyWaits(left);
+  bool deeper = anyPending(pendingNodes) && anyPending(left);
+  bool back = !anyPending(pendingNodes) && !anyPending(left);
   uvec4 next0 = deeper ? uvec4(left, kept0.xyz) : back ? uvec4(kept0.yzw, kept1.x) : kept0;
   uvec4 next1 = deeper ? uvec4(kept0.w, kept1.xyz) : back ? uvec4(kept1.yzw, kept2.x) : kept1;
   uvec4 next2 = deeper ? uvec4(kept1.w, kept2.xyz) : back ? uvec4(kept2.yzw, 0u) : kept2;
-  waiting = anyWaits(waiting) ? waiting : back ? kept0.x : left;
+  pendingNodes = anyPending(pendingNodes) ? pendingNodes : back ? kept0.x : left;
   kept0 = next0;
   if (kStackSize > 4u) kept1 = next1;
   if (kStackSize > 8u) kept2 = next2;
 }
 
 void nextOfStack() {
-  bool deeper = anyWaits(waiting) && anyWaits(left);
-  bool back = !anyWaits(waiting) && !anyWaits(left) && stackTop > 0u;
+  bool deeper = anyPending(pendingNodes) && anyPending(left);
+  bool back = !anyPending(pendingNodes) && !anyPending(left) && stackTop > 0u;
   if (deeper) stack[stackTop] = left;
   stackTop += deeper ? 1u : 0u;
   stackTop -= back ? 1u : 0u;
   uint top = stack[back ? stackTop : 0u];
-  waiting = anyWaits(waiting) ? waiting : back ? top : left;
+  pendingNodes = anyPending(pendingNodes) ? pendingNodes : back ? top : left;
 }
 
 // Continues with the block of the node's children, else with the rest of its own block, else with the last block on the
@@ -160,16 +160,16 @@ void nextOfStack() {
 void nextBlock() {
   if (kStackSize <= kWordsKept) nextOfKept();
   else nextOfStack();
-  noneWaits = !anyWaits(waiting);
+  nonePending = !anyPending(pendingNodes);
 }
 
 void descendToLeaves(WideRay ray, float limit, inout Work work) {
-  while (leafHits == 0u && !noneWaits) {
+  while (leafHits == 0u && !nonePending) {
     visitWideNode(ray, limit);
     nextBlock();
     noteWideEnd();
     work.steps += 1u;
-    if (leafHits != 0u || noneWaits) break;
+    if (leafHits != 0u || nonePending) break;
   }
 }
 
@@ -184,7 +184,7 @@ uint takeLeafHit() {
 void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
   WideRay wide = wideRay(ray);
   startWideTraversal(wide);
-  while (!noneWaits || leafHits != 0u) {
+  while (!nonePending || leafHits != 0u) {
     descendToLeaves(wide, hit.t, work);
     while (leafHits != 0u) {
       uint slot = takeLeafHit();
@@ -192,7 +192,7 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
       work.steps += 1u;
       if (leafHits == 0u) break;
     }
-    if (noneWaits) break;
+    if (nonePending) break;
   }
   work.truncated += wideUnfinished;
 }
@@ -201,7 +201,7 @@ bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
   WideRay wide = wideRay(ray);
   bool blocked = false;
   startWideTraversal(wide);
-  while ((!noneWaits || leafHits != 0u) && !blocked) {
+  while ((!nonePending || leafHits != 0u) && !blocked) {
     descendToLeaves(wide, end.distance, work);
     while (leafHits != 0u && !blocked) {
       uint slot = takeLeafHit();
@@ -209,7 +209,7 @@ bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
       work.steps += 1u;
       if (leafHits == 0u || blocked) break;
     }
-    if (noneWaits || blocked) break;
+    if (nonePending || blocked) break;
   }
   work.truncated += blocked ? 0u : wideUnfinished;
   return blocked;

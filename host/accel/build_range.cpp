@@ -2,6 +2,7 @@
 #include "host/accel/build_range.h"
 
 #include "host/accel/split_rules.h"
+#include "host/core/divide_up.h"
 
 namespace candela::accel {
 
@@ -16,7 +17,7 @@ RangeSummary summarize(std::span<const BuildItem> items) {
 }
 
 std::uint32_t levelsNeeded(std::size_t itemCount, std::uint32_t maxLeafSize) {
-  const std::size_t leaves = (itemCount + maxLeafSize - 1) / maxLeafSize;
+  const std::size_t leaves = divideUp<std::size_t>(itemCount, maxLeafSize);
   return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
 }
 

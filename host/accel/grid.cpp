@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "host/accel/task_pool.h"
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 
 namespace candela::accel {
@@ -61,7 +62,7 @@ class GridBuilder {
     return threadsFor(options.threads);
   }
 
-  std::size_t chunkCount() const { return (bounds_.size() + kChunk - 1) / kChunk; }
+  std::size_t chunkCount() const { return divideUp(bounds_.size(), kChunk); }
 
   // Calls body(chunk, first primitive, end) for every chunk.
   template <class Body>
@@ -100,8 +101,8 @@ class GridBuilder {
   void cutSlabs() {
     outermost_ = grid_.shape.outermostAxis();
     const std::uint32_t layers = grid_.shape.sides[outermost_];
-    slabLayers_ = (layers + kMaxSlabs - 1) / kMaxSlabs;
-    slabCount_ = (layers + slabLayers_ - 1) / slabLayers_;
+    slabLayers_ = divideUp(layers, kMaxSlabs);
+    slabCount_ = divideUp(layers, slabLayers_);
   }
 
   std::uint32_t slabOf(std::uint32_t layer) const { return layer / slabLayers_; }
@@ -214,13 +215,13 @@ class GridBuilder {
 }  // namespace
 
 std::uint64_t maxGridCells(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 128, kMinimum = 1024;
-  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 30);
+  constexpr std::uint64_t kPerPrimitive = 128, kMin = 1024;
+  return std::min(kPerPrimitive * primitiveCount + kMin, std::uint64_t{1} << 30);
 }
 
 std::uint64_t maxGridReferences(std::size_t primitiveCount) {
-  constexpr std::uint64_t kPerPrimitive = 64, kMinimum = 4096;
-  return std::min(kPerPrimitive * primitiveCount + kMinimum, std::uint64_t{1} << 31);
+  constexpr std::uint64_t kPerPrimitive = 64, kMin = 4096;
+  return std::min(kPerPrimitive * primitiveCount + kMin, std::uint64_t{1} << 31);
 }
 
 Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options) {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/core/hash.h"
 #include "host/core/hash_text.h"
 #include "host/device/kernel.h"
-#include "host/scene/hash.h"
 
 namespace candela::cache {
 
@@ -26,7 +26,7 @@ std::string toText(const DeviceKey& key) {
 }
 
 std::string fileNameOf(std::string_view kind, const DeviceKey& key, std::string_view extension) {
-  return fmt::format("{}-{}.{}", kind, hashText(scene::fnv1aOfText(toText(key))), extension);
+  return fmt::format("{}-{}.{}", kind, hashText(fnv1aOfText(toText(key))), extension);
 }
 
 }  // namespace candela::cache

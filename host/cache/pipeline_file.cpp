@@ -9,8 +9,8 @@
 #include "host/cache/read_file.h"
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 #include "host/core/hash_text.h"
-#include "host/scene/hash.h"
 
 namespace candela::cache {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t kMaxDataBytes = std::size_t{256} << 20;
 constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 16;
 
 std::string checksumLine(std::span<const std::byte> data) {
-  const std::uint64_t hash = scene::fnv1a({reinterpret_cast<const std::uint8_t*>(data.data()), data.size()});
+  const std::uint64_t hash = fnv1a({reinterpret_cast<const std::uint8_t*>(data.data()), data.size()});
   return fmt::format("{} {}", data.size(), hashText(hash));
 }
 

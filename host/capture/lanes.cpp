@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "host/capture/replay.h"
+#include "host/core/divide_up.h"
 
 namespace candela::capture {
 namespace {
@@ -75,7 +76,7 @@ Capture cutTo(Capture capture, const Invocations& kept, std::uint32_t groupSize)
   cutBuffer(capture, kOutputs, kept);
   vulkan::RecordedDispatch& dispatch = lastDispatch(capture.work);
   std::memcpy(dispatch.pushConstants.data(), &kept.count, sizeof kept.count);
-  dispatch.groups = {.x = (kept.count + groupSize - 1) / groupSize};
+  dispatch.groups = {.x = divideUp(kept.count, groupSize)};
   return capture;
 }
 

@@ -41,7 +41,7 @@ enum class Command : unsigned {
 /// The renderer that finishes a render after its device has failed for good.
 enum class Fallback { none, reference };
 
-struct PixelPlace {
+struct PixelPosition {
   std::uint32_t x = 0;  ///< from the left
   std::uint32_t y = 0;  ///< from the top
 };
@@ -80,7 +80,7 @@ struct Arguments {
 
   bool noCache = false;  ///< compiled pipelines are neither read nor written
   bool untuned = false;  ///< `auto` has its built-in meaning
-  std::string device;    ///< "cpu", or a selector for selectDevice()
+  std::string device;    ///< kReferenceDevice, or a selector for selectDevice()
   std::vector<std::filesystem::path> outputs;
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
   bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
@@ -111,7 +111,7 @@ struct Arguments {
   std::string junit;     ///< like `json`
   bool explain = false;  ///< for `verify`: explain the pixel that differs most
 
-  std::optional<PixelPlace> pixel;  ///< pixel to explain; empty: the one that differs most
+  std::optional<PixelPosition> pixel;  ///< pixel to explain; empty: the one that differs most
   std::uint32_t sample = 0;
 
   std::optional<std::uint32_t> generatedSize;  ///< empty: the default of the kind
@@ -142,6 +142,7 @@ struct Arguments {
 
   std::set<std::string> given;  ///< long names of the options on the command line
 
+  bool usesReference() const { return device == render::kReferenceDevice; }
   /// Returns whether a reporting command prints its report as text.
   bool wantsText() const { return !quiet && json != "-" && markdown != "-" && svg != "-"; }
   Verbosity verbosity() const {

@@ -43,7 +43,7 @@ std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
 // `explain` compares a device with the reference, so that --device cpu is omitted.
 std::string explainPath(const render::BadPixel& pixel, const RenderJob& job) {
   Arguments arguments = job.arguments;
-  if (arguments.device == "cpu") arguments.device.clear();
+  if (arguments.usesReference()) arguments.device.clear();
   return fmt::format("candela explain {} --pixel {},{} --sample {}",
                      sceneAndOptions(pixel, pixel.sampleCount, std::move(arguments)), pixel.x, pixel.y,
                      pixel.firstSample);

@@ -38,7 +38,7 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 }  // namespace
 
 ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu")
+  if (arguments.usesReference())
     throw UsageError("bench rays --device cpu: the rays of the reference tracer cannot be timed alone");
   CachedDevice cached(arguments, log);
   vulkan::Device& device = cached.device();

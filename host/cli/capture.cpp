@@ -124,11 +124,7 @@ void report(const Capture& capture, const Arguments& arguments) {
 }  // namespace
 
 ExitCode runCapture(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer does not run on a Vulkan driver; choose a Vulkan device (see candela "
-        "devices)");
-  }
+  requireVulkanDevice(arguments, "the reference tracer does not run on a Vulkan driver");
   if (arguments.capture.folder.empty()) throw UsageError("no output given: name a new folder with -o FOLDER");
   capture::requireNewFolder(arguments.capture.folder);
   const std::atomic<bool>& interrupted = watchInterrupts();

@@ -12,7 +12,7 @@ std::vector<Option> captureOptions() {
     path({"-o,--output", kCapture, kGroup, "new folder with the program and its data"}, "FOLDER",
          [](auto& a) -> auto& { return a.capture.folder; }),
     valued({"--pixel", kCapture, kGroup, "for a scene: pixel whose sample is captured; 0,0 is the top left"},
-           orAbsent(pixelPlace(kMaxSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
+           orAbsent(pixelPosition(image::kMaxImageSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
     valued({"--expect", kCapture, kGroup, "expect exactly the values that another device computes, named as for --device (default: the values that the host computes, with a tolerance for each)"},
            text("DEVICE", "a device"), [](auto& a) -> auto& { return a.capture.expect; }),
     valued({"--shrink-time", kCapture | kConformance, kGroup, "if the device is wrong: time for removing the parts of the scene, or the transformations of a variant, that the failure does not need; 0s: none"},

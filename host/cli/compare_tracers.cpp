@@ -35,8 +35,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
     writeReport(arguments.report, agreementReport(arguments, job, report));
   }
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
-  const std::uint64_t badSamples = report.badSamples.device.samples() + report.badSamples.reference.samples();
-  return strictly(report.interrupted ? ExitCode::interrupted : code, badSamples, arguments, log);
+  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples.samples(), arguments, log);
 }
 
 }  // namespace candela::cli

@@ -12,6 +12,7 @@
 #include "host/cli/did_you_mean.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/cli/requirements.h"
 #include "host/cli/text_output.h"
 #include "host/conformance/case_tables.h"
 #include "host/conformance/results.h"
@@ -93,11 +94,7 @@ void requireWritableOutputs(const Arguments& arguments) {
 }  // namespace
 
 ExitCode runConformance(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the cases test a Vulkan driver, which the reference tracer does not use; choose a Vulkan device "
-        "(see candela devices)");
-  }
+  requireVulkanDevice(arguments, "the cases test a Vulkan driver, which the reference tracer does not use");
   const Cases cases = chosenCases(arguments.conformance);
   if (arguments.conformance.list) {
     printNames(cases);

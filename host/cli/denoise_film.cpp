@@ -3,21 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "host/cli/bias_text.h"
 #include "host/cli/cached_device.h"
 #include "host/core/errors.h"
 #include "host/denoise/denoise.h"
 #include "host/denoise/device_filter.h"
 #include "host/denoise/reference_filter.h"
-#include "host/verify/film_test.h"
 
 namespace candela::cli {
 namespace {
-
-// The image is marked as biased on purpose, so that verdicts refuse it.
-void noteBias(image::Image& image) {
-  std::string& bias = image.metadata[verify::kBiasMetadata];
-  bias += (bias.empty() ? "" : "; ") + std::string("denoised: neighbours are averaged");
-}
 
 // A finished render is not lost with its device: the host denoises it instead.
 std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
@@ -55,9 +49,9 @@ Arguments withDenoiseLayers(Arguments arguments) {
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
   denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
-    return arguments.device == "cpu" ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
+    return arguments.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
   });
-  noteBias(image);
+  addBias(image.metadata, "denoised: neighbours are averaged");
 }
 
 void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,

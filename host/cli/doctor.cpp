@@ -4,16 +4,13 @@
 #include "host/cli/commands.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
+#include "host/cli/requirements.h"
 #include "host/doctor/diagnosis.h"
 
 namespace candela::cli {
 
 ExitCode runDoctor(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer needs no driver, so there is nothing to examine; choose a Vulkan device "
-        "(see candela devices)");
-  }
+  requireVulkanDevice(arguments, "the reference tracer needs no driver, so there is nothing to examine");
   requireWritableReport(arguments.json);
   log.note("examining this machine; a software device may take a minute to compile its kernels");
   const doctor::Diagnosis diagnosis = doctor::diagnose(arguments.device);

@@ -37,7 +37,7 @@ std::vector<Option> executionOptions() {
     valued({"--workgroup", kTracing, kGroup, "workgroup size in invocations; `auto`: as tuned, else 8x8"},
            orAbsent(extent("XxY", kMaxWorkgroupSide), "auto"), [](auto& a) -> auto& { return a.request.settings.execution.workgroup; }),
     valued({"--tile", kTracing, kGroup, "size in pixels of the region that one dispatch processes; `auto`: chosen by timing"},
-           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.request.settings.execution.tile; }),
+           orAbsent(extent("WxH", image::kMaxImageSide), "auto"), [](auto& a) -> auto& { return a.request.settings.execution.tile; }),
     valued({"--segments-per-dispatch", kTracing, kGroup, "maximum number of segments by which one dispatch advances a path; `auto`: chosen by timing"},
            orAbsent(wholeNumber(1, kMaxSegments), "auto"), [](auto& a) -> auto& { return a.request.settings.execution.segmentsPerDispatch; }),
     valued({"--hang-timeout", kTracing | kTune | kDenoise, kGroup, "time after which a device that has not finished its work counts as hung; 0s: never; `auto`: 50 times the longest dispatch and at least 10 s, or never on devices in software"},

@@ -62,11 +62,8 @@ std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
 }  // namespace
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work) {
-  FilmDescription description{header, hashText(film.hash()), 0, 0, {}, work};
-  for (const image::FilmPixel& pixel : film.pixels()) {
-    description.samples += pixel.sampleCount;
-    description.badSamples += pixel.badCount;
-  }
+  const image::FilmCounts counts = film.counts();
+  FilmDescription description{header, hashText(film.hash()), counts.samples, counts.badSamples, {}, work};
   if (const auto plan = planOf(header)) {
     description.adaptive = adaptiveText(film);
     description.adaptiveFigures = adaptiveJson(*plan, film, header.samplesPerPixel);

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "host/cli/option_table.h"
 
 namespace candela::cli {
@@ -13,12 +11,7 @@ namespace {
 
 constexpr const char* kAntialiasing = "antialiasing";  // a setting of films that --spp 0 gives
 
-const Option* settingNamed(const std::string& name) {
-  const auto& table = optionTable();
-  const auto found = std::ranges::find_if(
-      table, [&](const Option& option) { return option.isFor(Command::render) && option.name() == "--" + name; });
-  return found == table.end() ? nullptr : &*found;
-}
+const Option* settingNamed(const std::string& name) { return findOption(Command::render, "--" + name); }
 
 std::string settingOf(const film::FilmHeader& header, const std::string& name) {
   const auto found = header.settings.find(name);

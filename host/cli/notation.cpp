@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "host/core/lower_case.h"
+
 namespace candela::cli {
 namespace {
 
@@ -15,8 +17,6 @@ std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t low
   if (value < lowest || value > highest) return std::nullopt;
   return value;
 }
-
-char lowerCase(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter | 0x20) : letter; }
 
 }  // namespace
 
@@ -52,16 +52,16 @@ Notation<render::Extent> extent(std::string metavar, std::uint32_t highest) {
   return {metavar, fmt::format("{} with both from 1 to {}", metavar, highest), parse, render::extentText};
 }
 
-Notation<PixelPlace> pixelPlace(std::uint32_t highest) {
-  const auto parse = [=](const std::string& word) -> std::optional<PixelPlace> {
+Notation<PixelPosition> pixelPosition(std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<PixelPosition> {
     const std::size_t comma = word.find(',');
     if (comma == std::string::npos) return std::nullopt;
     const auto x = parseWhole(std::string_view(word).substr(0, comma), 0, highest);
     const auto y = parseWhole(std::string_view(word).substr(comma + 1), 0, highest);
     if (!x || !y) return std::nullopt;
-    return PixelPlace{*x, *y};
+    return PixelPosition{*x, *y};
   };
-  const auto print = [](const PixelPlace& place) { return fmt::format("{},{}", place.x, place.y); };
+  const auto print = [](const PixelPosition& position) { return fmt::format("{},{}", position.x, position.y); };
   return {"X,Y", fmt::format("X,Y with both from 0 to {}", highest), parse, print};
 }
 
@@ -175,8 +175,8 @@ Notation<std::string> deviceSelector() {
   Notation<std::string> notation = text("cpu|N|SUBSTRING", "a device", "the best GPU");
   notation.parse = [](const std::string& word) -> std::optional<std::string> {
     if (word.empty()) return std::nullopt;
-    const bool isReference = std::ranges::equal(word, std::string_view("cpu"), {}, lowerCase);
-    return isReference ? "cpu" : word;
+    const bool isReference = std::ranges::equal(word, std::string_view(render::kReferenceDevice), {}, lowerLetter);
+    return isReference ? render::kReferenceDevice : word;
   };
   return notation;
 }

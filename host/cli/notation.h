@@ -34,7 +34,7 @@ Notation<double> share(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
 /// "X,Y", both from 0 to `highest`.
-Notation<PixelPlace> pixelPlace(std::uint32_t highest);
+Notation<PixelPosition> pixelPosition(std::uint32_t highest);
 /// A duration in seconds, at least `lowest`: "90", "90s", "1.5min" or "2h".
 Notation<double> duration(double lowest);
 /// A number of bytes, at least 1 MiB: "4GiB", "1.5G", "512MiB".

@@ -32,8 +32,6 @@ inline constexpr unsigned kReporting = kRender | kDevices | kCheck | kCompare | 
                                        kDoctor | kFilm | kMerge | kConformance | kView;
 inline constexpr unsigned kAll = kReporting | kGenerate | kBoxes | kReport | kCapture | kDenoise;
 
-inline constexpr std::uint32_t kMaxSamples = 1u << 30;
-inline constexpr std::uint32_t kMaxSide = 65535;
 inline constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::max();  ///< the range is checked later
 
 std::vector<Option> imageOptions();

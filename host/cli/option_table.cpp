@@ -1,6 +1,8 @@
 // Joins the groups of options to the option table.
 #include "host/cli/option_table.h"
 
+#include <algorithm>
+
 #include "host/cli/option_groups.h"
 
 namespace candela::cli {
@@ -19,6 +21,12 @@ const std::vector<Option>& optionTable() {
   return table;
 }
 
+const Option* findOption(Command command, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      optionTable(), [&](const Option& option) { return option.isFor(command) && option.name() == name; });
+  return found == optionTable().end() ? nullptr : &*found;
+}
+
 std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged) {
   std::string line;
   for (const Option& option : optionTable()) {
@@ -34,8 +42,7 @@ std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool on
 }
 
 std::string shellQuoted(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (!word.empty() && word.find_first_not_of(kPlainCharacters) == std::string::npos) return word;
   std::string quoted = "'";
   for (const char character : word) {
     if (character == '\'') {

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/cli/arguments.h"
@@ -52,9 +53,16 @@ struct Option {
 
 const std::vector<Option>& optionTable();
 
+/// Returns the option of a command by its long name, with its dashes; null if the command has none of this name.
+const Option* findOption(Command command, const std::string& name);
+
 /// Returns the options of `group` in the notation of a command line, e.g. "--spp 16 --seed 0 --one-sided", without
 /// those at their default if `onlyChanged`. Values are quoted for a shell if necessary.
 std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged);
+
+/// The characters that have no meaning to a POSIX shell, wherever they are in a word.
+inline constexpr std::string_view
+    kPlainCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@%";
 
 /// Returns `word` quoted for a POSIX shell.
 std::string shellQuoted(const std::string& word);

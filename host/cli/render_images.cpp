@@ -19,11 +19,6 @@
 namespace candela::cli {
 namespace {
 
-void addBias(Metadata& metadata, const std::string& sentence) {
-  std::string& bias = metadata[verify::kBiasMetadata];
-  bias += (bias.empty() ? "" : "; ") + sentence;
-}
-
 void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Metadata& metadata) {
   for (const image::MatteKind kind : image::kMatteKinds) {
     if (hasMatte(layers, kind)) metadata.merge(cryptomatteMetadata(kind, names[static_cast<std::size_t>(kind)]));
@@ -83,9 +78,7 @@ image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
   const auto integrator = header.settings.find("integrator");
   if (integrator == header.settings.end()) return arguments;
-  for (const Option& option : optionTable()) {
-    if (option.name() == "--integrator") option.apply(arguments, integrator->second);
-  }
+  findOption(Command::render, "--integrator")->apply(arguments, integrator->second);
   return arguments;
 }
 

@@ -24,9 +24,9 @@ namespace candela::cli {
 namespace {
 
 void requirePixelLimit(const render::Extent& size) {
-  if (std::uint64_t{size.width} * size.height <= image::kMaximumImagePixels) return;
+  if (std::uint64_t{size.width} * size.height <= image::kMaxImagePixels) return;
   throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
-                              image::kMaximumImagePixels));
+                              image::kMaxImagePixels));
 }
 
 void requireCropWithin(const render::ImageSettings& image) {
@@ -168,7 +168,7 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
 }
 
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") return reference::makeReferenceRenderer();
+  if (arguments.usesReference()) return reference::makeReferenceRenderer();
   auto cached = std::make_unique<CachedDevice>(arguments, log);
   render::AutomaticChoices choices = automaticChoices(arguments, cached->device().info(), log);
   return std::make_unique<TunedRenderer>(std::move(cached), std::move(choices), log);

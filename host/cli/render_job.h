@@ -40,7 +40,8 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
 /// Replaces empty options by the settings of the scene file or by the defaults of the integrator.
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
 
-/// Returns the reference for "cpu", else a Vulkan device, on which `auto` means the result of `candela tune` unless
+/// Returns the reference for kReferenceDevice, else a Vulkan device, on which `auto` means the result of `candela tune`
+/// unless
 /// --untuned is given. Throws NoDeviceError.
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log);
 

@@ -6,8 +6,8 @@
 #include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
 #include "host/cli/report_page.h"
+#include "host/core/hash.h"
 #include "host/core/hash_text.h"
-#include "host/scene/hash.h"
 
 namespace candela::cli {
 namespace {
@@ -39,7 +39,7 @@ std::string metadataOf(const image::Image& image, const char* key) {
 // The hash is that of the colours, since not every format can store a hash of the film.
 std::string pixelHash(const image::Image& image) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(image.rgb.data());
-  return hashText(scene::fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
+  return hashText(fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
 }
 
 std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {
@@ -54,8 +54,8 @@ std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image
 
 // Metadata may contain anything; settings with characters that are special to a shell give no command.
 bool isHarmless(const std::string& settings) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+/=:,@% ";
-  return settings.starts_with("--") && settings.find_first_not_of(kPlain) == std::string::npos;
+  const std::string plain = std::string(kPlainCharacters) + ' ';
+  return settings.starts_with("--") && settings.find_first_not_of(plain) == std::string::npos;
 }
 
 // Returns the command that rendered the file, or nothing if the metadata do not contain it.
@@ -104,7 +104,7 @@ Report imageReport(const Arguments& arguments, const image::Image& a, const imag
   page.display = chooseDisplay(arguments, reference);
   page.comparison = comparison;
   page.flip = flip;
-  if (verdict.films) page.tests = report::LightTests{verdict.films->regions, verdict.films->level};
+  if (verdict.films) page.tests = *verdict.films;
   page.facts = factsOf(arguments, a, reference);
   page.commands = commandsOf(arguments, a, reference);
   return page;

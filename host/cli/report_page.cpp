@@ -84,7 +84,7 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   page.title = job.scene.name + ": the verdict on the device";
   page.outcome = verification.agree() ? Outcome::agree : Outcome::differ;
   page.verdict = verification.verdict();
-  page.tests = report::LightTests{light.regions, light.level};
+  page.tests = light;
   addPaths(verification.paths, page);
   page.figures.push_back(
       {"Samples per pixel, each side", fmt::format("{} in {} looks", light.samplesPerPixel, light.looks)});

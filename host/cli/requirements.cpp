@@ -1,4 +1,4 @@
-// Refuses comparisons that make no sense.
+// Refuses devices and comparisons that make no sense.
 #include "host/cli/requirements.h"
 
 #include <fmt/format.h>
@@ -10,20 +10,18 @@ namespace candela::cli {
 namespace {
 
 void requireTwoTracers(const Arguments& arguments) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot be compared with itself; choose a Vulkan device (see candela "
-        "devices)");
-  }
+  requireVulkanDevice(arguments, "the reference tracer cannot be compared with itself");
 }
 
 }  // namespace
 
+void requireVulkanDevice(const Arguments& arguments, const char* reason) {
+  if (!arguments.usesReference()) return;
+  throw UsageError(fmt::format("--device cpu: {}; choose a Vulkan device (see candela devices)", reason));
+}
+
 void requireVerifiable(const Arguments& arguments) {
-  if (arguments.device == "cpu") {
-    throw UsageError(
-        "--device cpu: the reference tracer cannot verify itself; choose a Vulkan device (see candela devices)");
-  }
+  requireVulkanDevice(arguments, "the reference tracer cannot verify itself");
 }
 
 void requireComparable(const Arguments& arguments) {

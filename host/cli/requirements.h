@@ -1,9 +1,12 @@
-// The requirements of the commands that compare two tracers.
+// The requirements of the commands that need a device, or compare two tracers.
 #pragma once
 #include "host/cli/render_job.h"
 #include "host/render/path_trace.h"
 
 namespace candela::cli {
+
+/// Throws UsageError if the reference tracer is chosen. `reason` is a clause that says why a command cannot use it.
+void requireVulkanDevice(const Arguments& arguments, const char* reason);
 
 /// Each throws UsageError, with an alternative, if the arguments request something that makes no sense. None
 /// needs the scene.

@@ -48,9 +48,9 @@ std::vector<Option> filmOptions() {
     valued({"--time-limit", kRender, kGroup, "stop after this time, as Ctrl-C does"},
            orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.timeLimit; }),
     valued({"--samples", kRender, kGroup, "render samples A to B - 1 of the --spp of each pixel"},
-           orAbsent(sampleRange(kMaxSamples), "all"), [](auto& a) -> auto& { return a.samples; }),
+           orAbsent(sampleRange(render::kMaxSampleCount), "all"), [](auto& a) -> auto& { return a.samples; }),
     valued({"--crop", kRender, kGroup, "render a window: its left column, top row, width and height in pixels of the full image"},
-           orAbsent(window(kMaxSide), "the image"), [](auto& a) -> auto& { return a.request.settings.image.crop; }),
+           orAbsent(window(image::kMaxImageSide), "the image"), [](auto& a) -> auto& { return a.request.settings.image.crop; }),
     path({"-o,--output", kMerge, kGroup, "for `merge`: the film file that is written"}, "FILE", [](auto& a) -> auto& { return a.mergedFilm; }),
     flag({"--mixed-devices", kMerge, kGroup, "merge films of different devices; the film is marked as mixed"},
          [](auto& a) -> auto& { return a.mixedDevices; }),
@@ -92,9 +92,9 @@ std::vector<Option> explanationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::explanation;
   return {
     valued({"--pixel", kExplain, kGroup, "pixel whose sample is traced; 0,0 is the top left"},
-           orAbsent(pixelPlace(kMaxSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
+           orAbsent(pixelPosition(image::kMaxImageSide - 1), "the pixel that differs most"), [](auto& a) -> auto& { return a.pixel; }),
     valued({"--sample", kExplain | kCapture, kGroup, "index of the pixel's sample, from 0"},
-           wholeNumber(0, kMaxSamples - 1), [](auto& a) -> auto& { return a.sample; }),
+           wholeNumber(0, render::kMaxSampleCount - 1), [](auto& a) -> auto& { return a.sample; }),
   };
 }
 // clang-format on

@@ -34,11 +34,11 @@ std::vector<Option> imageOptions() {
   const std::string defaultSamples = fmt::format("the scene's `spp`, else {}", render::RenderSettings{}.image.sampleCount);
   return {
     valued({"--spp", kRender | kCompare | kBench | kExplain | kCapture, kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
-           orAbsent(wholeNumber(0, kMaxSamples), defaultSamples), [](auto& a) -> auto& { return a.request.sampleCount; }),
+           orAbsent(wholeNumber(0, render::kMaxSampleCount), defaultSamples), [](auto& a) -> auto& { return a.request.sampleCount; }),
     valued({"--seed", kTracing, kGroup, "seed of the random numbers"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.request.settings.image.seed; }),
     valued({"--size", kTracing, kGroup, "image size in pixels"},
-           orAbsent(extent("WxH", kMaxSide), "the scene's"), [](auto& a) -> auto& { return a.request.size; }),
+           orAbsent(extent("WxH", image::kMaxImageSide), "the scene's"), [](auto& a) -> auto& { return a.request.size; }),
     valued({"--max-depth", kTracing, kGroup, "maximum number of rays in a path, counting the camera ray"},
            orAbsent(wholeNumber(1, kMaxSegments), defaultDepths()), [](auto& a) -> auto& { return a.request.maxDepth; }),
     valued({"--rr-start", kTracing, kGroup, "number of path vertices before Russian roulette starts"},

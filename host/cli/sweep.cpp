@@ -25,11 +25,11 @@ bool canBeSwept(const Option& option) {
 }
 
 const Option& optionNamed(const std::string& name) {
+  const Option* const found = findOption(Command::bench, "--" + name);
+  if (found != nullptr && canBeSwept(*found)) return *found;
   std::vector<std::string> names;
   for (const Option& option : optionTable()) {
-    if (!canBeSwept(option)) continue;
-    if (option.name() == "--" + name) return option;
-    names.push_back(option.name().substr(2));
+    if (canBeSwept(option)) names.push_back(option.name().substr(2));
   }
   throw UsageError(fmt::format("--sweep {}: not an option that can be swept{}", name, didYouMean(name, names)));
 }

@@ -35,9 +35,9 @@ std::vector<Option> tuningOptions() {
   constexpr OptionGroup kGroup = OptionGroup::tuning;
   return {
     valued({"--size", kTune, kGroup, "image size in pixels; `auto`: chosen by timing, at most the scene's"},
-           orAbsent(extent("WxH", kMaxSide), "auto"), [](auto& a) -> auto& { return a.request.size; }),
+           orAbsent(extent("WxH", image::kMaxImageSide), "auto"), [](auto& a) -> auto& { return a.request.size; }),
     valued({"--spp", kTune, kGroup, "samples per pixel; `auto`: chosen by timing"},
-           orAbsent(wholeNumber(0, kMaxSamples), "auto"), [](auto& a) -> auto& { return a.request.sampleCount; }),
+           orAbsent(wholeNumber(0, render::kMaxSampleCount), "auto"), [](auto& a) -> auto& { return a.request.sampleCount; }),
     flag({"--dry-run", kTune, kGroup, "measure and report, but store nothing"}, [](auto& a) -> auto& { return a.dryRun; }),
   };
 }
@@ -58,7 +58,7 @@ std::vector<Option> viewingOptions() {
   constexpr OptionGroup kGroup = OptionGroup::viewing;
   return {
     valued({"--spp", kView, kGroup, "samples per pixel of the finished picture; 0: one ray through the centre of each pixel"},
-           orAbsent(wholeNumber(0, kMaxSamples), "4096"), [](auto& a) -> auto& { return a.request.sampleCount; }),
+           orAbsent(wholeNumber(0, render::kMaxSampleCount), "4096"), [](auto& a) -> auto& { return a.request.sampleCount; }),
     valued({"--show", kView, kGroup, "what the window shows first: the image of one tracer, both images side by side, or their difference"},
            choice(kModes), [](auto& a) -> auto& { return a.viewMode; }),
   };

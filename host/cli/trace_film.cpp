@@ -34,12 +34,6 @@ std::optional<film::FilmReader> openFilm(const RenderJob& job) {
   return film::FilmReader(job.arguments.resume);
 }
 
-std::uint64_t sampleCount(const image::Film& film) {
-  std::uint64_t samples = 0;
-  for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
-  return samples;
-}
-
 void noteStop(const RenderJob& job, const RenderWatch& watch, const Log& log) {
   if (watch.isTimeUp()) log.note("--time-limit: the time limit is reached");
   if (isProcessorTimeUp()) log.note("the limit of processor time (ulimit -t) is reached");
@@ -61,7 +55,7 @@ class FilmTrace {
         control_(control),
         range_(samplesOf(job)),
         settings_(job.settings()),
-        usesReference_(job.arguments.device == "cpu"),
+        usesReference_(job.arguments.usesReference()),
         reader_(openFilm(job)),
         watch_(deadlineOf(job, start), control.stop, control.writeRequested),
         failures_(job, log) {}
@@ -119,7 +113,7 @@ Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
 
 void FilmTrace::load(const image::Film& film) {
   session_->load(film, inheritance_.firstSample);
-  samplesBefore_ = sampleCount(film);
+  samplesBefore_ = film.counts().samples;
 }
 
 // The first session resumes the film file, if there is one.
@@ -136,7 +130,7 @@ void FilmTrace::inherit() {
 // Later sessions continue the film of the previous one.
 void FilmTrace::goOn() {
   const film::FilmHeader now = filmHeaderOf(job_, session_->statistics());
-  if (sampleCount(kept_->film) == 0) {
+  if (kept_->film.counts().samples == 0) {
     header_.tracers = now.tracers;
   } else {
     goOnWith(header_, now, usesReference_);
@@ -153,7 +147,7 @@ void FilmTrace::begin() {
   isReady_ = false;
   settings_.execution.maxBandBytes = failures_.maxBandBytes();
   Arguments arguments = job_.arguments;
-  if (usesReference_) arguments.device = "cpu";
+  if (usesReference_) arguments.device = render::kReferenceDevice;
   renderer_ = makeRenderer(arguments, log_);
   session_ = renderer_->prepare(job_.scene, settings_);
   loop_.emplace(*session_, watch_, [this](bool mustWrite) { pause(mustWrite); });
@@ -270,7 +264,7 @@ bool FilmTrace::rescue(std::filesystem::path& file) {
 
 TracedFilm FilmTrace::giveUp(const Error& error) {
   std::filesystem::path file;
-  const bool hasSamples = kept_ && sampleCount(kept_->film) > 0;
+  const bool hasSamples = kept_ && kept_->film.counts().samples > 0;
   if (hasSamples && !rescue(file)) file.clear();
   DeviceFailure failure{DeviceFailures::codeOf(error), failures_.explain(error, file.string())};
   if (!hasSamples) throw Error(failure.code, failure.message);

@@ -95,7 +95,7 @@ bool store(const cache::DeviceKey& key, TuneReport& report, const Log& log) {
 }  // namespace
 
 ExitCode runTune(const Arguments& arguments, const Log& log) {
-  if (arguments.device == "cpu") {
+  if (arguments.usesReference()) {
     throw UsageError(
         "tune --device cpu: the reference tracer has nothing to tune; choose a Vulkan device (see candela devices)");
   }

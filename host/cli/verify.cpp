@@ -50,16 +50,16 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
                                                           control);
   const bool asText = arguments.wantsText() && arguments.junit != "-";
   if (asText) std::cout << toText(report) << std::flush;
-  reportBadSamples(report.tallies, job, log);
+  reportBadSamples(report.badSamples, job, log);
   nlohmann::ordered_json json = toJson(report);
-  json["badSamples"] = badSamplesJson(report.tallies, job);
+  json["badSamples"] = badSamplesJson(report.badSamples, job);
   if (arguments.explain && !report.interrupted) explainWorst(report, job, *device, *reference, asText, json);
   writeText(arguments.junit, toJunit(report, arguments.strict));
   writeJson(arguments.json, json);
   if (options.keepFilms && !report.interrupted)
     writeReport(arguments.report, verificationReport(arguments, job, report));
   const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
-  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples(), arguments, log);
+  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples.samples(), arguments, log);
 }
 
 }  // namespace candela::cli

@@ -178,7 +178,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
        .display = display,
        .openDevice =
            [&](const auto& extensions) {
-             return scene.open({choice.device == "cpu" ? "" : choice.device, choice.integrator}, extensions);
+             return scene.open({choice.usesReference() ? "" : choice.device, choice.integrator}, extensions);
            },
        .start = start});
   writeJson(arguments.json, toJson(report));

@@ -9,6 +9,7 @@
 #include "host/conformance/memory_run.h"
 #include "host/conformance/shader_run.h"
 #include "host/conformance/workbench.h"
+#include "host/core/divide_up.h"
 #include "spirv/bounds.h"
 
 namespace candela::conformance {
@@ -73,7 +74,7 @@ void dispatchBounds(vulkan::Device& device, const BoundsRow& row, const BoundsBu
   const vulkan::BindingSet bindings(
       pipeline, {&buffers.inputs, &buffers.outputs, &buffers.words, &buffers.vectors, &buffers.texels});
   device.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = (count + 63) / 64});
+    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = divideUp(count, 64u)});
   });
 }
 

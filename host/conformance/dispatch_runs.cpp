@@ -10,6 +10,7 @@
 #include "host/conformance/memory_run.h"
 #include "host/conformance/mismatches.h"
 #include "host/conformance/shader_run.h"
+#include "host/core/divide_up.h"
 #include "spirv/memory.h"
 #include "spirv/queue.h"
 #include "spirv/records.h"
@@ -61,7 +62,7 @@ void recordRounds(vulkan::CommandRecorder& recorder, const vulkan::ComputePipeli
     const std::span bytes = std::as_bytes(std::span(push));
     recorder.updateBuffer(headers, kHeaderBytes * (1 - round % 2), std::as_bytes(std::span(kEmptyHeader)));
     if (round == 0) {
-      recorder.dispatch(pipeline, bindings, bytes, {.x = (kItems + kGroup64 - 1) / kGroup64});
+      recorder.dispatch(pipeline, bindings, bytes, {.x = divideUp(kItems, kGroup64)});
     } else {
       recorder.dispatchIndirect(pipeline, bindings, bytes, headers, kHeaderBytes * (round % 2));
     }
@@ -90,7 +91,7 @@ Finding runChain(vulkan::Device& device) {
   device.run([&](vulkan::CommandRecorder& recorder) {
     for (std::uint32_t step = 0; step < kChainSteps; ++step) {
       recorder.dispatch(pipeline, step % 2 == 0 ? forth : back, std::as_bytes(std::span(push)),
-                        {.x = (kItems + kGroup64 - 1) / kGroup64});
+                        {.x = divideUp(kItems, kGroup64)});
     }
   });
   for (std::uint32_t step = 0; step < kChainSteps; ++step) {

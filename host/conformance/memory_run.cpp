@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "host/core/divide_up.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/compute_pipeline.h"
@@ -29,7 +30,7 @@ Finding runMemory(const MemoryRow& row, vulkan::Device& device) {
   outputs.fill(0);
   const vulkan::BindingSet bindings(pipeline, {&data, &outputs});
   device.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = (row.invocations + 63) / 64});
+    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = divideUp(row.invocations, 64u)});
   });
   Mismatches mismatches;
   row.check(row, wordsOf(data), wordsOf(outputs), mismatches);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/capture/expected_value.h"
+#include "host/core/divide_up.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer.h"
 #include "host/vulkan/compute_pipeline.h"
@@ -52,8 +53,7 @@ std::vector<Output> runShader(vulkan::Device& device, const ShaderRun& run, cons
   out.fill(kUnwritten);
   const vulkan::BindingSet bindings(pipeline, {&in, &out});
   device.run([&](vulkan::CommandRecorder& recorder) {
-    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)),
-                      {.x = (run.invocations + kRunGroup - 1) / kRunGroup});
+    recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(push)), {.x = divideUp(run.invocations, kRunGroup)});
   });
   std::vector<Output> outputs(outputCount);
   out.download(std::as_writable_bytes(std::span(outputs)));

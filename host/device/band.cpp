@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/device/device_memory.h"
 #include "host/device/tile_cursor.h"
@@ -36,25 +37,23 @@ std::uint64_t filmBytesPerPixel(const render::RenderSettings& settings) {
 }
 
 /// Bytes before the path records of `pixels` pixels.
-std::uint64_t headBytes(const Kernel& kernel, std::uint64_t pixels) {
+std::uint64_t headerBytes(const Kernel& kernel, std::uint64_t pixels) {
   return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
 }
 
 std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
   const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, filmBytesPerPixel(settings));
-  const std::uint64_t queues = headBytes(kernel, 1) - headBytes(kernel, 0);
+  const std::uint64_t queues = headerBytes(kernel, 1) - headerBytes(kernel, 0);
   return settings.execution.recordPaths ? std::max(path, queues + kRecordBytes) : path;
 }
 
 std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& settings, std::uint64_t pixels) {
-  return headBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
+  return headerBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
 }
 
 vulkan::Usage resultUsage(const Kernel& kernel) {
   return kernel.isWavefront() ? vulkan::Usage::storage | vulkan::Usage::indirect : vulkan::Usage::storage;
 }
-
-std::uint32_t groups(std::uint32_t lanes, std::uint32_t size) { return (lanes + size - 1) / size; }
 
 GovernorOptions governorOptions(const render::RenderSettings& settings, const LoopBudget& budget,
                                 std::uint64_t pixels) {
@@ -96,8 +95,8 @@ std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, c
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
   // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
   const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, usableMemory(info) / 4});
-  const std::uint64_t head = headBytes(kernel, 0);
-  const std::uint64_t rows = allowedBytes <= head ? 0 : (allowedBytes - head) / rowBytes;
+  const std::uint64_t header = headerBytes(kernel, 0);
+  const std::uint64_t rows = allowedBytes <= header ? 0 : (allowedBytes - header) / rowBytes;
   if (rows == 0) {
     throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
                                 settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
@@ -128,7 +127,7 @@ std::uint32_t Band::setWidth(std::uint32_t width) {
 void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span<const image::LayerRow> layers,
                 std::uint32_t firstSample, const render::PixelMask& mask) {
   rows_ = rows;
-  sweep_ = sweepOf(rows, width_, mask);
+  sampled_ = sampledRegionOf(rows, width_, mask);
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
   volumeFaultsBefore_ = 0;
@@ -188,7 +187,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
                                          .bandPixels = static_cast<std::uint32_t>(pixels()),
                                          .firstColumn = window.x};
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const vulkan::GroupCount count{groups(region.width, workgroup.width), groups(region.height, workgroup.height), 1};
+  const vulkan::GroupCount count{divideUp(region.width, workgroup.width), divideUp(region.height, workgroup.height), 1};
   const auto record = [&](vulkan::CommandRecorder& recorder) {
     if (kernel_.isWavefront()) {
       const std::uint64_t longestPixel = std::uint64_t{sampleEnd} * settings_.image.maxDepth;
@@ -202,7 +201,7 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
   return device_.run(record);
 }
 
-std::uint64_t Band::recordOffset() const { return headBytes(kernel_, pixels()); }
+std::uint64_t Band::recordOffset() const { return headerBytes(kernel_, pixels()); }
 
 const gpu::Counters& Band::counters() const {
   return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());
@@ -217,20 +216,20 @@ std::uint64_t Band::takeFinishedSamples() {
 
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
-  const render::Extent corner{std::min(sweep_.box.width, workgroup.width),
-                              std::min(sweep_.box.height, workgroup.height)};
-  dispatch({sweep_.box.x, sweep_.box.y, corner.width, corner.height}, 1, sampleEnd, budget);
+  const render::Extent corner{std::min(sampled_.box.width, workgroup.width),
+                              std::min(sampled_.box.height, workgroup.height)};
+  dispatch({sampled_.box.x, sampled_.box.y, corner.width, corner.height}, 1, sampleEnd, budget);
 }
 
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  if (!cursor_) cursor_ = cursorOver({sweep_.box.width, sweep_.box.height}, settings_);
+  if (!cursor_) cursor_ = cursorOver({sampled_.box.width, sampled_.box.height}, settings_);
   if (!governor_) {
     governor_.emplace(governorOptions(settings_, budget, pixels()));
     governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
   }
-  UnfinishedRows unfinished(sweep_.box.width, sweep_.selectedInRows);
+  UnfinishedRows unfinished(sampled_.box.width, sampled_.selectedInRows);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
   while (counters().finishedPixels < pixelsLeft) {
     if (control.stop != nullptr && *control.stop) {
@@ -242,7 +241,7 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
     const std::uint64_t active = unfinished.activeIn(region);
     const std::uint32_t finishedBefore = counters().finishedPixels;
     const Plan plan{lanes, governor_->segmentsFor(active)};
-    const Rect inBand{sweep_.box.x + region.x, sweep_.box.y + region.y, region.width, region.height};
+    const Rect inBand{sampled_.box.x + region.x, sampled_.box.y + region.y, region.width, region.height};
     const double seconds = dispatch(inBand, plan.segments, sampleEnd, budget);
     governor_->record(plan, active, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);

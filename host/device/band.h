@@ -10,7 +10,7 @@
 #include "host/device/governor.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
-#include "host/device/sweep.h"
+#include "host/device/sampled_region.h"
 #include "host/image/film.h"
 #include "host/render/session.h"
 #include "host/vulkan/binding_set.h"
@@ -85,7 +85,7 @@ class Band {
   std::uint32_t width_;
   std::uint64_t maxPixels_;  ///< for which the buffers have room
   BandRows rows_;
-  Sweep sweep_;
+  SampledRegion sampled_;
   std::uint32_t samplesSeen_ = 0;         ///< last value of the wrapping counter
   std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels
   std::uint64_t truncatedBefore_ = 0;     ///< in ranges that are finished

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <span>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
 #include "host/device/hit_lists.h"
+#include "host/device/small_scene_rule.h"
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
@@ -42,7 +44,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
   preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
   flat_ = flatten::flattenScene(scene_, settings_,
-                                {maxGridSideFor(context_->loopLimit, info, rays), flatten::smallSceneRule(info)});
+                                {maxGridSideFor(context_->loopLimit, info, rays), smallSceneRule(info)});
   kernel_ = kernelFor(flat_, settings_);
   if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene_);
   budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
@@ -99,7 +101,7 @@ BandRows GpuSession::bandAt(std::uint32_t index) const {
   return {first, std::min(bandHeight_, film_.height() - first)};
 }
 
-std::uint32_t GpuSession::bandCount() const { return (film_.height() + bandHeight_ - 1) / bandHeight_; }
+std::uint32_t GpuSession::bandCount() const { return divideUp(film_.height(), bandHeight_); }
 
 std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
   const std::uint64_t width = film_.width();
@@ -113,8 +115,7 @@ std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
 
 void GpuSession::startCounting() {
   statistics_ = prepared_;
-  samplesLoaded_ = 0;
-  badSamplesLoaded_ = 0;
+  loaded_ = {};
   paths_.clear();
 }
 
@@ -184,10 +185,7 @@ void GpuSession::load(const image::Film& film, std::uint32_t first) {
   empty();
   film_ = film;
   coverage_ = coverage;
-  for (const image::FilmPixel& pixel : film_.pixels()) {
-    samplesLoaded_ += pixel.sampleCount;
-    badSamplesLoaded_ += pixel.badCount;
-  }
+  loaded_ = film_.counts();
 }
 
 void GpuSession::fetchFilm() {
@@ -212,12 +210,9 @@ render::RenderStatistics GpuSession::statistics() {
 }
 
 void GpuSession::countSamples(render::RenderStatistics& statistics) const {
-  for (const image::FilmPixel& pixel : film_.pixels()) {
-    statistics.samples += pixel.sampleCount;
-    statistics.badSamples += pixel.badCount;
-  }
-  statistics.samples -= samplesLoaded_;
-  statistics.badSamples -= badSamplesLoaded_;
+  const image::FilmCounts counts = film_.counts();
+  statistics.samples += counts.samples - loaded_.samples;
+  statistics.badSamples += counts.badSamples - loaded_.badSamples;
 }
 
 render::Salvage GpuSession::salvage() {

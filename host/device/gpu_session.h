@@ -77,14 +77,13 @@ class GpuSession final : public render::Session {
   std::unique_ptr<Band> band_;  ///< created when it is first needed
   bool warm_ = false;           ///< the driver has compiled the pipelines
 
-  image::Film film_;                       ///< except for the resident band, whose newer film is on the device
-  render::FilmCoverage coverage_;          ///< of the film, including the part on the device
-  render::PixelMask mask_;                 ///< pixels to which advance() is restricted
-  std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
-  render::RenderStatistics prepared_;      ///< of preparation
-  render::RenderStatistics statistics_;    ///< of all work, except for the resident band's counts
-  std::uint64_t samplesLoaded_ = 0;        ///< samples and bad samples of the film that was loaded
-  std::uint64_t badSamplesLoaded_ = 0;
+  image::Film film_;                         ///< except for the resident band, whose newer film is on the device
+  render::FilmCoverage coverage_;            ///< of the film, including the part on the device
+  render::PixelMask mask_;                   ///< pixels to which advance() is restricted
+  std::optional<std::uint32_t> resident_;    ///< index of the band that is on the device
+  render::RenderStatistics prepared_;        ///< of preparation
+  render::RenderStatistics statistics_;      ///< of all work, except for the resident band's counts
+  image::FilmCounts loaded_;                 ///< of the film that was loaded
   std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
   render::PathRecords paths_;                ///< of the bands before the resident one
 };

@@ -29,9 +29,9 @@ render::HitTrace unpackHit(const gpu::TracedVertex& rows) {
 }
 
 render::LightTrace unpackLight(const gpu::TracedVertex& rows) {
-  return {.entry = rows.lightPlace.x,
-          .shadow = static_cast<render::ShadowOutcome>(rows.lightPlace.z),
-          .primitive = rows.lightPlace.y,
+  return {.entry = rows.lightEntry.x,
+          .shadow = static_cast<render::ShadowOutcome>(rows.lightEntry.z),
+          .primitive = rows.lightEntry.y,
           .direction = floats(rows.lightDirectionDistance),
           .distance = rows.lightDirectionDistance.w,
           .pdf = rows.lightDensities.x,

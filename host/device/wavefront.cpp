@@ -35,21 +35,21 @@ class Rounds {
   }
 
  private:
-  static std::uint64_t headOffset(std::uint32_t queue) {
-    return sizeof(gpu::Counters) + queue * sizeof(gpu::QueueHead);
+  static std::uint64_t headerOffset(std::uint32_t queue) {
+    return sizeof(gpu::Counters) + queue * sizeof(gpu::QueueHeader);
   }
 
   const vulkan::ComputePipeline& pipeline(WaveStage stage) const { return stages_[static_cast<std::size_t>(stage)]; }
   std::span<const std::byte> push() const { return std::as_bytes(std::span(&constants_, 1)); }
 
   void empty(std::uint32_t firstQueue, std::uint32_t count) {
-    constexpr gpu::QueueHead kEmpty{0, 0, 1, 0};
-    constexpr std::array<gpu::QueueHead, gpu::kQueueCount> kHeads{kEmpty, kEmpty, kEmpty, kEmpty};
-    recorder_.updateBuffer(results_, headOffset(firstQueue), std::as_bytes(std::span(kHeads).first(count)));
+    constexpr gpu::QueueHeader kEmpty{0, 0, 1, 0};
+    constexpr std::array<gpu::QueueHeader, gpu::kQueueCount> kHeaders{kEmpty, kEmpty, kEmpty, kEmpty};
+    recorder_.updateBuffer(results_, headerOffset(firstQueue), std::as_bytes(std::span(kHeaders).first(count)));
   }
 
   void run(WaveStage stage, std::uint32_t queue) {
-    recorder_.dispatchIndirect(pipeline(stage), bindings_, push(), results_, headOffset(queue));
+    recorder_.dispatchIndirect(pipeline(stage), bindings_, push(), results_, headerOffset(queue));
   }
 
   vulkan::CommandRecorder& recorder_;

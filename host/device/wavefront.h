@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kMaxRounds = 1024;
 
 /// Bytes of the queues of a band of `pixels`, which are stored between the counters and the path records.
 constexpr std::uint64_t queueBytes(std::uint64_t pixels) {
-  return gpu::kQueueCount * (sizeof(gpu::QueueHead) + sizeof(gpu::uint) * pixels);
+  return gpu::kQueueCount * (sizeof(gpu::QueueHeader) + sizeof(gpu::uint) * pixels);
 }
 
 /// Records `rounds` rounds, each a segment of every unfinished path of the region in `constants`, whose `bandPixels` is

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "host/core/lower_case.h"
 
 namespace candela::doctor {
 namespace {
@@ -22,11 +22,6 @@ constexpr std::array kFaults{
     KnownFault{"swiftshader", "binds at most 65,536 texels", "larger scenes are read through storage buffers",
                "docs/driver-workarounds.md#9-texel-loads-or-storage-loads"},
 };
-
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 }  // namespace
 

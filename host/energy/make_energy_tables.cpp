@@ -11,18 +11,20 @@
 
 #include "host/energy/energy_tables.h"
 #include "host/energy/microfacet_albedo.h"
+#include "host/energy/quadrature.h"
 #include "host/energy/sheen_albedo.h"
 
 namespace {
 
+using candela::energy::cosineAt;
 using candela::energy::kGlassCosines;
 using candela::energy::kGlassIors;
 using candela::energy::kGlassRoughnesses;
 using candela::energy::kMinRoughness;
 using candela::energy::kNodes;
+using candela::energy::kQuadratureMargin;
 
 constexpr int kRings = 256, kSpokes = 64;
-constexpr double kQuadratureMargin = 1.001;  // quadrature of glass is up to 0.12 % too low, at grazing angles
 
 struct Node {
   double white;
@@ -33,9 +35,6 @@ double alphaOf(std::size_t j) {
   const double roughness = std::max(static_cast<double>(j) / (kNodes - 1), kMinRoughness);
   return roughness * roughness;
 }
-
-// Returns the cosine c at which c (1 + scale) / (c + scale) is x.
-double cosineAt(double x, double scale) { return std::min(1.0, scale * x / (1 + scale - x)); }
 
 Node nodeAt(std::size_t i, std::size_t j) {
   const double alpha = alphaOf(j), cosine = cosineAt(static_cast<double>(i) / (kNodes - 1), alpha);

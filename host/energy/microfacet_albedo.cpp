@@ -22,7 +22,7 @@ dvec2 azimuthOf(int spoke, int spokes) {
 
 double fifthPower(double x) { return x * x * (x * x) * x; }
 
-// A rough surface as wo sees it.
+// A rough surface seen from wo: its visible normals and their weights.
 class View {
  public:
   View(double cosine, double alpha)

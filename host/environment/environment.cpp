@@ -8,11 +8,11 @@
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 #include "host/environment/placement.h"
 #include "host/environment/sun_sky.h"
 #include "host/environment/weights.h"
 #include "host/image/image.h"
-#include "host/scene/hash.h"
 
 namespace candela::environment {
 namespace {
@@ -76,8 +76,8 @@ std::uint64_t hashOf(const scene::Environment& environment, std::uint64_t hash) 
   const auto bytesOf = [](const auto& values) {
     return std::span(reinterpret_cast<const std::uint8_t*>(std::data(values)), std::size(values) * sizeof(values[0]));
   };
-  hash = scene::fnv1aOfText(fmt::format("environment {}x{}", environment.width, environment.height), hash);
-  return scene::fnv1a(bytesOf(environment.axes), scene::fnv1a(bytesOf(environment.texels), hash));
+  hash = fnv1aOfText(fmt::format("environment {}x{}", environment.width, environment.height), hash);
+  return fnv1a(bytesOf(environment.axes), fnv1a(bytesOf(environment.texels), hash));
 }
 
 }  // namespace candela::environment

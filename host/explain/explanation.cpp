@@ -16,27 +16,27 @@ void findDifferences(Explanation& result) {
     const std::vector<Quantity>& quantities = result.stages[stage].quantities;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Quantity& quantity = quantities[i];
-      const Place place{stage, i};
-      if (quantity.differs && !result.firstDifference) result.firstDifference = place;
+      const QuantityIndex index{stage, i};
+      if (quantity.differs && !result.firstDifference) result.firstDifference = index;
       if (quantity.differs && quantity.kind == Quantity::Kind::decision) {
-        result.firstDecision = place;
+        result.firstDecision = index;
         return;
       }
       const double furthest = result.furthestBefore ? result.at(*result.furthestBefore).apart : 0;
-      if (!result.firstDifference && quantity.apart > furthest) result.furthestBefore = place;
+      if (!result.firstDifference && quantity.apart > furthest) result.furthestBefore = index;
     }
   }
 }
 
-std::string placeText(const Explanation& explanation, const Place& place) {
-  return fmt::format("{} at {}", explanation.at(place).name, explanation.stages[place.stage].title);
+std::string quantityText(const Explanation& explanation, const QuantityIndex& index) {
+  return fmt::format("{} at {}", explanation.at(index).name, explanation.stages[index.stage].title);
 }
 
-std::string differenceText(const Explanation& explanation, const Place& place) {
-  const Quantity& quantity = explanation.at(place);
+std::string differenceText(const Explanation& explanation, const QuantityIndex& index) {
+  const Quantity& quantity = explanation.at(index);
   const std::string sides = fmt::format("{} on the device, {} by the reference", valueText(quantity.device),
                                         valueText(quantity.reference));
-  const std::string where = fmt::format("{}, {}", explanation.stages[place.stage].title, quantity.name);
+  const std::string where = fmt::format("{}, {}", explanation.stages[index.stage].title, quantity.name);
   if (quantity.kind == Quantity::Kind::decision) {
     return fmt::format("{}: {}{}", where, sides,
                        quantity.undecidable
@@ -52,9 +52,9 @@ std::string differenceText(const Explanation& explanation, const Place& place) {
 
 std::string furthestText(const Explanation& explanation) {
   if (!explanation.furthestBefore) return "all numbers are bit-identical";
-  const Place& place = *explanation.furthestBefore;
-  return fmt::format("no number differs by more than {} ({})", apartText(explanation.at(place)),
-                     placeText(explanation, place));
+  const QuantityIndex& index = *explanation.furthestBefore;
+  return fmt::format("no number differs by more than {} ({})", apartText(explanation.at(index)),
+                     quantityText(explanation, index));
 }
 
 }  // namespace

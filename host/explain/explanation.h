@@ -14,11 +14,11 @@
 
 namespace candela::explain {
 
-/// The position of a quantity in Explanation::stages.
-struct Place {
+/// The indices of a stage and of a quantity in it, in Explanation::stages.
+struct QuantityIndex {
   std::size_t stage = 0;
   std::size_t quantity = 0;
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const QuantityIndex&) const = default;
 };
 
 struct Explanation {
@@ -31,13 +31,13 @@ struct Explanation {
   std::vector<Stage> stages;
   std::uint32_t replicas = 0;  ///< number of replicas by which the effect of rounding is estimated
   /// In the order of the estimator. Empty: no decision differs, and no number by more than rounding allows.
-  std::optional<Place> firstDifference;
+  std::optional<QuantityIndex> firstDifference;
   /// After this decision, the two paths are unrelated and nothing is compared.
-  std::optional<Place> firstDecision;
+  std::optional<QuantityIndex> firstDecision;
   /// The number with the maximum difference before the first difference; empty if all are bit-identical.
-  std::optional<Place> furthestBefore;
+  std::optional<QuantityIndex> furthestBefore;
 
-  const Quantity& at(const Place& place) const { return stages[place.stage].quantities[place.quantity]; }
+  const Quantity& at(const QuantityIndex& index) const { return stages[index.stage].quantities[index.quantity]; }
   /// Returns whether a path has more vertices than are recorded.
   bool isCut() const { return std::max(device.vertexCount, reference.vertexCount) > render::PathTrace::kMaxVertices; }
   /// Returns the result in one to three sentences.

@@ -44,10 +44,10 @@ ordered_json stageJson(const Stage& stage) {
   return json;
 }
 
-ordered_json placeJson(const Explanation& explanation, const std::optional<Place>& place) {
-  if (!place) return nullptr;
-  const Quantity& quantity = explanation.at(*place);
-  ordered_json json{{"stage", explanation.stages[place->stage].title}, {"quantity", keyOf(quantity.name)}};
+ordered_json quantityIndexJson(const Explanation& explanation, const std::optional<QuantityIndex>& index) {
+  if (!index) return nullptr;
+  const Quantity& quantity = explanation.at(*index);
+  ordered_json json{{"stage", explanation.stages[index->stage].title}, {"quantity", keyOf(quantity.name)}};
   json.update(quantityJson(quantity));
   return json;
 }
@@ -72,8 +72,8 @@ ordered_json toJson(const Explanation& explanation) {
   json["seed"] = explanation.seed;
   json["tolerance"] = kTolerance;
   json["replicas"] = explanation.replicas;
-  json["firstDifference"] = placeJson(explanation, explanation.firstDifference);
-  json["firstDecision"] = placeJson(explanation, explanation.firstDecision);
+  json["firstDifference"] = quantityIndexJson(explanation, explanation.firstDifference);
+  json["firstDecision"] = quantityIndexJson(explanation, explanation.firstDecision);
   json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};
   json["mostVertices"] = render::PathTrace::kMaxVertices;
   for (const Stage& stage : explanation.stages) json["stages"].push_back(stageJson(stage));

@@ -81,11 +81,11 @@ class TextLayout {
   }
 
   // After the decision at which the paths diverge, numbers are shown but not compared, except for the result.
-  void addRow(const Place& place) {
-    const Quantity& quantity = explanation_.at(place);
-    const bool isResult = place.stage + 1 == explanation_.stages.size();
-    const bool comparable = isResult || !explanation_.firstDecision || place <= *explanation_.firstDecision;
-    const bool first = place == explanation_.firstDifference || place == explanation_.firstDecision;
+  void addRow(const QuantityIndex& index) {
+    const Quantity& quantity = explanation_.at(index);
+    const bool isResult = index.stage + 1 == explanation_.stages.size();
+    const bool comparable = isResult || !explanation_.firstDecision || index <= *explanation_.firstDecision;
+    const bool first = index == explanation_.firstDifference || index == explanation_.firstDecision;
     const bool compared = comparable && !quantity.device.isAbsent() && !quantity.reference.isAbsent();
     std::string row = fmt::format("{:<{}}{}{}{}", (first ? "> " : "  ") + quantity.name, kNameWidth,
                                   cell(quantity.device), cell(quantity.reference), compared ? lastCell(quantity) : "");

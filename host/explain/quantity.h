@@ -33,7 +33,7 @@ struct Quantity {
   Value reference;
   double apart = 0;  ///< relative difference of numbers; infinite if one is not finite
   bool differs = false;
-  /// Maximum of the same difference between replicas of the path and the exact one; 0 for decisions.
+  /// Maximum, over the replicas, of the relative difference from the exact path; 0 for decisions.
   double spread = 0;
   bool undecidable = false;  ///< a decision that a replica takes differently
 

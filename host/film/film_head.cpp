@@ -22,13 +22,6 @@ struct Attribute {
 };
 using Attributes = std::map<std::string_view, Attribute>;
 
-std::uint32_t takeWord(image::ByteCursor& cursor) {
-  const std::span<const std::byte> bytes = cursor.take(4);
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
-  return word;
-}
-
 Attributes takeAttributes(image::ByteCursor& cursor) {
   const auto isNul = [](char c) { return c == 0; };
   Attributes attributes;
@@ -36,7 +29,7 @@ Attributes takeAttributes(image::ByteCursor& cursor) {
     const std::string_view name = cursor.takeUntil(isNul);
     if (name.empty()) return attributes;
     const std::string_view type = cursor.takeUntil(isNul);
-    const std::uint32_t size = takeWord(cursor);
+    const std::uint32_t size = cursor.takeWord();
     const std::span<const std::byte> value = cursor.take(size);
     image::requireExrAttribute(type, value);
     if (!attributes.emplace(name, Attribute{type, value}).second) {
@@ -62,7 +55,7 @@ ExrBox boxAt(const Attributes& attributes, const char* name) {
   image::ByteCursor cursor(attributeAt(attributes, name, "box2i").value);
   ExrBox box;
   for (std::int32_t* const edge : {&box.minX, &box.minY, &box.maxX, &box.maxY}) {
-    *edge = static_cast<std::int32_t>(takeWord(cursor));
+    *edge = static_cast<std::int32_t>(cursor.takeWord());
   }
   return box;
 }
@@ -71,8 +64,8 @@ ExrBox boxAt(const Attributes& attributes, const char* name) {
 
 FilmHead parseHead(std::span<const std::byte> bytes) {
   image::ByteCursor cursor(bytes);
-  if (bytes.size() < 8 || takeWord(cursor) != kMagic) throw FileError("this is not an OpenEXR file");
-  if (takeWord(cursor) != kVersion) throw FileError("this OpenEXR file has tiles, several parts or deep data");
+  if (bytes.size() < 8 || cursor.takeWord() != kMagic) throw FileError("this is not an OpenEXR file");
+  if (cursor.takeWord() != kVersion) throw FileError("this OpenEXR file has tiles, several parts or deep data");
   const Attributes attributes = takeAttributes(cursor);
   if (!attributes.contains(kFilmAttribute)) {
     throw FileError("this OpenEXR file is a picture without the sums of a film; `--checkpoint FILE` writes films");

@@ -19,7 +19,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint32_t kLastFormat = 7;
 constexpr std::uint32_t kMaxSlots = 65536;
-constexpr std::uint32_t kMaxSamples = 1u << 30;  // as --spp
 
 ordered_json boxesJson(const std::vector<SampleBox>& boxes) {
   ordered_json json = ordered_json::array();
@@ -58,9 +57,9 @@ std::uint32_t numberAt(const Json& json, const char* key, std::uint32_t lowest, 
 render::Extent sizeAt(const Json& json) {
   const Json& list = listAt(json, "size");
   if (list.size() != 2) refuse("size");
-  const render::Extent size{number(list[0], "size", 1, image::kMaximumImageSide),
-                            number(list[1], "size", 1, image::kMaximumImageSide)};
-  if (std::uint64_t{size.width} * size.height > image::kMaximumImagePixels) refuse("size");
+  const render::Extent size{number(list[0], "size", 1, image::kMaxImageSide),
+                            number(list[1], "size", 1, image::kMaxImageSide)};
+  if (std::uint64_t{size.width} * size.height > image::kMaxImagePixels) refuse("size");
   return size;
 }
 
@@ -260,7 +259,7 @@ FilmHeader headerFromJson(const std::string& text) {
   FilmHeader header;
   header.sceneHash = textAt(json, "scene");
   header.size = sizeAt(json);
-  header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, kMaxSamples);
+  header.samplesPerPixel = numberAt(json, "samplesPerPixel", 1, render::kMaxSampleCount);
   header.seed = numberAt(json, "seed", 0, 0xffffffffu);
   header.settings = settingsAt(json);
   header.layers = layersAt(json);

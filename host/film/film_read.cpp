@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/film/coverage_check.h"
 #include "host/film/exr_threads.h"
@@ -104,7 +105,7 @@ FilmReader::FilmReader(const std::filesystem::path& file) : file_(file) {
     const bool sameWindows = head.dataWindow == exrBoxOf(window) &&
                              head.displayWindow == exrBoxOf(render::windowOf(header_.size));
     if (!sameWindows) throw FileError("the windows of the picture are not those of the film");
-    if (table.size() / 8 != (window.height + kBlockRows - 1) / kBlockRows) throw FileError("blocks are missing");
+    if (table.size() / 8 != divideUp(window.height, kBlockRows)) throw FileError("blocks are missing");
     requirePlausible(header_, bytes.size());
     blocks_->find(head, header_, table);
   } catch (const FileError& error) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/film/exr_threads.h"
 #include "host/film/film_channels.h"
@@ -25,7 +26,7 @@ Imath::Box2i boxOf(const render::Window& window) {
 
 // The attributes beside kFilmAttribute are copies for programs that compare pictures.
 Imf::Header exrHeader(const FilmHeader& header) {
-  const std::uint32_t blocks = (header.window.height + kBlockRows - 1) / kBlockRows;
+  const std::uint32_t blocks = divideUp(header.window.height, kBlockRows);
   Imf::Header exr(boxOf(render::windowOf(header.size)), boxOf(header.window));
   exr.compression() = Imf::ZIP_COMPRESSION;
   exr.channels() = filmChannels(channelsOf(header));

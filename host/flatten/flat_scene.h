@@ -24,7 +24,7 @@ struct SceneFeatures {
 #undef CANDELA_DECLARE_MEMBER
 };
 
-/// Returns all features of a scene except the kinds of lights, which follow from the light table.
+/// Returns all features of a scene except those that noteLights() sets.
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator);
 
 /// Name of a BVH's nodes, as in --layout; empty for structures that are not BVHs.

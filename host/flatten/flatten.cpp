@@ -42,9 +42,9 @@ void checkLimits(const scene::Scene& scene) {
   }
 }
 
-void appendMaterials(const scene::Scene& scene, render::Integrator integrator, FlatScene& flat) {
+void appendMaterials(const scene::Scene& scene, render::Integrator integrator, const SurfaceOrder& order,
+                     FlatScene& flat) {
   flat.constants.firstMaterialRow = rowCount(flat.rows);
-  const SurfaceOrder order = orderSurfaces(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const scene::Material& material = scene.materials[i];
     const Lobes lobes = lobesFor(integrator, material);
@@ -55,6 +55,9 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, F
         {floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), order.numbers[i]});
     flat.rows.push_back(row(lobes.specularColour, 0.0));
   }
+}
+
+void appendSurfaces(const scene::Scene& scene, const SurfaceOrder& order, FlatScene& flat) {
   const Rows surfaces = surfaceRows(scene, order);
   flat.constants.firstSurfaceRow = rowCount(flat.rows);
   flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
@@ -110,22 +113,17 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
   for (const LightEntry& entry : table) {
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
-      flat.features.pointLights = true;
     } else if (entry.isEnvironment()) {
       appendEnvironmentEntry(entry, flat.rows);
       flat.constants.environmentProbability = entry.probability;
-      flat.features.environmentLight = true;
-    } else if (!entry.isEmitter()) {
+    } else if (entry.isPunctual()) {
       const scene::PunctualLight& light = scene.punctualLights[entry.index];
       appendPunctualLight(light, entry, cones.size(), flat.rows);
       if (entry.kind == LightKind::spot) {
         cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
       }
-      flat.features.punctualLights = true;
     } else {
       appendEmitter(scene, entry, slots[entry.index], flat.rows);
-      flat.features.sphereLights |= entry.kind == LightKind::sphere;
-      flat.features.triangleLights |= entry.kind == LightKind::triangle;
     }
   }
   flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());
@@ -146,13 +144,12 @@ void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& f
   const Rows lights = pointLightRows(scene.pointLights, *scene.camera, lightSize);
   flat.constants.firstLightRow = rowCount(flat.rows);
   flat.constants.lightCount = static_cast<std::uint32_t>(scene.pointLights.size());
-  flat.features.pointLights = !scene.pointLights.empty();
   flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
 }
 
 // Returns the number of records of a tree's state. Only glass makes rays pending.
 std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
-  return gpu::kTreeRows + (features.dielectric ? gpu::kWaitingRows * (maxDepth - 1) : 0);
+  return gpu::kTreeRows + (features.dielectric ? gpu::kPendingRows * (maxDepth - 1) : 0);
 }
 
 // Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.
@@ -164,9 +161,8 @@ std::size_t attributeRowsOf(const SceneFeatures& features) {
 }
 
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, const render::ImageSettings& image, FlatScene& flat) {
-  const std::vector<bool> touched = touchedPrimitives(scene, lightPlaces(scene, table, image));
-  flat.features.touched = std::find(touched.begin(), touched.end(), true) != touched.end();
+                      std::span<const LightEntry> table, const std::vector<bool>& touched, bool keepsTexCoords,
+                      FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
@@ -182,7 +178,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
     const PrimitiveContext context{.primitive = primitive,
                                    .light = lightOf[primitive],
                                    .touched = touched[primitive],
-                                   .keepsTexCoords = image.layers.has(image::Layer::uv)};
+                                   .keepsTexCoords = keepsTexCoords};
     appendPrimitive(scene, context, flat.rows, attributes);
   }
   flat.constants.firstAttributeRow = rowCount(flat.rows);
@@ -259,10 +255,14 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  appendPrimitives(scene, order, table, settings.image, flat);
+  const std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, settings.image));
+  noteLights(table, touched, flat.features);
+  appendPrimitives(scene, order, table, touched, settings.image.layers.has(image::Layer::uv), flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
   if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
-  appendMaterials(scene, settings.image.integrator, flat);
+  const SurfaceOrder surfaces = orderSurfaces(scene);
+  appendMaterials(scene, settings.image.integrator, surfaces, flat);
+  appendSurfaces(scene, surfaces, flat);
   if (whitted) {
     appendPointLights(scene, settings.image.lightSize, flat);
     flat.constants.stateRows = treeRows(flat.features, settings.image.maxDepth);

@@ -1,4 +1,5 @@
 // Determines the features that a scene uses.
+#include <algorithm>
 #include <vector>
 
 #include "host/flatten/flat_scene.h"
@@ -74,7 +75,19 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   features.sky = scene.sky.has_value();
   features.environment = scene.environment.has_value();
   features.orthographic = scene.camera && scene.camera->orthographicHeight;
+  features.pointLights = integrator == render::Integrator::whitted && !scene.pointLights.empty();
   return features;
+}
+
+void noteLights(std::span<const LightEntry> table, const std::vector<bool>& touched, SceneFeatures& features) {
+  for (const LightEntry& entry : table) {
+    features.pointLights |= entry.isPoint();
+    features.environmentLight |= entry.isEnvironment();
+    features.punctualLights |= entry.isPunctual();
+    features.sphereLights |= entry.kind == LightKind::sphere;
+    features.triangleLights |= entry.kind == LightKind::triangle;
+  }
+  features.touched = std::ranges::find(touched, true) != touched.end();
 }
 
 }  // namespace candela::flatten

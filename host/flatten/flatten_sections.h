@@ -8,8 +8,13 @@
 #include "host/accel/wide_bvh.h"
 #include "host/flatten/flat_rows.h"
 #include "host/flatten/flat_scene.h"
+#include "host/flatten/light_table.h"
 
 namespace candela::flatten {
+
+/// Sets the features that follow from the light table, which is empty for the Whitted tracer, and from the primitives
+/// that lights touch: see touchedPrimitives().
+void noteLights(std::span<const LightEntry> table, const std::vector<bool>& touched, SceneFeatures& features);
 
 /// Builds the grid over the finite primitives, appends its cells and items to `flat`, and returns the indices of these
 /// primitives in the order in which cells first refer to them. Without finite primitives there is no grid.

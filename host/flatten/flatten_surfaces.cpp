@@ -6,8 +6,8 @@
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/energy/anisotropic_tables.h"
 #include "host/energy/energy_tables.h"
-#include "host/energy/grain_tables.h"
 #include "host/flatten/flatten_sections.h"
 
 namespace candela::flatten {
@@ -19,15 +19,15 @@ static_assert(gpu::kGlassRoughnessCells == energy::kGlassRoughnesses - 1);
 static_assert(gpu::kGlassIorCells == energy::kGlassIors - 1);
 static_assert(gpu::kSheenCosineCells == energy::kSheenCosines - 1);
 static_assert(gpu::kSheenRoughnessCells == energy::kSheenRoughnesses - 1);
-static_assert(gpu::kGrainCosineCells == energy::kGrainCosines - 1);
-static_assert(gpu::kGrainAzimuthCells == energy::kGrainAzimuths - 1);
-static_assert(gpu::kGrainRoughnessCells == energy::kGrainRoughnesses - 1);
-static_assert(gpu::kGrainStrengthCells == energy::kGrainStrengths - 1);
-static_assert(gpu::kGrainGlassCosineCells == energy::kGrainGlassCosines - 1);
-static_assert(gpu::kGrainGlassAzimuthCells == energy::kGrainGlassAzimuths - 1);
-static_assert(gpu::kGrainGlassRoughnessCells == energy::kGrainGlassRoughnesses - 1);
-static_assert(gpu::kGrainGlassStrengthCells == energy::kGrainGlassStrengths - 1);
-static_assert(gpu::kGrainGlassIorCells == energy::kGrainGlassIors - 1);
+static_assert(gpu::kAnisotropicCosineCells == energy::kAnisotropicCosines - 1);
+static_assert(gpu::kAnisotropicAzimuthCells == energy::kAnisotropicAzimuths - 1);
+static_assert(gpu::kAnisotropicRoughnessCells == energy::kAnisotropicRoughnesses - 1);
+static_assert(gpu::kAnisotropicStrengthCells == energy::kAnisotropicStrengths - 1);
+static_assert(gpu::kAnisotropicGlassCosineCells == energy::kAnisotropicGlassCosines - 1);
+static_assert(gpu::kAnisotropicGlassAzimuthCells == energy::kAnisotropicGlassAzimuths - 1);
+static_assert(gpu::kAnisotropicGlassRoughnessCells == energy::kAnisotropicGlassRoughnesses - 1);
+static_assert(gpu::kAnisotropicGlassStrengthCells == energy::kAnisotropicGlassStrengths - 1);
+static_assert(gpu::kAnisotropicGlassIorCells == energy::kAnisotropicGlassIors - 1);
 
 // Appends a record for every cell of a plane of `width` by `height` nodes.
 void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
@@ -46,18 +46,20 @@ void appendGlass(const energy::GlassTable& table, Rows& rows) {
 }
 
 // Appends the planes of a table of anisotropic microfacets, each of `cosines` by `azimuths` nodes.
-void appendGrain(std::span<const float> table, std::size_t cosines, std::size_t azimuths, Rows& rows) {
+void appendAnisotropic(std::span<const float> table, std::size_t cosines, std::size_t azimuths, Rows& rows) {
   for (std::size_t first = 0; first < table.size(); first += cosines * azimuths) {
     appendCells(table.data() + first, cosines, azimuths, rows);
   }
 }
 
-void appendGrain(bool withGlass, Rows& rows) {
-  appendGrain(energy::kGrainWhite, energy::kGrainCosines, energy::kGrainAzimuths, rows);
-  appendGrain(energy::kGrainTilt, energy::kGrainCosines, energy::kGrainAzimuths, rows);
+void appendAnisotropic(bool withGlass, Rows& rows) {
+  appendAnisotropic(energy::kAnisotropicWhite, energy::kAnisotropicCosines, energy::kAnisotropicAzimuths, rows);
+  appendAnisotropic(energy::kAnisotropicTilt, energy::kAnisotropicCosines, energy::kAnisotropicAzimuths, rows);
   if (!withGlass) return;
-  appendGrain(energy::kGrainGlassOutside, energy::kGrainGlassCosines, energy::kGrainGlassAzimuths, rows);
-  appendGrain(energy::kGrainGlassInside, energy::kGrainGlassCosines, energy::kGrainGlassAzimuths, rows);
+  appendAnisotropic(energy::kAnisotropicGlassOutside, energy::kAnisotropicGlassCosines,
+                    energy::kAnisotropicGlassAzimuths, rows);
+  appendAnisotropic(energy::kAnisotropicGlassInside, energy::kAnisotropicGlassCosines,
+                    energy::kAnisotropicGlassAzimuths, rows);
 }
 
 void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
@@ -116,7 +118,7 @@ Rows energyRows(const SceneFeatures& features) {
     appendGlass(energy::kGlassInside, rows);
   }
   if (features.sheens) appendCells(energy::kSheen.data(), energy::kSheenCosines, energy::kSheenRoughnesses, rows);
-  if (features.anisotropy) appendGrain(features.volumes, rows);
+  if (features.anisotropy) appendAnisotropic(features.volumes, rows);
   return rows;
 }
 

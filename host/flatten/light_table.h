@@ -18,6 +18,7 @@ struct LightEntry {
 
   bool isEmitter() const { return kind < LightKind::point; }
   bool isPoint() const { return kind == LightKind::point; }
+  bool isPunctual() const { return kind > LightKind::point && kind < LightKind::environment; }
   bool isEnvironment() const { return kind == LightKind::environment; }
 };
 

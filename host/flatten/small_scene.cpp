@@ -21,13 +21,6 @@ struct TestCost {
 
 }  // namespace
 
-SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info) {
-  // SwiftShader compiles every copy of an unrolled test, which took it minutes for eight spheres.
-  if (info.driver.starts_with("SwiftShader")) return {.maxCost = 0};
-  if (info.driver.starts_with("llvmpipe")) return {.maxCost = 128, .rowsAhead = true};
-  return {};
-}
-
 bool isSmall(const scene::Scene& scene, const SmallSceneRule& rule) {
   if (scene.primitives.size() > gpu::kMaxUniformSlots) return false;
   // Tests of transparent triangles look up textures, which is too much code to be unrolled.

@@ -4,19 +4,15 @@
 #include <cstdint>
 
 #include "host/scene/scene.h"
-#include "host/vulkan/device_info.h"
 
 namespace candela::flatten {
 
-/// The rule by which a device traces a scene without any structure.
+/// The rule by which a device traces a scene without any structure: see device::smallSceneRule().
 struct SmallSceneRule {
-  std::uint32_t maxCost = 48;  ///< maximum cost of testing all primitives, in the units of rowCost()
+  std::uint32_t maxCost = 48;  ///< maximum cost of testing all primitives, in the units of TestCost (small_scene.cpp)
   bool rowsAhead = false;  ///< the kernel reads all records before anything else, which saves time if later reads are
                            ///< more expensive
 };
-
-/// Returns the rule as measured on lavapipe; for other devices, the cost of sixteen triangles.
-SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info);
 
 /// Returns whether `rule` makes the scene a linear list: its cost is low enough, and it has at most
 /// gpu::kMaxUniformSlots primitives.

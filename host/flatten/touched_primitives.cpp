@@ -102,22 +102,22 @@ bool curveHolds(const scene::Shape& shape, const dvec3& point, double slack) {
   return std::visit([&](const auto& curve) { return curveHolds(curve, point, slack); }, shape);
 }
 
-bool holdsPoint(const scene::Shape& shape, const std::vector<FlatShape>& parts, const LightPlaces& lights) {
+bool holdsPoint(const scene::Shape& shape, const std::vector<FlatShape>& parts, const LightPositions& lights) {
   return std::any_of(lights.points.begin(), lights.points.end(), [&](const dvec3& point) {
     const auto holds = [&](const FlatShape& part) { return part.holds(point, lights.slack); };
     return std::any_of(parts.begin(), parts.end(), holds) || curveHolds(shape, point, lights.slack);
   });
 }
 
-bool holdsTriangle(const FlatShape& shape, const EmitterPlace& emitter) {
+bool holdsTriangle(const FlatShape& shape, const EmitterPosition& emitter) {
   const auto holds = [&](const dvec3& vertex) { return shape.holds(vertex, 0); };
   if (!std::all_of(emitter.vertices.begin(), emitter.vertices.end(), holds)) return false;
   return shape.corners.empty() || overlap(shape.corners, emitter.vertices, shape.normal);
 }
 
 bool holdsTriangle(const scene::Shape& shape, std::uint32_t primitive, const std::vector<FlatShape>& parts,
-                   const LightPlaces& lights) {
-  return std::any_of(lights.triangles.begin(), lights.triangles.end(), [&](const EmitterPlace& emitter) {
+                   const LightPositions& lights) {
+  return std::any_of(lights.triangles.begin(), lights.triangles.end(), [&](const EmitterPosition& emitter) {
     if (emitter.primitive == primitive) return false;
     const auto flat = [&](const FlatShape& part) { return holdsTriangle(part, emitter); };
     const auto curved = [&](const dvec3& vertex) { return curveHolds(shape, vertex, 0); };
@@ -128,27 +128,27 @@ bool holdsTriangle(const scene::Shape& shape, std::uint32_t primitive, const std
 
 }  // namespace
 
-LightPlaces lightPlaces(const scene::Scene& scene, std::span<const LightEntry> table,
-                        const render::ImageSettings& image) {
-  LightPlaces places;
-  if (render::isView(image.integrator)) return places;
+LightPositions lightPositions(const scene::Scene& scene, std::span<const LightEntry> table,
+                              const render::ImageSettings& image) {
+  LightPositions positions;
+  if (render::isView(image.integrator)) return positions;
   if (image.integrator == render::Integrator::whitted) {
-    for (const scene::PointLight& light : scene.pointLights) places.points.emplace_back(light.position);
-    places.slack = double{image.lightSize} / std::numbers::sqrt2;
-    return places;
+    for (const scene::PointLight& light : scene.pointLights) positions.points.emplace_back(light.position);
+    positions.slack = double{image.lightSize} / std::numbers::sqrt2;
+    return positions;
   }
   for (const LightEntry& entry : table) {
-    if (entry.kind == LightKind::point) places.points.emplace_back(scene.pointLights[entry.index].position);
+    if (entry.kind == LightKind::point) positions.points.emplace_back(scene.pointLights[entry.index].position);
     if (entry.kind == LightKind::punctual || entry.kind == LightKind::spot)
-      places.points.emplace_back(scene.punctualLights[entry.index].position);
+      positions.points.emplace_back(scene.punctualLights[entry.index].position);
     if (entry.kind != LightKind::triangle) continue;
     const scene::Triangle triangle = triangleOf(scene, scene.primitives[entry.index]);
-    places.triangles.push_back({entry.index, {dvec3(triangle.p[0]), dvec3(triangle.p[1]), dvec3(triangle.p[2])}});
+    positions.triangles.push_back({entry.index, {dvec3(triangle.p[0]), dvec3(triangle.p[1]), dvec3(triangle.p[2])}});
   }
-  return places;
+  return positions;
 }
 
-std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPlaces& lights) {
+std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPositions& lights) {
   const std::size_t lightCount = lights.points.size() + lights.triangles.size();
   const double comparisons = static_cast<double>(lightCount) * static_cast<double>(scene.primitives.size());
   std::vector<bool> touched(scene.primitives.size(), comparisons > kMaxComparisons);

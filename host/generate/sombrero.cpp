@@ -7,7 +7,7 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kMinimum = -4;  ///< minimum of x and z
+constexpr double kMin = -4;  ///< minimum of x and z
 constexpr double kExtent = 8;
 constexpr double kGround = -3;  ///< y where the ripples have decayed
 
@@ -18,7 +18,7 @@ class Ripples {
   explicit Ripples(std::uint32_t points) : points_(points) {}
 
   glm::dvec3 vertex(std::uint32_t column, std::uint32_t row) const {
-    return {kMinimum + column * spacing(), kGround + height(column, row), kMinimum + row * spacing()};
+    return {kMin + column * spacing(), kGround + height(column, row), kMin + row * spacing()};
   }
 
  private:
@@ -28,7 +28,7 @@ class Ripples {
   /// heights to single precision.
   double height(std::uint32_t column, std::uint32_t row) const {
     constexpr double kTwoPi = 2 * 3.14159265358;
-    const double radius = std::hypot(kMinimum + kExtent * column / points_, kMinimum + kExtent * row / points_);
+    const double radius = std::hypot(kMin + kExtent * column / points_, kMin + kExtent * row / points_);
     return static_cast<float>(std::cos(kTwoPi * radius) * std::exp(-radius));
   }
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "host/core/hash.h"
 #include "host/gltf/meshopt.h"
 #include "host/gltf/uri.h"
-#include "host/scene/hash.h"
 #include "host/scene/read_file.h"
 
 namespace candela::gltf {
@@ -95,7 +95,7 @@ std::string Buffers::readUri(const Value& uri) {
 
 std::uint64_t Buffers::hashFiles(std::uint64_t hash) const {
   for (const auto& [index, text] : buffers_) {
-    hash = scene::fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, hash);
+    hash = fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, hash);
   }
   return hash;
 }

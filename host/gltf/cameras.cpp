@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/image/image.h"
 #include "host/scene/quote.h"
 
 namespace candela::gltf {
@@ -16,7 +17,6 @@ constexpr double kFramingAngle = 30;      // degrees
 constexpr double kFramingElevation = 15;  // degrees
 constexpr double kFramingMargin = 1.05;
 constexpr std::uint32_t kDefaultHeight = 512;
-constexpr double kMaxSide = 65535;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -72,7 +72,8 @@ double depthOf(const std::optional<Box>& bounds, const glm::dvec3& eye, const gl
 // Sets the image's default size from the ratio of its width to its height.
 void setAspect(double aspect, scene::Camera& view) {
   view.height = kDefaultHeight;
-  view.width = static_cast<std::uint32_t>(std::clamp(std::round(aspect * kDefaultHeight), 1.0, kMaxSide));
+  view.width = static_cast<std::uint32_t>(
+      std::clamp(std::round(aspect * kDefaultHeight), 1.0, double{image::kMaxImageSide}));
 }
 
 void setPerspective(const Value& lens, scene::Camera& view) {

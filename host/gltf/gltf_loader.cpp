@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/core/hash.h"
 #include "host/gltf/default_light.h"
 #include "host/gltf/extensions.h"
 #include "host/gltf/scene_assembly.h"
-#include "host/scene/hash.h"
 #include "host/scene/scene_checks.h"
 
 namespace candela::gltf {
@@ -16,10 +16,10 @@ namespace {
 // Hash of everything that decides the scene: the file, its buffers and images, and the options.
 std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers,
                      const Textures& textures) {
-  std::uint64_t hash = textures.hashFiles(buffers.hashFiles(scene::fnv1aOfText(file.bytes)));
-  if (options.camera) hash = scene::fnv1aOfText("camera " + *options.camera, hash);
-  if (options.time) hash = scene::fnv1aOfText(fmt::format("time {}", *options.time), hash);
-  if (options.animation) hash = scene::fnv1aOfText("animation " + *options.animation, hash);
+  std::uint64_t hash = textures.hashFiles(buffers.hashFiles(fnv1aOfText(file.bytes)));
+  if (options.camera) hash = fnv1aOfText("camera " + *options.camera, hash);
+  if (options.time) hash = fnv1aOfText(fmt::format("time {}", *options.time), hash);
+  if (options.animation) hash = fnv1aOfText("animation " + *options.animation, hash);
   return hash;
 }
 

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 #include "host/core/memory_budget.h"
 #include "host/gltf/uri.h"
 #include "host/image/texels.h"
-#include "host/scene/hash.h"
 
 namespace candela::gltf {
 namespace {
@@ -122,7 +122,7 @@ std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
 scene::TextureImage Textures::readImage(const Value& image) {
   if (const std::optional<Value> view = image.find("bufferView")) return decode(image, buffers_.view(*view).bytes);
   const std::string bytes = buffers_.readUri(image.require("uri"));
-  fileHashes_.push_back(scene::fnv1aOfText(bytes));
+  fileHashes_.push_back(fnv1aOfText(bytes));
   return decode(image, std::as_bytes(std::span(bytes)));
 }
 
@@ -136,7 +136,7 @@ scene::TextureImage Textures::decode(const Value& image, Bytes bytes) const {
 }
 
 std::uint64_t Textures::hashFiles(std::uint64_t hash) const {
-  for (const std::uint64_t file : fileHashes_) hash = scene::fnv1aOfText(fmt::format("image {:x}", file), hash);
+  for (const std::uint64_t file : fileHashes_) hash = fnv1aOfText(fmt::format("image {:x}", file), hash);
   return hash;
 }
 

@@ -22,14 +22,22 @@ class ByteCursor {
     return taken;
   }
 
+  /// Returns the next four bytes as a little-endian word.
+  std::uint32_t takeWord() {
+    const ByteView bytes = take(4);
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
+    return word;
+  }
+
   std::uint8_t takeByte() { return std::to_integer<std::uint8_t>(take(1)[0]); }
 
   /// Returns the characters before the first one for which `isEnd` is true, and skips that one. Throws FileError if
-  /// there is none among the next `kMaximumText` characters.
+  /// there is none among the next `kMaxText` characters.
   template <typename Predicate>
   std::string_view takeUntil(Predicate isEnd) {
-    constexpr std::size_t kMaximumText = 4096;
-    const std::string_view text(reinterpret_cast<const char*>(rest_.data()), std::min(rest_.size(), kMaximumText));
+    constexpr std::size_t kMaxText = 4096;
+    const std::string_view text(reinterpret_cast<const char*>(rest_.data()), std::min(rest_.size(), kMaxText));
     const auto end = std::find_if(text.begin(), text.end(), isEnd);
     if (end == text.end()) throw FileError("the header has no end");
     const auto length = static_cast<std::size_t>(end - text.begin());

@@ -13,7 +13,7 @@ namespace candela::image {
 using Bytes = std::vector<std::byte>;
 using ByteView = std::span<const std::byte>;
 
-/// Throws FileError unless 1 <= width, height <= kMaximumImageSide and there are at most kMaximumImagePixels. Decoders
+/// Throws FileError unless 1 <= width, height <= kMaxImageSide and there are at most kMaxImagePixels. Decoders
 /// call it before they allocate memory.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 

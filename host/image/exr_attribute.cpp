@@ -9,6 +9,7 @@
 
 #include "host/core/errors.h"
 #include "host/image/byte_cursor.h"
+#include "host/image/image.h"
 
 namespace candela::image {
 namespace {
@@ -48,10 +49,9 @@ std::uint64_t wordAt(ByteView bytes, std::size_t offset) {
 
 // Width and height, then four bytes per pixel.
 std::uint64_t previewSize(ByteView value) {
-  constexpr std::uint64_t kMaxSide = 65535;
   if (value.size() < 8) return 8;
   const std::uint64_t width = wordAt(value, 0), height = wordAt(value, 4);
-  return width > kMaxSide || height > kMaxSide ? 0 : 8 + 4 * width * height;
+  return width > kMaxImageSide || height > kMaxImageSide ? 0 : 8 + 4 * width * height;
 }
 
 // Names, each with 16 bytes, and an empty name.

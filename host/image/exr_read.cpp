@@ -39,13 +39,6 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-std::uint32_t takeWord(ByteCursor& cursor) {
-  const ByteView bytes = cursor.take(4);
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * i);
-  return word;
-}
-
 /// Checks the header before OpenEXR reads it: deep files and files of several parts are refused, since their decoders
 /// are the largest part of OpenEXR, and OpenEXR trusts the size of an attribute, up to 2 GiB, before it looks for the
 /// bytes.
@@ -54,19 +47,19 @@ void checkHeader(ByteView bytes) {
   const auto isNul = [](char c) { return c == 0; };
   ByteCursor cursor(bytes);
   cursor.take(4);  // magic number
-  const std::uint32_t flags = takeWord(cursor);
+  const std::uint32_t flags = cursor.takeWord();
   if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
   if ((flags & kMultiPart) != 0) throw FileError("EXR files of several parts are not read");
   while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
     const std::string_view type = cursor.takeUntil(isNul);
-    requireExrAttribute(type, cursor.take(takeWord(cursor)));
+    requireExrAttribute(type, cursor.take(cursor.takeWord()));
   }
 }
 
 /// Limits the memory that OpenEXR allocates while it opens a file, before checkImageSize can check the size.
 void limitSizes() {
   static const bool limited = [] {
-    constexpr auto kSide = static_cast<int>(kMaximumImageSide);
+    constexpr auto kSide = static_cast<int>(kMaxImageSide);
     Imf::Header::setMaxImageSize(kSide, kSide);
     Imf::Header::setMaxTileSize(kSide, kSide);
     return true;
@@ -87,10 +80,10 @@ Imath::Box2i checkedWindow(const Imf::Header& header) {
 /// methods to fewer, and a pixel has at least two bytes. DWA stores at least a value of two bytes, which it deflates,
 /// for each square of 8 x 8 pixels.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
-  constexpr std::size_t kMaximumPixelsPerByte = 1032 / 2;
+  constexpr std::size_t kMaxPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   const bool isDwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
-  const std::size_t maximum = isDwa ? 64 * kMaximumPixelsPerByte : kMaximumPixelsPerByte;
+  const std::size_t maximum = isDwa ? 64 * kMaxPixelsPerByte : kMaxPixelsPerByte;
   if (pixelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 

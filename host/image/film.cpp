@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 
 namespace candela::image {
 namespace {
@@ -31,18 +32,14 @@ std::uint32_t earlier(std::uint32_t a, std::uint32_t b) { return std::min(a - 1,
 /// Computes FNV-1a over the little-endian bytes of 32-bit words.
 class Fnv1a {
  public:
-  void add(std::uint32_t word) {
-    for (int shift = 0; shift < 32; shift += 8) {
-      hash_ = (hash_ ^ ((word >> shift) & 0xffu)) * 0x100000001b3u;
-    }
-  }
+  void add(std::uint32_t word) { hash_ = fnv1aOfWord(word, hash_); }
   void add(const FixedSum& sum) {
     for (const std::uint32_t word : sum) add(word);
   }
   std::uint64_t value() const { return hash_; }
 
  private:
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
+  std::uint64_t hash_ = fnv1a({});
 };
 
 }  // namespace
@@ -71,6 +68,15 @@ Film::Film(std::uint32_t width, std::uint32_t height, LayerSet layers, std::uint
 }
 
 double Film::radianceOfOne() const { return std::ldexp(1.0, static_cast<int>(scale_)); }
+
+FilmCounts Film::counts() const {
+  FilmCounts counts;
+  for (const FilmPixel& pixel : pixels_) {
+    counts.samples += pixel.sampleCount;
+    counts.badSamples += pixel.badCount;
+  }
+  return counts;
+}
 
 void Film::clear() { *this = Film(width_, height_, layers_, scale_); }
 
@@ -138,10 +144,10 @@ void Film::merge(const Film& other) {
   }
   if (layers_ != other.layers_) throw UsageError("cannot merge films with different layers");
   if (scale_ != other.scale_) throw UsageError("cannot merge films with different scales");
-  constexpr std::uint32_t kMaximumCount = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    if (other.pixels_[i].sampleCount > kMaximumCount - pixels_[i].sampleCount) {
-      throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaximumCount));
+    if (other.pixels_[i].sampleCount > kMaxCount - pixels_[i].sampleCount) {
+      throw UsageError(fmt::format("cannot merge films: a pixel would hold more than {} samples", kMaxCount));
     }
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) addSums(pixels_[i], other.pixels_[i]);

@@ -33,6 +33,12 @@ static_assert(sizeof(FilmPixel) == 64);
 /// Adds the sums, the counts and the first bad sample of other samples of the same pixel.
 void addSums(FilmPixel& sums, const FilmPixel& terms);
 
+/// Numbers of samples, over all pixels of a film.
+struct FilmCounts {
+  std::uint64_t samples = 0;
+  std::uint64_t badSamples = 0;  ///< see FilmPixel::badCount
+};
+
 class Film {
  public:
   Film() = default;
@@ -65,6 +71,8 @@ class Film {
   const IdCounts& idsAt(MatteKind kind, std::uint32_t x, std::uint32_t y) const {
     return ids(kind)[std::size_t{y} * width_ + x];
   }
+  /// Returns the numbers of samples of all pixels.
+  FilmCounts counts() const;
   /// Removes all samples.
   void clear();
 

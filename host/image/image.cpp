@@ -46,11 +46,11 @@ Format formatByContent(ByteView bytes) {
 }
 
 Bytes readFile(const fs::path& file) {
-  constexpr std::uintmax_t kMaximumSize = 24 * kMaximumImagePixels;  // all channels of the largest EXR, uncompressed
+  constexpr std::uintmax_t kMaxSize = 24 * kMaxImagePixels;  // all channels of the largest EXR, uncompressed
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) failReading(file, error.message());
-  if (size > kMaximumSize) failReading(file, "the file is too large for an image");
+  if (size > kMaxSize) failReading(file, "the file is too large for an image");
   Bytes bytes(size);
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
@@ -120,9 +120,9 @@ Format requireFormat(const fs::path& file) {
 
 void checkImageSize(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) throw FileError("the image has no pixels");
-  if (width > kMaximumImageSide || height > kMaximumImageSide || width * height > kMaximumImagePixels) {
+  if (width > kMaxImageSide || height > kMaxImageSide || width * height > kMaxImagePixels) {
     throw FileError(fmt::format("{} x {} pixels exceed the limits of {} per side and {} in total", width, height,
-                                kMaximumImageSide, kMaximumImagePixels));
+                                kMaxImageSide, kMaxImagePixels));
   }
 }
 

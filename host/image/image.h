@@ -63,8 +63,8 @@ struct DisplayTransform {
 glm::u8vec3 toDisplay(const glm::vec3& linear, const DisplayTransform& transform);
 
 /// Maximum size of images that are read or written.
-inline constexpr std::uint32_t kMaximumImageSide = 65535;
-inline constexpr std::uint64_t kMaximumImagePixels = std::uint64_t{1} << 28;
+inline constexpr std::uint32_t kMaxImageSide = 65535;
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 28;
 
 /// 8-bit RGB pixels, 3 bytes each, row by row from the top.
 struct Pixels8 {

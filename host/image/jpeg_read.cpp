@@ -14,7 +14,7 @@ namespace candela::image {
 namespace {
 
 /// Maximum number of scans. A progressive file may repeat scans, each of which costs a pass over the whole image.
-constexpr int kMaximumScans = 500;
+constexpr int kMaxScans = 500;
 
 struct ErrorHandler {
   jpeg_error_mgr base;  // first member, so that a pointer to it is a pointer to this object
@@ -37,9 +37,9 @@ void refuseDamage(j_common_ptr info, int level) {
 
 void limitScans(j_common_ptr info) {
   const auto* decompressor = reinterpret_cast<const jpeg_decompress_struct*>(info);
-  if (decompressor->input_scan_number <= kMaximumScans) return;
+  if (decompressor->input_scan_number <= kMaxScans) return;
   auto* handler = reinterpret_cast<ErrorHandler*>(info->err);
-  std::snprintf(handler->message, sizeof handler->message, "more than %d scans", kMaximumScans);
+  std::snprintf(handler->message, sizeof handler->message, "more than %d scans", kMaxScans);
   std::longjmp(handler->jump, 1);
 }
 
@@ -98,8 +98,8 @@ class JpegReader {
 /// Refuses files that claim more pixels than they can contain. Each block of 8x8 pixels takes at least one bit in the
 /// Huffman codes of its first coefficient; arithmetic codes are allowed a factor of eight.
 void requirePlausible(std::uint64_t pixelCount, std::size_t fileSize) {
-  constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 8 * 64;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid JPEG file: it is truncated");
+  constexpr std::uint64_t kMaxPixelsPerByte = 8 * 8 * 64;
+  if (pixelCount / kMaxPixelsPerByte > fileSize) throw FileError("not a valid JPEG file: it is truncated");
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ class PngReader {
 
 // Deflate expands one byte to at most 1032, and a byte has at most 8 pixels.
 void checkPngPlausible(std::uint64_t pixelCount, std::size_t fileSize) {
-  constexpr std::uint64_t kMaximumPixelsPerByte = 8 * 1032;
-  if (pixelCount / kMaximumPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is truncated");
+  constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
+  if (pixelCount / kMaxPixelsPerByte > fileSize) throw FileError("not a valid PNG file: it is truncated");
 }
 
 Pixels8 decodePng(ByteView file) {

@@ -42,10 +42,10 @@ dvec3 agx(const dvec3& linear) {
   const dmat3 outset(1.19687900512017, -0.0528968517574562, -0.0529716355144438,  //
                      -0.0980208811401368, 1.15190312990417, -0.0980434501171241,  //
                      -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
-  constexpr double kMinimumStop = -12.47393;
-  constexpr double kMaximumStop = 4.026069;
-  const dvec3 stops = glm::clamp(glm::log2(inset * linear), kMinimumStop, kMaximumStop);
-  const dvec3 signal = outset * agxContrast((stops - kMinimumStop) / (kMaximumStop - kMinimumStop));
+  constexpr double kMinStop = -12.47393;
+  constexpr double kMaxStop = 4.026069;
+  const dvec3 stops = glm::clamp(glm::log2(inset * linear), kMinStop, kMaxStop);
+  const dvec3 signal = outset * agxContrast((stops - kMinStop) / (kMaxStop - kMinStop));
   return glm::pow(glm::max(signal, 0.0), dvec3(2.2));
 }
 

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/core/hash.h"
 #include "host/core/hash_text.h"
 #include "host/formats/load_scene.h"
 #include "host/python/file_names.h"
@@ -13,7 +14,6 @@
 #include "host/python/options.h"
 #include "host/python/running_call.h"
 #include "host/python/watched.h"
-#include "host/scene/hash.h"
 #include "host/scene/report.h"
 
 namespace candela::python {
@@ -74,10 +74,10 @@ scene::Camera cameraOf(const py::dict& given) {
 
 std::uint64_t hashOf(const scene::Camera& camera, std::uint64_t hash) {
   const auto vector = [](const glm::vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
-  return scene::fnv1aOfText(fmt::format("camera {} {} {} {} {}x{} {} {} {}", vector(camera.from), vector(camera.at),
-                                        vector(camera.up), camera.angle, camera.width, camera.height, camera.aperture,
-                                        camera.focal, camera.orthographicHeight.value_or(0)),
-                            hash);
+  return fnv1aOfText(fmt::format("camera {} {} {} {} {}x{} {} {} {}", vector(camera.from), vector(camera.at),
+                                 vector(camera.up), camera.angle, camera.width, camera.height, camera.aperture,
+                                 camera.focal, camera.orthographicHeight.value_or(0)),
+                     hash);
 }
 
 void setCamera(const std::optional<scene::Camera>& camera, scene::Scene& scene) {

@@ -53,9 +53,9 @@ Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, c
   Tracers tracers(scene, arguments, watch, log);
   const verify::VerifyReport report = verify::verifyScene(tracers.job.scene, tracers.job.settings(), *tracers.device,
                                                           *tracers.reference, arguments.verification, tracers.control);
-  reportBadSamples(report.tallies, tracers.job, log);
+  reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = toJson(report);
-  json["badSamples"] = badSamplesJson(report.tallies, tracers.job);
+  json["badSamples"] = badSamplesJson(report.badSamples, tracers.job);
   return {report.agree(), report.verdict(), toText(report), jsonText(json)};
 }
 

@@ -7,7 +7,7 @@
 
 namespace candela::reference {
 
-void alignGrain(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
+void alignAnisotropy(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
   if (!material.surface || material.surface->anisotropy == 0) return;
   const MeshAttributes& attributes = surface.attributes;
   if (attributes.tangent == dvec3(0)) {
@@ -19,8 +19,8 @@ void alignGrain(const scene::Scene& scene, Surface& surface, SurfaceMaterial& ma
     direction *= std::complex<double>(2 * redOf(*texel) - 1, 2 * greenOf(*texel) - 1);
     material.surface->anisotropy *= static_cast<float>(blueOf(*texel));
   }
-  const dvec3 grain = direction.real() * attributes.tangent + direction.imag() * attributes.bitangent;
-  surface.grain = rounding.turned(normalize(grain), kRoundingBounds.frame);
+  const dvec3 rough = direction.real() * attributes.tangent + direction.imag() * attributes.bitangent;
+  surface.anisotropyDirection = rounding.turned(normalize(rough), kRoundingBounds.frame);
 }
 
 }  // namespace candela::reference

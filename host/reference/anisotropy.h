@@ -8,6 +8,6 @@ namespace candela::reference {
 
 /// Sets the direction in which an anisotropic material is rougher at a surface, and scales its strength by the texture.
 /// If the surface has no tangent, the material becomes isotropic. The texel becomes a decision of `rounding`.
-void alignGrain(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding);
+void alignAnisotropy(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding);
 
 }  // namespace candela::reference

@@ -21,7 +21,7 @@ scene::SurfaceParameters inChannel(const scene::SurfaceParameters& surface, std:
 /// The three surfaces as seen from one direction, whose lobes are sampled by that of the choice.
 class DispersiveBsdf {
  public:
-  /// As that of SurfaceBsdf.
+  /// `choice` states the channel; the other arguments are those of SurfaceBsdf.
   DispersiveBsdf(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone,
                  const ChannelChoice& choice);
 

@@ -17,7 +17,7 @@ double positiveOrNoHit(double t) { return t > 0 ? t : kNoHit; }
 // side of the plane, so that the ray may seem to hit it at a distance that should be 0.
 bool startsInPlane(const Ray& ray, const dvec3& point, const dvec3& normal) {
   constexpr double kRounding = 0x1p-40;  // of coordinates, for hits that are far from the origins of their rays
-  if (ray.leaving == kNoPrimitive) return false;
+  if (ray.originPrimitive == kNoPrimitive) return false;
   const double coordinates = std::max(maxNorm(point), maxNorm(ray.origin));
   return std::abs(dot(point - ray.origin, normal)) <= kRounding * coordinates * maxNorm(normal);
 }
@@ -51,10 +51,10 @@ struct Prepare {
 
 SphereShape::SphereShape(const scene::Sphere& sphere) : centre(sphere.centre), radius(sphere.radius) {}
 
-double SphereShape::distance(const Ray& ray, bool leaving) const {
+double SphereShape::distance(const Ray& ray, bool startsHere) const {
   const dvec3 fromCentre = ray.origin - centre;
   const double b = dot(fromCentre, ray.direction);
-  if (leaving) return positiveOrNoHit(-2 * b);
+  if (startsHere) return positiveOrNoHit(-2 * b);
 
   const auto [t1, t2] = roots(1, b, dot(fromCentre, fromCentre) - radius * radius);
   const double near = std::min(t1, t2);
@@ -113,17 +113,17 @@ BoxShape::Crossings BoxShape::crossings(const Ray& ray) const {
   return result;
 }
 
-double BoxShape::distance(const Ray& ray, bool leaving) const {
-  if (leaving && !(dot(ray.direction, ray.leavingNormal) < 0)) return kNoHit;
+double BoxShape::distance(const Ray& ray, bool startsHere) const {
+  if (startsHere && !(dot(ray.direction, ray.originNormal) < 0)) return kNoHit;
   const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
-  if (leaving) return positiveOrNoHit(exit);
+  if (startsHere) return positiveOrNoHit(exit);
   if (entry > exit) return kNoHit;
   return positiveOrNoHit(entry > 0 ? entry : exit);
 }
 
-dvec3 BoxShape::normal(const Ray& ray, bool leaving) const {
+dvec3 BoxShape::normal(const Ray& ray, bool startsHere) const {
   const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
-  const bool entered = !leaving && entry > 0;
+  const bool entered = !startsHere && entry > 0;
   const int axis = entered ? entryAxis : exitAxis;
   dvec3 result(0);
   result[axis] = std::copysign(1.0, entered ? -ray.direction[axis] : ray.direction[axis]);
@@ -139,7 +139,7 @@ ConeShape::ConeShape(const scene::Cone& cone)
       baseRadius(cone.baseRadius),
       slope((cone.apexRadius - baseRadius) / height) {}
 
-double ConeShape::distance(const Ray& ray, bool leaving) const {
+double ConeShape::distance(const Ray& ray, bool startsHere) const {
   const dvec3 fromBase = ray.origin - base;
   const double z = dot(fromBase, axis);
   const double dz = dot(ray.direction, axis);
@@ -152,7 +152,7 @@ double ConeShape::distance(const Ray& ray, bool leaving) const {
   const double b = dot(across, dAcross) - rho * dRho;
 
   const auto inRange = [&](double t) { return t > 0 && t < kNoHit && z + t * dz >= 0 && z + t * dz <= height; };
-  if (leaving) {
+  if (startsHere) {
     const double t = -2 * b / a;
     return inRange(t) ? t : kNoHit;
   }

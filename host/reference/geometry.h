@@ -1,5 +1,5 @@
 // Intersections of rays with spheres, triangles, boxes, cones and planes, and the normals there:
-// docs/light-transport.md section 4. Distances are kNoHit if there is no hit, and above 0 otherwise. `leaving` says
+// docs/light-transport.md section 4. Distances are kNoHit if there is no hit, and above 0 otherwise. `startsHere` says
 // that the primitive is the ray's origin primitive. A ray never hits a flat origin primitive.
 #pragma once
 #include <variant>
@@ -17,7 +17,7 @@ struct SphereShape {
   double radius;
 
   explicit SphereShape(const scene::Sphere& sphere);
-  double distance(const Ray& ray, bool leaving) const;
+  double distance(const Ray& ray, bool startsHere) const;
   /// Outward unit normal; towards the centre if the radius is negative.
   dvec3 normal(const dvec3& point) const;
 };
@@ -43,9 +43,9 @@ struct BoxShape {
   dvec3 max;
 
   explicit BoxShape(const scene::Box& box);
-  double distance(const Ray& ray, bool leaving) const;
+  double distance(const Ray& ray, bool startsHere) const;
   /// Outward unit normal of the face that `distance` hit.
-  dvec3 normal(const Ray& ray, bool leaving) const;
+  dvec3 normal(const Ray& ray, bool startsHere) const;
 
  private:
   /// The distances at which a line enters and exits the box (into > out: it misses), and the axes of the faces there.
@@ -66,7 +66,7 @@ struct ConeShape {
   double slope;  ///< change of the radius per unit of height
 
   explicit ConeShape(const scene::Cone& cone);
-  double distance(const Ray& ray, bool leaving) const;
+  double distance(const Ray& ray, bool startsHere) const;
   /// Unit normal that points away from the axis.
   dvec3 normal(const dvec3& point) const;
 };

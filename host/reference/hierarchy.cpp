@@ -65,16 +65,16 @@ class Builder {
  private:
   void buildNode(std::uint32_t begin, std::uint32_t end, std::uint32_t depth) {
     const auto index = static_cast<std::uint32_t>(result_.nodes.size());
-    const bool byReport = split_ == render::BvhSplit::midpoint;
+    const bool isMidpoint = split_ == render::BvhSplit::midpoint;
     result_.nodes.push_back(summarize(begin, end));
-    if (end - begin <= (byReport ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize)) {
+    if (end - begin <= (isMidpoint ? Hierarchy::kMidpointLeafSize : Hierarchy::kLeafSize)) {
       result_.nodes[index].first = begin;
       result_.nodes[index].count = static_cast<std::uint16_t>(end - begin);
       return;
     }
     const Node node = result_.nodes[index];
-    const std::uint32_t middle = byReport && depth < Hierarchy::kReportDepth ? splitByReport(node, begin, end)
-                                                                             : halve(node, begin, end);
+    const std::uint32_t middle = isMidpoint && depth < Hierarchy::kMidpointDepth ? splitAtMidpoint(node, begin, end)
+                                                                                 : halve(node, begin, end);
     buildNode(begin, middle, depth + 1);
     result_.nodes[index].first = static_cast<std::uint32_t>(result_.nodes.size());
     buildNode(middle, end, depth + 1);
@@ -94,7 +94,7 @@ class Builder {
     return middle;
   }
 
-  std::uint32_t splitByReport(const Node& node, std::uint32_t begin, std::uint32_t end) {
+  std::uint32_t splitAtMidpoint(const Node& node, std::uint32_t begin, std::uint32_t end) {
     const int axis = node.axis;
     const auto splitBelow = [&](double twicePlane) {
       const auto isLeft = [&](std::uint32_t item) { return twiceCentres_[item][axis] < twicePlane; };

@@ -40,10 +40,10 @@ struct Node {
 
 struct Hierarchy {
   static constexpr std::uint32_t kLeafSize = 4;
-  static constexpr std::uint32_t kReportLeafSize = 2;
+  static constexpr std::uint32_t kMidpointLeafSize = 2;
   /// Maximum depth of midpoint splits; below it, nodes are halved. Halving 2^32 items down to leaves takes 31 steps.
-  static constexpr std::uint32_t kReportDepth = 32;
-  static constexpr std::uint32_t kMaxDepth = kReportDepth + 31;
+  static constexpr std::uint32_t kMidpointDepth = 32;
+  static constexpr std::uint32_t kMaxDepth = kMidpointDepth + 31;
 
   std::vector<Node> nodes;  ///< the root first; empty if there are no items
   std::vector<std::uint32_t> order;

@@ -16,10 +16,10 @@ struct SphereView {
   bool wholeSphere;
   double capHeight;
 
-  SphereView(const SphereShape& sphere, const dvec3& point, bool leaving) {
+  SphereView(const SphereShape& sphere, const dvec3& point, bool startsHere) {
     const dvec3 toCentre = sphere.centre - point;
     const double sinSquared = sphere.radius * sphere.radius / dot(toCentre, toCentre);
-    wholeSphere = leaving || !(sinSquared < 1);
+    wholeSphere = startsHere || !(sinSquared < 1);
     capHeight = wholeSphere ? 2 : sinSquared / (1 + std::sqrt(1 - sinSquared));  // 1 - cos, without cancellation
   }
 };
@@ -27,17 +27,17 @@ struct SphereView {
 }  // namespace
 
 std::optional<LightSample> SphereLight::sample(const Surface& from, const dvec2& u) const {
-  const bool leaving = from.primitive == primitive_;
-  const SphereView view(sphere_, from.position, leaving);
+  const bool startsHere = from.primitive == primitive_;
+  const SphereView view(sphere_, from.position, startsHere);
   const dvec3 local = sampleCap(u, view.capHeight);
   const dvec3 wi = view.wholeSphere ? local : Frame(normalize(sphere_.centre - from.position)).toWorld(local);
-  const double distance = sphere_.distance({from.position, wi}, leaving);
+  const double distance = sphere_.distance({from.position, wi}, startsHere);
   if (distance == kNoHit) return std::nullopt;
   return LightSample{wi, distance, radiance_, capPdf(view.capHeight), primitive_, std::nullopt};
 }
 
 double SphereLight::pdf(const Ray& ray, double, double probability) const {
-  return probability * capPdf(SphereView(sphere_, ray.origin, ray.leaving == primitive_).capHeight);
+  return probability * capPdf(SphereView(sphere_, ray.origin, ray.originPrimitive == primitive_).capHeight);
 }
 
 double SphereLight::power() const { return 4 * kPi * sphere_.radius * sphere_.radius * image::luminance(radiance_); }

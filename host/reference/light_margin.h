@@ -26,11 +26,11 @@ class LightMargin {
   LightMargin(const Ray& ray, double distance, const dvec3& point, const dvec3& eye, double fraction)
       : ray_(ray), distance_(distance), point_(point), eye_(eye), fraction_(fraction) {}
 
-  /// Returns whether the shape contains the light, so that its hit at distance `t` does not occlude. `leaving`: the ray
-  /// starts on the shape.
+  /// Returns whether the shape contains the light, so that its hit at distance `t` does not occlude. `startsHere`: the
+  /// ray starts on the shape.
   bool contains(const TriangleShape& triangle, double, bool) const;
   bool contains(const PlaneShape& plane, double, bool) const;
-  bool contains(const BoxShape& box, double, bool leaving) const;
+  bool contains(const BoxShape& box, double, bool startsHere) const;
   bool contains(const SphereShape& sphere, double t, bool) const;
   bool contains(const ConeShape& cone, double t, bool) const;
 

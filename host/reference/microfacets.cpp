@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/energy/anisotropic_tables.h"
 #include "host/energy/energy_tables.h"
-#include "host/energy/grain_tables.h"
 #include "host/reference/sampling.h"
 #include "host/reference/table_axis.h"
 
@@ -20,10 +20,10 @@ double interpolate(const energy::Table& table, const TableAxis& x, const TableAx
   return std::lerp(along(y.node), along(y.node + 1), y.part);
 }
 
-double interpolateGrain(const energy::GrainTable& table, const GrainPlace& place) {
-  return interpolateTable(
-      table.data(), place,
-      {energy::kGrainStrengths, energy::kGrainRoughnesses, energy::kGrainAzimuths, energy::kGrainCosines});
+double interpolateAnisotropic(const energy::AnisotropicTable& table, const AnisotropicCoordinates& coordinates) {
+  return interpolateTable(table.data(), coordinates,
+                          {energy::kAnisotropicStrengths, energy::kAnisotropicRoughnesses, energy::kAnisotropicAzimuths,
+                           energy::kAnisotropicCosines});
 }
 
 double scaledCosine(double cosine, double scale) { return cosine * (1 + scale) / (cosine + scale); }
@@ -84,7 +84,7 @@ SingleScattering Microfacets::isotropicAlbedo(double cosine) const {
   return {white, white * std::pow(tilted, 5)};
 }
 
-GrainPlace Microfacets::grainPlace(const dvec3& wo) const {
+AnisotropicCoordinates Microfacets::anisotropicCoordinates(const dvec3& wo) const {
   const double square = wo.x * wo.x + wo.y * wo.y;
   const double cosSquared = square > 0 ? wo.x * wo.x / square : 1;
   const double towards = std::sqrt(glm::mix(alpha_.y * alpha_.y, alpha_.x * alpha_.x, cosSquared));
@@ -93,10 +93,10 @@ GrainPlace Microfacets::grainPlace(const dvec3& wo) const {
 }
 
 SingleScattering Microfacets::anisotropicAlbedo(const dvec3& wo) const {
-  GrainPlace place = grainPlace(wo);
-  const double white = std::min(1.0, interpolateGrain(energy::kGrainWhite, place));
-  place[3] = scaledCosine(wo.z, alpha_.x);
-  const double tilt = interpolateGrain(energy::kGrainTilt, place);
+  AnisotropicCoordinates coordinates = anisotropicCoordinates(wo);
+  const double white = std::min(1.0, interpolateAnisotropic(energy::kAnisotropicWhite, coordinates));
+  coordinates[3] = scaledCosine(wo.z, alpha_.x);
+  const double tilt = interpolateAnisotropic(energy::kAnisotropicTilt, coordinates);
   return {white, white * std::pow(std::clamp(1 - wo.z - alpha_.x * tilt, 0.0, 1.0), 5)};
 }
 

@@ -15,9 +15,9 @@ struct SingleScattering {
   double grazing;  ///< with the reflectance (1 - wo.h)^5
 };
 
-/// Strength, roughness, azimuth and cosine as fractions of the edges of the tables in host/energy/grain_tables.h, with
-/// a = av.
-using GrainPlace = std::array<double, 4>;
+/// Strength, roughness, azimuth and cosine as fractions of the edges of the tables in host/energy/anisotropic_tables.h,
+/// with a = av.
+using AnisotropicCoordinates = std::array<double, 4>;
 
 class Microfacets {
  public:
@@ -38,7 +38,7 @@ class Microfacets {
   /// Interpolates the energy tables.
   SingleScattering albedo(const dvec3& wo) const;
   /// Not for isotropic microfacets.
-  GrainPlace grainPlace(const dvec3& wo) const;
+  AnisotropicCoordinates anisotropicCoordinates(const dvec3& wo) const;
 
  private:
   /// Returns the square of the roughness in the azimuth of w.

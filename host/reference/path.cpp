@@ -46,7 +46,7 @@ struct PathTracer::VertexNumbers {
     return std::uint64_t{numbers.word(block + kDimensionLightU)} << 32 | numbers.word(block + kDimensionLightV);
   }
   dvec2 tap() const { return environmentPair(kDimensionTapX, kDimensionTapY); }
-  dvec2 environmentPlace() const { return environmentPair(kDimensionPlaceX, kDimensionPlaceY); }
+  dvec2 texel() const { return environmentPair(kDimensionTexelX, kDimensionTexelY); }
   dvec2 environmentPair(std::uint32_t x, std::uint32_t y) const {
     return {numbers.unit(environmentBlock + x), numbers.unit(environmentBlock + y)};
   }
@@ -152,7 +152,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     rounding.decide(surface.fromOutside);
     SurfaceMaterial material = materialAt(surface, rounding);
     dimEmission(surface, ray.direction, material);
-    alignGrain(scene(), surface, material, rounding);
+    alignAnisotropy(scene(), surface, material, rounding);
     mapLayer(ray.direction, u, surface, material, rounding);
     notes.hit(hit, surface);
     if (isShown) shownDistance += hit.distance;
@@ -240,7 +240,7 @@ dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) 
 }
 
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
-  if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.environmentPlace());
+  if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.texel());
   return lights_.sample(entry, surface, u.light());
 }
 

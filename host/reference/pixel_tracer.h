@@ -45,8 +45,8 @@ class PixelTracer {
   /// Returns the radiance of one sample of a pixel.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                SampleOutputs outputs) const;
-  /// The same sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`, unless null, is
-  /// that of the sample.
+  /// Returns the radiance of a sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`,
+  /// unless null, has the random numbers of this sample.
   dvec3 sample(const render::PixelSample& place, Counters& counters, SampleOutputs outputs, Rounding& rounding,
                NumberCache* cache) const;
   /// The perturbations of replica `replica` of a sample; 0: none, but decisions are recorded.

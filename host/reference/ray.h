@@ -12,12 +12,12 @@ inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
 /// `direction` is a unit vector. A ray from a surface stores its origin primitive (docs/light-transport.md section 4);
-/// `leavingNormal` is the normal there in the primitive's own orientation, which boxes need.
+/// `originNormal` is the normal there in the primitive's own orientation, which boxes need.
 struct Ray {
   dvec3 origin;
   dvec3 direction;
-  std::uint32_t leaving = kNoPrimitive;
-  dvec3 leavingNormal{0};
+  std::uint32_t originPrimitive = kNoPrimitive;
+  dvec3 originNormal{0};
   std::uint32_t opacityKey = 0;  ///< of the decisions which transparent triangles it hits
 
   dvec3 at(double distance) const { return origin + distance * direction; }

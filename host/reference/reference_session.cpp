@@ -57,12 +57,6 @@ void noteCost(const scene::Scene& scene, const render::RenderSettings& settings,
                   scene.primitives.size()));
 }
 
-std::uint64_t badSampleCount(const image::Film& film) {
-  std::uint64_t count = 0;
-  for (const image::FilmPixel& pixel : film.pixels()) count += pixel.badCount;
-  return count;
-}
-
 // Returns the result of `work`. Running out of memory is reported as OutOfMemoryError.
 template <class Work>
 auto guarded(Work&& work) {
@@ -78,7 +72,7 @@ auto guarded(Work&& work) {
 ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings)
     : settings_(settings) {
   render::requireIntegrator(scene, settings_);
-  prepared_.device = "cpu";
+  prepared_.device = render::kReferenceDevice;
   prepared_.kernel = "reference";
   prepared_.kernels = "reference";
   prepared_.platform = toolchainText();
@@ -141,7 +135,7 @@ void ReferenceSession::load(const image::Film& film, std::uint32_t first) {
   empty();
   film_ = film;
   coverage_ = coverage;
-  badSamplesLoaded_ = badSampleCount(film_);
+  badSamplesLoaded_ = film_.counts().badSamples;
 }
 
 bool ReferenceSession::advance(render::SampleRange range, const render::RenderControl& control) {
@@ -181,7 +175,7 @@ void ReferenceSession::addCounters(const Counters& counters) {
 
 render::RenderStatistics ReferenceSession::statistics() {
   render::RenderStatistics result = statistics_;
-  result.badSamples = badSampleCount(film_) - badSamplesLoaded_;
+  result.badSamples = film_.counts().badSamples - badSamplesLoaded_;
   return result;
 }
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "host/energy/anisotropic_tables.h"
 #include "host/energy/energy_tables.h"
-#include "host/energy/grain_tables.h"
 #include "host/reference/table_axis.h"
 
 namespace candela::reference {
@@ -21,11 +21,14 @@ double glassAlbedo(const Microfacets& microfacets, double cosine, double ior, bo
                              {energy::kGlassIors, energy::kGlassRoughnesses, energy::kGlassCosines});
 }
 
-double grainGlassAlbedo(const GrainPlace& place, double ior, bool outside) {
-  const std::array fractions{std::sqrt(2 * (ior - 1) / (ior + 1)), place[0], place[1], place[2], place[3]};
-  constexpr std::array kSizes{energy::kGrainGlassIors, energy::kGrainGlassStrengths, energy::kGrainGlassRoughnesses,
-                              energy::kGrainGlassAzimuths, energy::kGrainGlassCosines};
-  const energy::GrainGlassTable& table = outside ? energy::kGrainGlassOutside : energy::kGrainGlassInside;
+double anisotropicGlassAlbedo(const AnisotropicCoordinates& coordinates, double ior, bool outside) {
+  const std::array fractions{std::sqrt(2 * (ior - 1) / (ior + 1)), coordinates[0], coordinates[1], coordinates[2],
+                             coordinates[3]};
+  constexpr std::array kSizes{energy::kAnisotropicGlassIors, energy::kAnisotropicGlassStrengths,
+                              energy::kAnisotropicGlassRoughnesses, energy::kAnisotropicGlassAzimuths,
+                              energy::kAnisotropicGlassCosines};
+  const energy::AnisotropicGlassTable& table = outside ? energy::kAnisotropicGlassOutside
+                                                       : energy::kAnisotropicGlassInside;
   return std::min(1.0, interpolateTable(table.data(), fractions, kSizes));
 }
 
@@ -41,7 +44,7 @@ RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectanc
   else if (microfacets.isIsotropic())
     factor_ = weight / glassAlbedo(microfacets, wo.z, ior, outside);
   else
-    factor_ = weight / grainGlassAlbedo(microfacets.grainPlace(wo), ior, outside);
+    factor_ = weight / anisotropicGlassAlbedo(microfacets.anisotropicCoordinates(wo), ior, outside);
 }
 
 double RoughGlass::outerCosine(double cosine) const {

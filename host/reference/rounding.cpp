@@ -4,27 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/hash.h"
+
 namespace candela::reference {
-namespace {
-
-// Finaliser of SplitMix64 (Steele et al., OOPSLA 2014).
-std::uint64_t mix(std::uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-  return value ^ (value >> 31);
-}
-
-constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15u;
-
-}  // namespace
 
 Rounding::Rounding(std::uint64_t key, std::uint32_t replica)
-    : records_(true), perturbs_(replica > 0), key_(mix(key + replica * kStep)), counter_(key_) {}
+    : records_(true), perturbs_(replica > 0), key_(splitMix(key + replica * kSplitMixStep)), counter_(key_) {}
 
-std::uint64_t Rounding::nextWord() { return mix(counter_ += kStep); }
+std::uint64_t Rounding::nextWord() { return splitMix(counter_ += kSplitMixStep); }
 
 double Rounding::signOf(std::uint64_t word, std::uint32_t primitive) {
-  return (mix(word + primitive * kStep) & 1) != 0 ? 1 : -1;
+  return (splitMix(word + primitive * kSplitMixStep) & 1) != 0 ? 1 : -1;
 }
 
 double Rounding::sign() {
@@ -39,7 +29,7 @@ double Rounding::sign() {
 }
 
 void Rounding::startVertex(std::uint32_t vertex) {
-  counter_ = mix(key_ ^ mix(vertex * kStep));
+  counter_ = splitMix(key_ ^ splitMix(vertex * kSplitMixStep));
   bitCount_ = 0;
 }
 

@@ -96,7 +96,7 @@ Stratification stratificationOf(std::uint32_t dimension) {
     return {false, false, slot};
   }
   if (dimension / kEnvironmentDimensions == 1) {
-    return pairFrom(slot < kDimensionPlaceX ? kDimensionTapX : kDimensionPlaceX, slot);
+    return pairFrom(slot < kDimensionTexelX ? kDimensionTapX : kDimensionTexelX, slot);
   }
   const std::uint32_t name = (dimension - kCameraDimensionCount) % kVertexDimensionCount;
   if (name == kDimensionLightU || name == kDimensionLightV) return pairFrom(kDimensionLightU, name);

@@ -4,7 +4,7 @@
 namespace candela::reference {
 
 ShadingFrame::ShadingFrame(const Surface& surface, const dvec3& rayDirection, Rounding& rounding)
-    : frame(surface.shadingNormal, surface.grain),
+    : frame(surface.shadingNormal, surface.anisotropyDirection),
       wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
   if (!surface.isMapped) return;
   facets.emplace(rounding.turned(frame.toLocal(surface.facingNormal), kRoundingBounds.frame));

@@ -13,11 +13,11 @@ namespace {
 struct OutwardNormal {
   const Ray& ray;
   double distance;
-  bool leaving;
+  bool startsHere;
 
   dvec3 operator()(const SphereShape& sphere) const { return sphere.normal(ray.at(distance)); }
   dvec3 operator()(const TriangleShape& triangle) const { return normalize(triangle.areaNormal()); }
-  dvec3 operator()(const BoxShape& box) const { return box.normal(ray, leaving); }
+  dvec3 operator()(const BoxShape& box) const { return box.normal(ray, startsHere); }
   dvec3 operator()(const ConeShape& cone) const { return cone.normal(ray.at(distance)); }
   dvec3 operator()(const PlaneShape& plane) const { return plane.unitNormal; }
 };
@@ -47,7 +47,7 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   Surface surface;
   surface.position = ray.at(hit.distance);
-  surface.outwardNormal = std::visit(OutwardNormal{ray, hit.distance, ray.leaving == hit.primitive},
+  surface.outwardNormal = std::visit(OutwardNormal{ray, hit.distance, ray.originPrimitive == hit.primitive},
                                      shapeOf(scene, primitive));
   surface.fromOutside = dot(ray.direction, surface.outwardNormal) < 0;
   surface.facingNormal = surface.fromOutside ? surface.outwardNormal : -surface.outwardNormal;

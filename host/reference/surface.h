@@ -18,7 +18,7 @@ struct Surface {
   MeshAttributes attributes{};       ///< 0 if the mesh has none
   glm::dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
   glm::dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
-  dvec3 grain{0};                    ///< direction in which the material is rougher; 0: none
+  dvec3 anisotropyDirection{0};      ///< direction in which the material is rougher; 0: none
   bool isMapped = false;             ///< shadingNormal is that of a normal map, and the ray may arrive below it
   double facetNumber = 0;            ///< the random number that chooses a facet of the normal map
 };

@@ -53,18 +53,18 @@ bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
 // Returns the distance at which a ray hits a shape. A flat one-sided shape is not hit from its back.
 struct HitDistance {
   const Ray& ray;
-  bool leaving;
+  bool startsHere;
   bool oneSided;
 
-  double operator()(const SphereShape& sphere) const { return sphere.distance(ray, leaving); }
-  double operator()(const BoxShape& box) const { return box.distance(ray, leaving); }
-  double operator()(const ConeShape& cone) const { return cone.distance(ray, leaving); }
+  double operator()(const SphereShape& sphere) const { return sphere.distance(ray, startsHere); }
+  double operator()(const BoxShape& box) const { return box.distance(ray, startsHere); }
+  double operator()(const ConeShape& cone) const { return cone.distance(ray, startsHere); }
   double operator()(const TriangleShape& triangle) const {
     return isPassed(oneSided ? triangle.areaNormal() : dvec3(0)) ? kNoHit : triangle.distance(ray);
   }
   double operator()(const PlaneShape& plane) const { return isPassed(plane.unitNormal) ? kNoHit : plane.distance(ray); }
 
-  bool isPassed(const dvec3& normal) const { return leaving || (oneSided && dot(ray.direction, normal) > 0); }
+  bool isPassed(const dvec3& normal) const { return startsHere || (oneSided && dot(ray.direction, normal) > 0); }
 };
 
 }  // namespace
@@ -127,7 +127,7 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSi
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
-  return std::visit(HitDistance{ray, item.primitive == ray.leaving, item.oneSided}, item.shape);
+  return std::visit(HitDistance{ray, item.primitive == ray.originPrimitive, item.oneSided}, item.shape);
 }
 
 bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
@@ -203,8 +203,8 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
 bool Tracing::containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const {
   if (!end.point) return false;
   const LightMargin margin(ray, end.distance, *end.point, eye_, fraction);
-  const bool leaving = item.primitive == ray.leaving;
-  return std::visit([&](const auto& shape) { return margin.contains(shape, t, leaving); }, item.shape);
+  const bool startsHere = item.primitive == ray.originPrimitive;
+  return std::visit([&](const auto& shape) { return margin.contains(shape, t, startsHere); }, item.shape);
 }
 
 bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {

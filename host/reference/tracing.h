@@ -47,7 +47,7 @@ class Tracing {
   /// Returns whether a primitive hides the light at `end`.
   bool isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const;
 
-  /// The same with the rounding of a replica: `ray` becomes the ray that, in effect, was tested.
+  /// These overloads apply the rounding of a replica: `ray` becomes the ray that, in effect, was tested.
   Hit closest(Ray& ray, Counters& counters, Rounding& rounding) const;
   bool isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, Rounding& rounding) const;
 

@@ -25,8 +25,7 @@ void addErrors(const std::vector<double>& variances, const std::vector<std::uint
 
 SampleCounts sampleCountsOf(const image::Film& film) {
   const auto [min, max] = std::ranges::minmax(film.pixels(), {}, &image::FilmPixel::sampleCount);
-  double samples = 0;
-  for (const image::FilmPixel& pixel : film.pixels()) samples += pixel.sampleCount;
+  const auto samples = static_cast<double>(film.counts().samples);
   return {min.sampleCount, max.sampleCount, samples / static_cast<double>(film.pixels().size())};
 }
 

@@ -50,6 +50,7 @@ class BadSampleTally {
 struct BadSampleTallies {
   BadSampleTally device, reference;
 
+  std::uint64_t samples() const { return device.samples() + reference.samples(); }
   void add(const BadSampleTallies& later) {
     device.add(later.device);
     reference.add(later.reference);

@@ -9,7 +9,7 @@
 
 namespace candela::render {
 
-/// none, diffuse, glossy, mirror, reflect, refract: the entries of CANDELA_LOBES, with their values.
+/// The entries of CANDELA_LOBES, with their values.
 enum class Lobe : std::uint8_t {
 #define CANDELA_ENUMERATE_LOBE(lobe, name, value) lobe = value,
   CANDELA_LOBES(CANDELA_ENUMERATE_LOBE)

@@ -10,10 +10,8 @@ namespace candela::render {
 namespace {
 
 AccelKind accelOf(const scene::Scene& scene) {
-  constexpr std::uint32_t kNone = 0;
-  constexpr std::uint32_t kGrid = 1;
-  if (scene.requestedAccel == kNone) return AccelKind::none;
-  if (scene.requestedAccel == kGrid) return AccelKind::grid;
+  if (scene.requestedAccel == scene::RequestedAccel::none) return AccelKind::none;
+  if (scene.requestedAccel == scene::RequestedAccel::grid) return AccelKind::grid;
   return AccelKind::bvh;
 }
 

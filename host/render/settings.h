@@ -56,6 +56,9 @@ struct AutomaticChoices {
 /// Maximum depth of the Whitted tracer's tree of rays, because a node's index is a factor in the random dimensions.
 inline constexpr std::uint32_t kMaxTreeDepth = 20;
 
+/// Maximum number of samples per pixel.
+inline constexpr std::uint32_t kMaxSampleCount = 1u << 30;
+
 /// Default of the maximum depth on the command line.
 constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 

@@ -30,9 +30,12 @@ constexpr const char* structureName(AccelKind accel) {
   return "bvh";
 }
 
+/// The name of the reference tracer where devices are named: in options, reports and films.
+inline constexpr const char* kReferenceDevice = "cpu";
+
 /// Counts and times of one session since it was prepared or reset. Times in seconds.
 struct RenderStatistics {
-  std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or "cpu"
+  std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or kReferenceDevice
   std::string driver;  ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
   /// The conditions on which the bytes of a film depend besides device, driver and kernels: the UUIDs of the driver and
   /// of its pipeline cache; for the reference: compiler, C library and instruction set.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "host/core/divide_up.h"
+
 namespace candela::report {
 namespace {
-
-std::uint32_t blocks(std::uint32_t pixels, std::uint32_t k) { return (pixels + k - 1) / k; }
 
 glm::vec3 blockMean(const image::Image& image, std::uint32_t left, std::uint32_t top, std::uint32_t k) {
   const std::uint32_t right = std::min(left + k, image.width);
@@ -22,14 +22,14 @@ glm::vec3 blockMean(const image::Image& image, std::uint32_t left, std::uint32_t
 
 std::uint32_t reductionOf(std::uint32_t width, std::uint32_t height) {
   std::uint32_t k = 1;
-  while (std::uint64_t{blocks(width, k)} * blocks(height, k) > kMaxPixels) ++k;
+  while (std::uint64_t{divideUp(width, k)} * divideUp(height, k) > kMaxPixels) ++k;
   return k;
 }
 
 image::Image reduced(const image::Image& image, std::uint32_t k) {
   image::Image small;
-  small.width = blocks(image.width, k);
-  small.height = blocks(image.height, k);
+  small.width = divideUp(image.width, k);
+  small.height = divideUp(image.height, k);
   small.rgb.reserve(std::size_t{small.width} * small.height);
   for (std::uint32_t y = 0; y < small.height; ++y) {
     for (std::uint32_t x = 0; x < small.width; ++x) small.rgb.push_back(blockMean(image, x * k, y * k, k));

@@ -25,12 +25,6 @@ struct Fact {
   std::string b;
 };
 
-/// The tests of regions, the whole image first.
-struct LightTests {
-  std::vector<verify::RegionResult> regions;
-  double level = 0;  ///< level of each test
-};
-
 struct Report {
   std::string title;
   Outcome outcome = Outcome::none;
@@ -40,7 +34,7 @@ struct Report {
   image::DisplayTransform display;
   image::ImageComparison comparison;
   image::FlipResult flip;
-  std::optional<LightTests> tests;
+  std::optional<verify::RegionTests> tests;
   std::vector<Figure> figures;  ///< shown before those of `comparison`
   std::vector<Fact> facts;
   std::vector<std::string> commands;  ///< shell commands

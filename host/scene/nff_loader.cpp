@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "host/core/hash.h"
 #include "host/scene/exact_mean.h"
-#include "host/scene/hash.h"
 #include "host/scene/keywords.h"
 #include "host/scene/parser.h"
 #include "host/scene/scene_checks.h"

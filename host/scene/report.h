@@ -41,7 +41,7 @@ struct SceneReport {
   glm::vec3 background{0, 0, 0};
   std::optional<std::uint32_t> skySide;  ///< maximum side of a face of the sky box, in texels
   std::uint32_t filmScale = 0;           ///< as filmScaleOf() returns it
-  std::optional<std::uint32_t> requestedAccel;
+  std::optional<RequestedAccel> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
   std::uint64_t hash = 0;
   SceneMemory memory;

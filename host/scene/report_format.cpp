@@ -30,6 +30,8 @@ json orNull(const std::optional<Value>& value, Convert convert) {
   return value ? convert(*value) : json(nullptr);
 }
 
+std::string toText(RequestedAccel accel) { return kRequestedAccelNames[static_cast<std::size_t>(accel)]; }
+
 std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
 
 std::string toText(const Camera& c) {
@@ -99,7 +101,7 @@ std::string toText(const SceneReport& r) {
   line("camera", r.camera ? toText(*r.camera) : "none");
   if (r.filmScale > 0) line("film scale", fmt::format("2^{}, because of strong lights", r.filmScale));
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
-  if (r.requestedAccel) line("accel", fmt::format("{} requested", *r.requestedAccel));
+  if (r.requestedAccel) line("accel", fmt::format("{} requested", toText(*r.requestedAccel)));
   if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
   line("memory", memoryText(r.memory));
   line("hash", hashText(r.hash));
@@ -147,7 +149,7 @@ json toJson(const SceneReport& r) {
       {"background", toJson(r.background)},
       {"skySide", orNull(r.skySide, same)},
       {"filmScale", r.filmScale},
-      {"requestedAccel", orNull(r.requestedAccel, same)},
+      {"requestedAccel", orNull(r.requestedAccel, [](RequestedAccel accel) { return json(toText(accel)); })},
       {"requestedSamples", orNull(r.requestedSamples, same)},
       {"memory",
        {{"bytes", r.memory.total},

@@ -1,6 +1,7 @@
 // The scene as the file states it: values and indices, no pointers, nothing precomputed. Both tracers start from it.
 // All numbers are binary32, each rounded once from its decimal notation.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -13,6 +14,10 @@
 #include "host/scene/primitive_kind_list.h"
 
 namespace candela::scene {
+
+/// The acceleration structure that a file requests, in the order of its numbers in the statement `accel`.
+enum class RequestedAccel : std::uint8_t { none, grid, bvh };
+inline constexpr std::array<const char*, 3> kRequestedAccelNames{"none", "grid", "bvh"};
 
 /// The view, as in NFF. The view plane passes through `at`.
 struct Camera {
@@ -145,7 +150,7 @@ struct Scene {
   std::vector<PointLight> pointLights;
   std::vector<PunctualLight> punctualLights;
 
-  std::optional<std::uint32_t> requestedAccel;    ///< `accel`: 0 none, 1 grid, 2 BVH
+  std::optional<RequestedAccel> requestedAccel;   ///< `accel`
   std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total; 0: no antialiasing
   std::optional<ExactMean> exactMean;             ///< for paths of any length, with and without next-event estimation
   std::uint64_t hash = 0;                         ///< of everything that was read, sky images included

@@ -34,17 +34,16 @@ void parseSky(Parser& parser) {
 
 void parseAccel(Parser& parser) {
   if (parser.in.numberFollows()) {
-    parser.scene.requestedAccel = static_cast<std::uint32_t>(parser.in.wholeNumber("accel", 0, 2));
+    parser.scene.requestedAccel = static_cast<RequestedAccel>(parser.in.wholeNumber("accel", 0, 2));
     return;
   }
-  constexpr std::string_view kNames[] = {"none", "grid", "bvh"};
   const Token word = parser.in.word("0, 1, 2, none, grid or bvh");
-  const auto* const found = std::ranges::find(kNames, word.text);
-  if (found == std::end(kNames)) {
+  const auto* const found = std::ranges::find(kRequestedAccelNames, word.text);
+  if (found == kRequestedAccelNames.end()) {
     StatementReader::fail(word.position,
                           fmt::format("expected 0, 1, 2, none, grid or bvh, found {}", quote(word.text)));
   }
-  parser.scene.requestedAccel = static_cast<std::uint32_t>(found - std::begin(kNames));
+  parser.scene.requestedAccel = static_cast<RequestedAccel>(found - kRequestedAccelNames.begin());
 }
 
 void parseSamples(Parser& parser) {

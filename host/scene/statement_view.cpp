@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "host/image/image.h"
 #include "host/scene/keywords.h"
 #include "host/scene/parser.h"
 #include "host/scene/statements.h"
@@ -29,8 +30,8 @@ void readAngle(Parser& p, Camera& camera) {
 }
 
 void readResolution(Parser& p, Camera& camera) {
-  camera.width = static_cast<std::uint32_t>(p.in.wholeNumber("the width", 1, 65535));
-  camera.height = static_cast<std::uint32_t>(p.in.wholeNumber("the height", 1, 65535));
+  camera.width = static_cast<std::uint32_t>(p.in.wholeNumber("the width", 1, image::kMaxImageSide));
+  camera.height = static_cast<std::uint32_t>(p.in.wholeNumber("the height", 1, image::kMaxImageSide));
 }
 
 void readAperture(Parser& p, Camera& camera) {

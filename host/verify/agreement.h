@@ -44,20 +44,16 @@ struct PixelAgreement {
   nlohmann::ordered_json worstJson() const;
 };
 
-struct AgreementReport {
+struct AgreementReport : RegionTests {
   std::string scene;
   render::RenderStatistics deviceStatistics;  ///< of the films; `truncated` counts the pixels' images, too
   PixelAgreement pixels;
   std::uint32_t samples = 0;              ///< per pixel, of the films
-  double level = 0;                       ///< of each region's test
-  std::vector<RegionResult> regions;      ///< the luminance of the whole image first
-  render::BadSampleTallies badSamples;    ///< bad samples of all renders
+  render::BadSampleTallies badSamples;    ///< of all renders
   image::Film deviceFilm, referenceFilm;  ///< films with `samples` samples per pixel
   bool interrupted = false;
 
-  const RegionResult& image() const { return regions.front(); }
-  const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }
-  bool agree() const { return !interrupted && pixels.agree() && !anyDiffers(regions); }
+  bool agree() const { return !interrupted && pixels.agree() && !differs(); }
   std::string toText() const;
   nlohmann::ordered_json toJson() const;
 };

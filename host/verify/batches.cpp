@@ -6,16 +6,13 @@
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 
 namespace candela::verify {
 namespace {
 
-std::uint64_t mix(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15u;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-  return value ^ (value >> 31);
-}
+// One step of SplitMix64.
+std::uint64_t mix(std::uint64_t value) { return splitMix(value + kSplitMixStep); }
 
 }  // namespace
 

@@ -77,7 +77,7 @@ struct Candidate {
   Participants participants;
 };
 
-// More replicas side with the others.
+// Returns whether kConfirmations more replicas agree with the others.
 bool isConfirmed(const Candidate& candidate, render::Session& reference) {
   const Participants& participants = candidate.participants;
   const glm::dvec3& value = participants.values[candidate.odd];

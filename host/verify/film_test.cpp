@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "host/statistics/error_rates.h"
 #include "host/verify/agreement.h"
@@ -92,7 +93,7 @@ FilmTestResult testFilms(const image::Image& a, const image::Image& reference, d
   const bool equalCounts = a.sampleCounts == reference.sampleCounts;
   const Variances larger = equalCounts ? Variances{} : largerOf(a.luminanceVariance, reference.luminanceVariance);
 
-  FilmTestResult result{alpha, statistics::sidakLevel(alpha, regions.size()), {}};
+  FilmTestResult result{{statistics::sidakLevel(alpha, regions.size()), {}}, alpha};
   for (const Region& region : regions) {
     result.regions.push_back(compareRegion(
         region, estimateRegion(a, equalCounts ? a.luminanceVariance : larger, region),

@@ -11,7 +11,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "host/image/image.h"
 #include "host/verify/region_result.h"
@@ -24,14 +23,10 @@ inline constexpr const char* kSeedMetadata = "candela.seed";
 /// Images whose light is wrong on purpose have a sentence about it under this name. They get no verdict.
 inline constexpr const char* kBiasMetadata = "candela.bias";
 
-struct FilmTestResult {
-  double alpha = 0;                   ///< probability of a false alarm
-  double level = 0;                   ///< level of each region's test, by Sidak
-  std::vector<RegionResult> regions;  ///< luminance: the whole image first, then tiles of 8, 16 and 32 pixels
+/// The regions are the luminance of the whole image, then of tiles of 8, 16 and 32 pixels; the level is Sidak's.
+struct FilmTestResult : RegionTests {
+  double alpha = 0;  ///< probability of a false alarm
 
-  bool differs() const { return anyDiffers(regions); }
-  const RegionResult& image() const { return regions.front(); }
-  const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }
   /// Returns one sentence with the result and its certainty.
   std::string verdict() const;
 };

@@ -89,7 +89,7 @@ class LightTest {
 
   LightTestResult finished() {
     result_.samplesPerPixel = device_.samples() * kBatchCount;
-    result_.tallies = {device_.badSamples(), reference_.badSamples()};
+    result_.badSamples = {device_.badSamples(), reference_.badSamples()};
     result_.deviceStatistics = device_.statistics();
     result_.deviceFilm = device_.takeFilm();
     result_.referenceFilm = reference_.takeFilm();

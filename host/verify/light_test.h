@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "host/statistics/welch.h"
 #include "host/verify/batches.h"
@@ -38,26 +37,20 @@ struct LightTestOptions {
   bool keepFilms = false;             ///< return the films, too
 };
 
-struct LightTestResult {
+/// The level of the regions is that of the last look.
+struct LightTestResult : RegionTests {
   std::uint64_t samplesPerPixel = 0;  ///< on each side, all batches together
   std::uint32_t looks = 0;
-  double level = 0;                   ///< level of each region's test at the last look
-  std::vector<RegionResult> regions;  ///< the luminance of the whole image first
   statistics::Summary watchedDevice,
       watchedReference;                           ///< independent: over the batches; empty without a watched region
   std::optional<RegionResult> watchedDifference;  ///< paired: of the watched region
   double bias = kIndependentBias;                 ///< that was to be detected
-  double information = 0;            ///< at the last look; 1: `bias` would have been detected with probability kPower
-  bool outOfTime = false;            ///< the time limit was reached before all of the information was available
-  bool interrupted = false;          ///< no verdict
-  render::BadSampleTallies tallies;  ///< bad samples of all batches
+  double information = 0;    ///< at the last look; 1: `bias` would have been detected with probability kPower
+  bool outOfTime = false;    ///< the time limit was reached before all of the information was available
+  bool interrupted = false;  ///< no verdict
+  render::BadSampleTallies badSamples;  ///< of all batches
   render::RenderStatistics deviceStatistics;
   image::Film deviceFilm, referenceFilm;  ///< of all samples; empty unless keepFilms is set
-
-  std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
-  bool differs() const { return anyDiffers(regions); }
-  const RegionResult& image() const { return regions.front(); }
-  const RegionResult& mostSignificant() const { return verify::mostSignificant(regions); }
 };
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.

@@ -7,12 +7,9 @@
 namespace candela::verify {
 namespace {
 
-std::size_t componentOf(Region::Quantity quantity) {
-  return quantity == Region::Quantity::luminance ? 3 : static_cast<std::size_t>(quantity) - 1;
-}
-
-double valueOf(const glm::dvec3& rgb, Region::Quantity quantity) {
-  return quantity == Region::Quantity::luminance ? image::luminance(rgb) : rgb[static_cast<int>(componentOf(quantity))];
+// The index of a quantity in a Deviation.
+int componentOf(Region::Quantity quantity) {
+  return quantity == Region::Quantity::luminance ? 3 : static_cast<int>(quantity) - 1;
 }
 
 double variationOf(const statistics::SelfNormalisedSum& values) {
@@ -33,13 +30,13 @@ void PairedSums::add(const image::Film& device, const image::Film& reference,
   const double quantum = filmQuantum(device);
   for (std::size_t i = 0; i < regions_.size(); ++i) {
     const Region& region = regions_[i];
-    const auto component = static_cast<int>(componentOf(region.quantity));
+    const int component = componentOf(region.quantity);
     for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
       for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
         const std::size_t pixel = std::size_t{y} * device.width() + x;
         const double count = device.at(x, y).sampleCount;
-        const double a = count * valueOf(device.mean(x, y), region.quantity);
-        const double b = count * valueOf(reference.mean(x, y), region.quantity);
+        const double a = count * quantityOf(device.mean(x, y), region.quantity);
+        const double b = count * quantityOf(reference.mean(x, y), region.quantity);
         const render::Deviation deviation = deviations.empty() ? render::Deviation{} : deviations[pixel];
         const double margin = kOneWay * deviation.magnitude[component] + count * quantum;
         const double difference = a - b - deviation.drift[component];

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
@@ -59,7 +60,7 @@ class PairedTest {
  private:
   static std::uint32_t batchesFor(const render::Extent& size) {
     const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
-    return static_cast<std::uint32_t>((kMinValues + pixels - 1) / pixels);
+    return static_cast<std::uint32_t>(divideUp(kMinValues, pixels));
   }
 
   static std::uint64_t defaultSamples(const render::Extent& size) {
@@ -74,7 +75,7 @@ class PairedTest {
 
   // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
-    const std::uint64_t each = std::max<std::uint64_t>((samples - samples_ + batches_ - 1) / batches_,
+    const std::uint64_t each = std::max<std::uint64_t>(divideUp<std::uint64_t>(samples - samples_, batches_),
                                                        minBatchSamples(settings_.image.integrator));
     render::RenderSettings settings = settings_;
     settings.image.sampleCount = static_cast<std::uint32_t>(each);
@@ -100,8 +101,8 @@ class PairedTest {
     const image::Film deviceFilm = device.film();
     const image::Film referenceFilm = reference.film();
     sums_.add(deviceFilm, referenceFilm, reference.replicas().deviations);
-    result_.tallies.device.add(deviceFilm, image);
-    result_.tallies.reference.add(referenceFilm, image);
+    result_.badSamples.device.add(deviceFilm, image);
+    result_.badSamples.reference.add(referenceFilm, image);
     if (!options_.keepFilms) return;
     result_.deviceFilm.merge(deviceFilm);
     result_.referenceFilm.merge(referenceFilm);

@@ -27,17 +27,13 @@ RegionResult compareRegion(const Region& region, const statistics::Estimate& dev
   return result;
 }
 
-bool anyDiffers(std::span<const RegionResult> results) {
-  return std::any_of(results.begin(), results.end(), [](const RegionResult& result) { return result.differs; });
-}
+bool RegionTests::differs() const { return std::ranges::any_of(regions, &RegionResult::differs); }
 
-const RegionResult& mostSignificant(std::span<const RegionResult> results) {
-  const RegionResult& image = results.front();
-  if (image.differs) return image;
-  const auto least = std::min_element(results.begin(), results.end(), [](const RegionResult& a, const RegionResult& b) {
-    return a.test.pValue < b.test.pValue;
-  });
-  return least->differs ? *least : image;
+const RegionResult& RegionTests::mostSignificant() const {
+  if (image().differs) return image();
+  const auto pValueOf = [](const RegionResult& result) { return result.test.pValue; };
+  const RegionResult& least = *std::ranges::min_element(regions, {}, pValueOf);
+  return least.differs ? least : image();
 }
 
 std::string pValueText(double pValue) { return pValue > 0 ? fmt::format("p = {:.1e}", pValue) : "p < 1e-300"; }

@@ -1,8 +1,8 @@
 // The comparison of one region of two images: both means, and the test of their difference.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "host/statistics/welch.h"
 #include "host/verify/regions.h"
@@ -32,10 +32,18 @@ struct RegionResult {
 RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
                            const statistics::Estimate& reference, double level);
 
-bool anyDiffers(std::span<const RegionResult> results);
-/// Returns the first result (the luminance of the whole image) if it differs, else the one that differs most
-/// significantly, else the first. `results` must not be empty.
-const RegionResult& mostSignificant(std::span<const RegionResult> results);
+/// The tests of all regions of two images.
+struct RegionTests {
+  double level = 0;                   ///< level of each region's test
+  std::vector<RegionResult> regions;  ///< the luminance of the whole image first
+
+  bool differs() const;
+  /// Returns the result of the whole image. The list must not be empty.
+  const RegionResult& image() const { return regions.front(); }
+  /// Returns the result of the whole image if it differs, else the one that differs most significantly, else that of
+  /// the whole image. The list must not be empty.
+  const RegionResult& mostSignificant() const;
+};
 
 /// Returns "p = 1.2e-05", or "p < 1e-300" if `pValue` is 0.
 std::string pValueText(double pValue);

@@ -19,20 +19,6 @@ void appendTiles(const render::Extent& image, std::uint32_t size, std::vector<Re
   }
 }
 
-double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
-  switch (quantity) {
-    case Region::Quantity::red:
-      return rgb.r;
-    case Region::Quantity::green:
-      return rgb.g;
-    case Region::Quantity::blue:
-      return rgb.b;
-    case Region::Quantity::luminance:
-      break;
-  }
-  return image::luminance(rgb);
-}
-
 }  // namespace
 
 std::vector<Region> regionsOf(const render::Extent& image, const std::optional<Region>& watched) {
@@ -54,6 +40,20 @@ const char* quantityName(Region::Quantity quantity) {
 std::string regionText(const Region& region) {
   if (region.tileSize == 0) return fmt::format("image mean ({})", quantityName(region.quantity));
   return fmt::format("tile {}x{} at {},{}", region.tileSize, region.tileSize, region.x, region.y);
+}
+
+double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
+  switch (quantity) {
+    case Region::Quantity::red:
+      return rgb.r;
+    case Region::Quantity::green:
+      return rgb.g;
+    case Region::Quantity::blue:
+      return rgb.b;
+    case Region::Quantity::luminance:
+      break;
+  }
+  return image::luminance(rgb);
 }
 
 double regionMean(const image::Film& film, const Region& region) {

@@ -1,6 +1,7 @@
 // The regions of an image in which the light of two tracers is compared: the whole image, and tiles of three sizes.
 #pragma once
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,9 @@ std::vector<Region> regionsOf(const render::Extent& image, const std::optional<R
 std::string regionText(const Region& region);
 /// Returns "luminance", "red", "green" or "blue".
 const char* quantityName(Region::Quantity quantity);
+
+/// Returns the luminance or a channel of a colour.
+double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity);
 
 /// Returns the mean over the pixels of a region, each of which must have samples.
 double regionMean(const image::Film& film, const Region& region);

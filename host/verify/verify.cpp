@@ -22,16 +22,16 @@ struct Questions {
     const std::optional<PixelAgreement> paths = comparePaths(scene, settings, device, reference, options.alpha, control,
                                                              renders);
     report.deviceStatistics = renders.deviceStatistics;
-    report.tallies.add(renders.badSamples);
+    report.badSamples.add(renders.badSamples);
     report.interrupted = !paths;
     if (report.interrupted) return;
     render::requireComplete(report.deviceStatistics);
     report.paths = *paths;
     report.light = light(paths->referenceMean);
-    report.tallies.add(report.light.tallies);
+    report.badSamples.add(report.light.badSamples);
     report.interrupted = report.light.interrupted;
     if (!scene.exactMean || report.interrupted) return;
-    report.exact = testExactMean(scene, settings, device, options, report.light, control, report.tallies.device);
+    report.exact = testExactMean(scene, settings, device, options, report.light, control, report.badSamples.device);
     report.interrupted = !report.exact;
   }
 

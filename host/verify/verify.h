@@ -19,10 +19,9 @@ struct VerifyReport {
   LightTestResult light;           ///< 2: same light?
   std::optional<ExactTest> exact;  ///< 3: right light? Only for scenes that state their exact result
   double seconds = 0;
-  render::BadSampleTallies tallies;  ///< bad samples of all renders
+  render::BadSampleTallies badSamples;  ///< of all renders
   bool interrupted = false;
 
-  std::uint64_t badSamples() const { return tallies.device.samples() + tallies.reference.samples(); }
   bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
   /// Returns one sentence with the result and its certainty.
   std::string verdict() const;

@@ -46,7 +46,8 @@ std::string lightText(const VerifyReport& report) {
   if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
   if (const std::size_t tiles = differingTiles(light))
     text += fmt::format("                             {} tiles differ\n", tiles);
-  if (light.badSamples() > 0) text += fmt::format("                             {} bad samples\n", light.badSamples());
+  if (light.badSamples.samples() > 0)
+    text += fmt::format("                             {} bad samples\n", light.badSamples.samples());
   return text;
 }
 
@@ -94,7 +95,7 @@ ordered_json lightJson(const LightTestResult& light, const LightTestOptions& opt
                     {"looks", light.looks},
                     {"level", light.level},
                     {"outOfTime", light.outOfTime},
-                    {"badSamples", light.badSamples()}};
+                    {"badSamples", light.badSamples.samples()}};
   for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
   return json;
 }
@@ -166,7 +167,8 @@ std::string toJunit(const VerifyReport& report, bool strict) {
       {"same light", !report.interrupted && !report.light.differs(), report.verdict()}};
   if (report.exact) cases.push_back({"right light", report.exact->isMet(), exactText(report)});
   if (strict) {
-    cases.push_back({"no bad samples", report.badSamples() == 0, fmt::format("{} bad samples", report.badSamples())});
+    cases.push_back({"no bad samples", report.badSamples.samples() == 0,
+                     fmt::format("{} bad samples", report.badSamples.samples())});
   }
   const auto failures = std::count_if(cases.begin(), cases.end(), [](const JunitCase& c) { return !c.passed; });
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";

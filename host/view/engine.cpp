@@ -95,7 +95,7 @@ void Engine::adopt(Sessions sessions) {
 
 void Engine::startDevice() {
   coming_.abandon();
-  next_.isPreparing = choice_.device != "cpu";
+  next_.isPreparing = !choice_.usesReference();
   if (!next_.isPreparing) return;
   coming_.start([add = hooks_.addDevice, choice = choice_, scene = sessions_.scene, settings = sessions_.settings] {
     Sessions made;

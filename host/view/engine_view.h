@@ -14,9 +14,10 @@ namespace candela::view {
 
 /// The choices of a user for a render, besides the camera.
 struct Choice {
-  std::string device;  ///< as --device; "cpu": only the reference
+  std::string device;  ///< as --device; kReferenceDevice: only the reference
   render::Integrator integrator = render::Integrator::path;
 
+  bool usesReference() const { return device == render::kReferenceDevice; }
   bool operator==(const Choice&) const = default;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "host/core/divide_up.h"
+
 namespace candela::view {
 namespace {
 
@@ -17,7 +19,7 @@ std::uint64_t rankOf(std::uint32_t scale, std::uint32_t samples) {
 }  // namespace
 
 render::Extent scaled(const render::Extent& size, std::uint32_t scale) {
-  return {(size.width + scale - 1) / scale, (size.height + scale - 1) / scale};
+  return {divideUp(size.width, scale), divideUp(size.height, scale)};
 }
 
 void Schedule::restart() {

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <optional>
 
 #include "host/core/environment.h"
 #include "host/core/errors.h"
+#include "host/core/lower_case.h"
 
 namespace candela::vulkan {
 namespace {
@@ -30,12 +30,6 @@ std::string chosenDrivers() {
     if (!value.empty()) return fmt::format(" (the environment variable {} allows only the driver {})", name, value);
   }
   return "";
-}
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// Returns the selector as an index into the list, if it is one. "3060" is not an index if there are two devices, but

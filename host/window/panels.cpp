@@ -48,7 +48,7 @@ std::string valueText(const char* name, const glm::vec4& value) {
 
 // Returns the name of the device in use, or that it is being prepared.
 std::string deviceLabel(const view::EngineView& engine) {
-  if (engine.choice.device == "cpu") return "cpu: the reference alone";
+  if (engine.choice.usesReference()) return "cpu: the reference alone";
   return engine.deviceName.empty() ? "preparing ..." : engine.deviceName;
 }
 
@@ -63,7 +63,7 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
   if (ImGui::BeginCombo("device", deviceLabel(engine).c_str())) {
     for (std::size_t i = 0; i <= input.devices.size(); ++i) {
       const bool isReference = i == input.devices.size();
-      const std::string selector = isReference ? "cpu" : std::to_string(i);
+      const std::string selector = isReference ? render::kReferenceDevice : std::to_string(i);
       const std::string label = isReference ? "cpu: the reference alone" : fmt::format("{}: {}", i, input.devices[i]);
       if (ImGui::Selectable(label.c_str(), selector == engine.choice.device))
         choice.choice = view::Choice{selector, engine.choice.integrator};

@@ -16,7 +16,6 @@ CANDELA_DIMENSION kDimensionFilterX = 0u;
 CANDELA_DIMENSION kDimensionFilterY = 1u;
 CANDELA_DIMENSION kDimensionLensU = 2u;
 CANDELA_DIMENSION kDimensionLensV = 3u;
-CANDELA_DIMENSION kDimensionTime = 4u;
 CANDELA_DIMENSION kCameraDimensionCount = 8u;
 
 // The block of path vertex n (n = 1 is the camera ray's hit) starts at kCameraDimensionCount + (n - 1) *
@@ -29,8 +28,8 @@ CANDELA_DIMENSION kDimensionBsdfU = 4u;
 CANDELA_DIMENSION kDimensionBsdfV = 5u;
 CANDELA_DIMENSION kDimensionRoulette = 6u;
 CANDELA_DIMENSION kVertexDimensionCount = 8u;
-// Textures are looked up with numbers that are far outside of the blocks, so that they do not change the others.
-// These offsets are larger than the dimensions of the longest path.
+// Offsets of numbers that only some surfaces use (normal maps, dispersion, textures). They lie beyond the blocks of the
+// longest path, so that scenes without such surfaces use no other numbers.
 CANDELA_DIMENSION kDimensionFacet = 0x80000000u;  // of normal-mapped surfaces
 CANDELA_DIMENSION kDimensionLayer = 0x80000001u;
 CANDELA_DIMENSION kDimensionCoatFacet = 0x80000002u;
@@ -41,13 +40,13 @@ CANDELA_DIMENSION kDimensionLightTextureU = 0x80000006u;  // at the sampled poin
 CANDELA_DIMENSION kDimensionLightTextureV = 0x80000007u;
 
 // The environment's numbers of path vertex n start at kEnvironmentDimensions + (n - 1) * kEnvironmentDimensionCount:
-// above the blocks of the longest path, so that scenes without an environment use the same numbers as before, and below
-// twice their start.
+// above the blocks of the longest path, so that the environment takes no number of a vertex's block, and below twice
+// their start.
 CANDELA_DIMENSION kEnvironmentDimensions = 1u << 24;
 CANDELA_DIMENSION kDimensionTapX = 0u;
 CANDELA_DIMENSION kDimensionTapY = 1u;
-CANDELA_DIMENSION kDimensionPlaceX = 2u;
-CANDELA_DIMENSION kDimensionPlaceY = 3u;
+CANDELA_DIMENSION kDimensionTexelX = 2u;
+CANDELA_DIMENSION kDimensionTexelY = 3u;
 CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
 
 #undef CANDELA_DIMENSION

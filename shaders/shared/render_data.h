@@ -95,7 +95,7 @@ struct PathCounts {
 // started. path_state.glsl has macros that name the packed members.
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
-  uvec4 directionLeaving;  // ray direction, leaving (slot of the origin primitive | kLeavingInward, or kNoSlot)
+  uvec4 directionAndSlot;  // ray direction, originSlot (slot of the origin primitive | kOriginInward, or kNoSlot)
   uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started) | volume << kVolumeShift
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
@@ -114,13 +114,13 @@ struct WaveState {
   uvec4 hit;            // of the path's ray: distance, slot, primitive index; once it has been shaded, the point of the
                         // light of the shadow ray; then the depth of the vertex shaded last
   uvec4 shadowLimit;    // of the shadow ray: origin, maximum distance
-  uvec4 shadowLeaving;  // of the shadow ray: direction, leaving
+  uvec4 shadowDirection; // of the shadow ray: direction, originSlot
   uvec4 shadowLight;    // its contribution if unoccluded, slot of the light
 };
 
 // Header of a queue of the wavefront: the number of workgroups of its stage, as vkCmdDispatchIndirect reads it, and the
 // number of pending pixels.
-struct QueueHead {
+struct QueueHeader {
   uint groupsX;
   uint groupsY;
   uint groupsZ;
@@ -143,10 +143,10 @@ CANDELA_CONST uint kGroupsPerRow = 65535u;
 // A tree of the Whitted tracer between two dispatches, floats as their bits: one per pixel of the band, followed by its
 // pending rays. All zero: no sample has started.
 struct TreeState {
-  uvec4 originLeaving;    // of the current ray: origin, leaving
+  uvec4 originAndSlot;    // of the current ray: origin, originSlot
   uvec4 directionWeight;  // its direction, its weight in the sample
   uint node;              // of the current ray (0: the sample has not started)
-  uint waiting;           // depths that have a pending ray
+  uint pending;           // depths that have a pending ray
   uint nextLight;
   uint nodesDone;
   uvec4 radianceSample;  // rgb, sample index
@@ -164,7 +164,7 @@ CANDELA_CONST uint kTreeRows = 6u;
 
 // Records of a pending refracted ray: its first two as in TreeState. There is at most one for each depth from 2 on;
 // they follow the TreeState in this order.
-CANDELA_CONST uint kWaitingRows = 2u;
+CANDELA_CONST uint kPendingRows = 2u;
 
 // Maximum number of lights that a segment of the Whitted tracer tests, so that segments are short on devices that limit
 // loops.
@@ -192,7 +192,8 @@ struct Counters {
   uint volumeFaults;     // docs/light-transport.md section 5.6
 };
 
-CANDELA_CONST uint kLeavingInward = 0x80000000u;
+// Flag of an originSlot: the ray starts inward from its origin primitive.
+CANDELA_CONST uint kOriginInward = 0x80000000u;
 
 // Path records: kRecordedVertices pairs (primitive index, decisions) per pixel, after the counters.
 CANDELA_CONST uint kRecordedVertices = 32u;

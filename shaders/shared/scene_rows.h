@@ -66,8 +66,8 @@ CANDELA_CONST uint kMaterialRows = 5u;
 // Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
 // transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as
 // a word, strength of the anisotropy, cosine and sine of its rotation) (sheen colour, sheen roughness) (film weight,
-// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, dispersion or 0 if there is
-// none). The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
+// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, dispersion or 0 if there
+// is none). The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
 CANDELA_CONST uint kSurfaceRows = 9u;
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
 
@@ -90,19 +90,19 @@ CANDELA_CONST uint kSheenRoughnessCells = 31u;
 
 // Tables of anisotropic microfacets, if the scene has any: after the tables before them, a record of four values as
 // above for every cell of the cosines and azimuths, for every node of the roughness, for every node of the strength;
-// those of energy::kGrainWhite, then of energy::kGrainTilt.
-CANDELA_CONST uint kGrainCosineCells = 31u;
-CANDELA_CONST uint kGrainAzimuthCells = 11u;
-CANDELA_CONST uint kGrainRoughnessCells = 15u;
-CANDELA_CONST uint kGrainStrengthCells = 11u;
+// those of energy::kAnisotropicWhite, then of energy::kAnisotropicTilt.
+CANDELA_CONST uint kAnisotropicCosineCells = 31u;
+CANDELA_CONST uint kAnisotropicAzimuthCells = 11u;
+CANDELA_CONST uint kAnisotropicRoughnessCells = 15u;
+CANDELA_CONST uint kAnisotropicStrengthCells = 11u;
 
 // Tables of anisotropic glass, if the scene has volumes, too: after those, for every node of the index of refraction,
-// such a table of energy::kGrainGlassOutside, then of energy::kGrainGlassInside.
-CANDELA_CONST uint kGrainGlassCosineCells = 15u;
-CANDELA_CONST uint kGrainGlassAzimuthCells = 11u;
-CANDELA_CONST uint kGrainGlassRoughnessCells = 7u;
-CANDELA_CONST uint kGrainGlassStrengthCells = 9u;
-CANDELA_CONST uint kGrainGlassIorCells = 8u;
+// such a table of energy::kAnisotropicGlassOutside, then of energy::kAnisotropicGlassInside.
+CANDELA_CONST uint kAnisotropicGlassCosineCells = 15u;
+CANDELA_CONST uint kAnisotropicGlassAzimuthCells = 11u;
+CANDELA_CONST uint kAnisotropicGlassRoughnessCells = 7u;
+CANDELA_CONST uint kAnisotropicGlassStrengthCells = 9u;
+CANDELA_CONST uint kAnisotropicGlassIorCells = 8u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
@@ -122,14 +122,15 @@ CANDELA_CONST uint kNoSlot = 0x7fffffffu;
 // the edges of the square around the position that the light fills (edge, 0) (edge, 0).
 CANDELA_CONST uint kPointLightRows = 4u;
 
-// Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB, or, in scenes with an image of
-// 16 bits per channel, 16,384 records with the 65,536 linear values of 16-bit sRGB; then for each material four
+// Textures, in scenes that have them: 64 records with the 256 linear values of 8-bit sRGB, or, in scenes with an image
+// of 16 bits per channel, 16,384 records with the 65,536 linear values of 16-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
 // 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
-// four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each image
-// beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have two records:
-// (rowS, flags and first record of the image, counted from the beginning of the textures) (rowT, width | height << 16).
+// four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each
+// image beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have
+// two records: (rowS, flags and first record of the image, counted from the beginning of the textures) (rowT, width |
+// height << 16).
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
 CANDELA_CONST uint kDeepReference = 1u << 31;

@@ -27,7 +27,7 @@ struct TracedVertex {
   uvec4 shadingNormalLobe;
   vec4 emissionWeight;          // emission times its MIS weight; that weight
   vec4 lightDirectionDistance;  // of the shadow ray
-  uvec4 lightPlace;             // entry of the light table, primitive (kRecordMiss: a point light), kShadow..., 0
+  uvec4 lightEntry;             // entry of the light table, primitive (kRecordMiss: a point light), kShadow..., 0
   vec4 lightDensities;          // pdf of the light sample with the choice, pdf of the BSDF for it, MIS weight, 0
   vec4 lightRadiance;           // contribution of the light sample before the throughput; 0
   vec4 nextDirectionPdf;        // 0: delta

@@ -31,7 +31,7 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
   CHECK(sink.str().empty());
 
   scene.requestedSamples = 225;
-  scene.requestedAccel = 0;
+  scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
   resolveRequests(byFile, scene, log);
   CHECK(byFile.request.settings.image.sampleCount == 225);
@@ -66,7 +66,7 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
 TEST_CASE("a structure that only the scene requests is a preference") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
-  scene.requestedAccel = 0;
+  scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
   resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
   CHECK(byFile.request.settings.structure.accelIsPreference);
@@ -96,9 +96,10 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
 TEST_CASE("a file can request each of the structures") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
-  for (const auto& [number, accel] :
-       {std::pair(0u, render::AccelKind::none), {1u, render::AccelKind::grid}, {2u, render::AccelKind::bvh}}) {
-    scene.requestedAccel = number;
+  for (const auto& [requested, accel] : {std::pair(scene::RequestedAccel::none, render::AccelKind::none),
+                                         {scene::RequestedAccel::grid, render::AccelKind::grid},
+                                         {scene::RequestedAccel::bvh, render::AccelKind::bvh}}) {
+    scene.requestedAccel = requested;
     Arguments arguments;
     resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
     CHECK(arguments.request.settings.structure.accel == accel);

@@ -21,8 +21,8 @@ Explanation explainChanged(const std::function<void(render::PathTrace&)>& change
 
 std::string firstOf(const Explanation& explanation) {
   if (!explanation.firstDifference) return "none";
-  const Place& place = *explanation.firstDifference;
-  return explanation.stages[place.stage].title + ": " + explanation.at(place).name;
+  const QuantityIndex& index = *explanation.firstDifference;
+  return explanation.stages[index.stage].title + ": " + explanation.at(index).name;
 }
 
 std::string firstIn(const std::function<void(render::PathTrace&)>& change) { return firstOf(explainChanged(change)); }

@@ -138,19 +138,19 @@ struct LightLeaves::Side {
   }
 
   FoundLight find(std::uint32_t entry, const Viewpoint& from, const dvec3& direction) const {
-    const std::uint32_t leaving = from.onLight ? entry : reference::kNoPrimitive;
-    const reference::Ray ray{from.position, direction, leaving};
+    const std::uint32_t originPrimitive = from.onLight ? entry : reference::kNoPrimitive;
+    const reference::Ray ray{from.position, direction, originPrimitive};
     const double distance = distanceTo(scene.primitives[entry], ray, from.onLight);
     if (distance == reference::kNoHit) return {};
     const reference::Surface surface = reference::surfaceAt(scene, ray, {distance, entry});
     return {distance, table.pdf(ray, distance, surface)};
   }
 
-  double distanceTo(const scene::Primitive& primitive, const reference::Ray& ray, bool leaving) const {
+  double distanceTo(const scene::Primitive& primitive, const reference::Ray& ray, bool startsHere) const {
     if (primitive.kind == scene::PrimitiveKind::sphere) {
-      return reference::SphereShape(scene.spheres[primitive.index]).distance(ray, leaving);
+      return reference::SphereShape(scene.spheres[primitive.index]).distance(ray, startsHere);
     }
-    return leaving ? reference::kNoHit : reference::TriangleShape(triangleOf(scene, primitive)).distance(ray);
+    return startsHere ? reference::kNoHit : reference::TriangleShape(triangleOf(scene, primitive)).distance(ray);
   }
 };
 

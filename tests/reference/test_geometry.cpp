@@ -89,9 +89,9 @@ TEST_CASE("a triangle is hit inside and on its edges") {
 TEST_CASE("a ray that starts on another primitive in a triangle's or plane's plane does not hit it") {
   const TriangleShape triangle(scene::Triangle{{vec3(0, 0, 4), vec3(2, 0, 4), vec3(0, 2, 4)}});
   const PlaneShape plane(scene::Plane{{vec3(0, 0, 4), vec3(2, 0, 4), vec3(0, 2, 4)}});
-  const auto start = [](double below, std::uint32_t leaving) {
+  const auto start = [](double below, std::uint32_t originPrimitive) {
     Ray ray = rayOf({0.5, 0.5, 4 - below}, {0, 0, 1});
-    ray.leaving = leaving;
+    ray.originPrimitive = originPrimitive;
     return ray;
   };
   for (const double rounding : {1e-15, 1e-13}) {
@@ -157,7 +157,7 @@ TEST_CASE("a ray hits a box where it enters, or exits if it starts inside") {
 TEST_CASE("a ray that starts on a box hits only the opposite side, and only if it goes inside") {
   const BoxShape box({vec3(-1, -1, -1), vec3(1, 1, 1)});
   Ray ray = rayOf({0, 0, 1}, {0, 0, -1});
-  ray.leavingNormal = {0, 0, 1};
+  ray.originNormal = {0, 0, 1};
   CHECK(box.distance(ray, true) == 2);
   CHECK(box.normal(ray, true) == dvec3(0, 0, -1));
   ray.direction = {0, 0, 1};

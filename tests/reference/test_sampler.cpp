@@ -124,7 +124,7 @@ TEST_CASE("stratified samples fill every stratum exactly once") {
   const std::uint32_t vertex = kCameraDimensionCount + 3 * kVertexDimensionCount;
   const std::vector<std::uint32_t> pairs{kDimensionFilterX, kDimensionLensU, vertex + kDimensionLightU,
                                          vertex + kDimensionBsdfU};
-  const std::vector<std::uint32_t> singles{kDimensionTime, vertex + kDimensionLightChoice, vertex + kDimensionLobe,
+  const std::vector<std::uint32_t> singles{kDimensionLensV + 1, vertex + kDimensionLightChoice, vertex + kDimensionLobe,
                                            vertex + kDimensionRoulette};
   const Sampler sampler(render::SamplerKind::stratified, 11, kSide * kSide);
   std::vector<std::set<double>> cells(pairs.size() + singles.size());

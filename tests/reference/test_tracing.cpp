@@ -181,7 +181,7 @@ TEST_CASE("every primitive is in exactly one leaf, within the leaf's box") {
     const Hierarchy hierarchy = buildHierarchy(boxes, split);
     std::vector<int> seen(boxes.size());
     for (const Node& node : hierarchy.nodes) {
-      CHECK(node.count <= (split == render::BvhSplit::midpoint ? Hierarchy::kReportLeafSize : Hierarchy::kLeafSize));
+      CHECK(node.count <= (split == render::BvhSplit::midpoint ? Hierarchy::kMidpointLeafSize : Hierarchy::kLeafSize));
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const std::uint32_t item = hierarchy.order[i];
         ++seen[item];

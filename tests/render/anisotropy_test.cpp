@@ -24,7 +24,7 @@ scene::TextureImage randomTexels(std::uint32_t side, std::uint32_t seed) {
 }
 
 // A square from `corner` along two edges; its tangents, unless their handedness is 0, run along `u`.
-scene::Mesh grainSquare(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v, float handedness = 1) {
+scene::Mesh tangentSquare(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v, float handedness = 1) {
   scene::Mesh mesh;
   mesh.positions = {corner, corner + u, corner + u + v, corner + v};
   mesh.texCoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
@@ -58,7 +58,7 @@ scene::Scene brushedSquares() {
   b.scene.images = {randomTexels(8, 11), randomTexels(4, 12)};
   b.material(test::diffuseMaterial(glm::vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(test::diffuseMaterial({0.9f, 0.2f, 0.1f})).box({-4, 1, 0}, {4, 1.2f, 1});
-  const auto square = [](float x) { return grainSquare({x, 0, 0.1f}, {1.5f, 0.3f, 0}, {0.2f, 0, 1.8f}); };
+  const auto square = [](float x) { return tangentSquare({x, 0, 0.1f}, {1.5f, 0.3f, 0}, {0.2f, 0, 1.8f}); };
   addSquare(b, brushed(0.8f, 0.5f), square(-3.5f));
   addSquare(b, withImage(brushed(0.9f), scene::TextureSlot::anisotropy, 0), square(-1.7f));
   scene::Material mapped = withImage(brushed(0.7f, 1), scene::TextureSlot::normal, 1);
@@ -70,7 +70,7 @@ scene::Scene brushedSquares() {
   glass.surface->transmissionWeight = 1;
   addSquare(b, glass, square(1.9f));
   glass.surface->isThinWalled = false;
-  addSquare(b, glass, grainSquare({-0.8f, 0, 2}, {1.5f, 0.3f, 0}, {0.2f, 0, 0.9f}));
+  addSquare(b, glass, tangentSquare({-0.8f, 0, 2}, {1.5f, 0.3f, 0}, {0.2f, 0, 0.9f}));
   b.pointLight({-1, -4, 4}, glm::vec3(1));
   b.scene.background = glm::vec3(0.3f);
   b.view({0, -7, 1.5f}, {0, 0, 0.9f}, {0, 0, 1}, 40);
@@ -83,7 +83,7 @@ double highlight(const RenderFunction& render, const scene::Material& material, 
                  float handedness = 1) {
   test::SceneBuilder b;
   b.scene.images = {{"up", 1, 1, {0xffffff80u}}};  // (0, 1), strength 1
-  addSquare(b, material, grainSquare({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, handedness));
+  addSquare(b, material, tangentSquare({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, handedness));
   const glm::dvec3 h = glm::normalize(glm::dvec3(slope, 1));
   b.pointLight(glm::vec3(1e4 * (2 * h.z * h - glm::dvec3(0, 0, 1))), glm::vec3(1));
   b.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.001f);

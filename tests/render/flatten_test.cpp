@@ -173,5 +173,5 @@ TEST_CASE("states have space for a pending ray at each depth but the first if th
   settings.image.maxDepth = 5;
   CHECK(flatten::flattenScene(loadFixture("point_light.p3f"), settings).constants.stateRows == gpu::kTreeRows);
   CHECK(flatten::flattenScene(loadFixture("primitives.p3f"), settings).constants.stateRows ==
-        gpu::kTreeRows + 4 * gpu::kWaitingRows);
+        gpu::kTreeRows + 4 * gpu::kPendingRows);
 }

@@ -127,7 +127,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                 MEMBER(DispatchConstants, sampleEnd), MEMBER(DispatchConstants, maxIterations),
                 MEMBER(DispatchConstants, roundParity), MEMBER(DispatchConstants, bandPixels),
                 MEMBER(DispatchConstants, firstColumn)});
-  CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionLeaving),
+  CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionAndSlot),
                                                  MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
                                                  MEMBER(PathState, counts)});
   CHECK(module.offsetsOf("PathCounts") == Offsets{MEMBER(PathCounts, bounceRays), MEMBER(PathCounts, shadowRays),
@@ -141,11 +141,11 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
 TEST_CASE("the wavefront's structures have the same layout in SPIR-V and in C++, and begin like the megakernel's") {
   const Module module(spirv::wave_shade);
   const Offsets waves{MEMBER(WaveState, path), MEMBER(WaveState, hit), MEMBER(WaveState, shadowLimit),
-                      MEMBER(WaveState, shadowLeaving), MEMBER(WaveState, shadowLight)};
+                      MEMBER(WaveState, shadowDirection), MEMBER(WaveState, shadowLight)};
   CHECK(module.offsetsOf("WaveState") == waves);
   CHECK(waves.at("path") == 0);
-  CHECK(module.offsetsOf("QueueHead") == Offsets{MEMBER(QueueHead, groupsX), MEMBER(QueueHead, groupsY),
-                                                 MEMBER(QueueHead, groupsZ), MEMBER(QueueHead, count)});
+  CHECK(module.offsetsOf("QueueHeader") == Offsets{MEMBER(QueueHeader, groupsX), MEMBER(QueueHeader, groupsY),
+                                                   MEMBER(QueueHeader, groupsZ), MEMBER(QueueHeader, count)});
   for (const char* name :
        {"PathState", "PathCounts", "FilmRows", "Counters", "DispatchConstants", "RenderConstants", "RenderUniforms"}) {
     CAPTURE(name);
@@ -159,7 +159,7 @@ TEST_CASE("the records of a replayed sample have the same layout in SPIR-V and i
                        MEMBER(TracedVertex, throughputStages), MEMBER(TracedVertex, positionPrimitive),
                        MEMBER(TracedVertex, normalMaterial),   MEMBER(TracedVertex, shadingNormalLobe),
                        MEMBER(TracedVertex, emissionWeight),   MEMBER(TracedVertex, lightDirectionDistance),
-                       MEMBER(TracedVertex, lightPlace),       MEMBER(TracedVertex, lightDensities),
+                       MEMBER(TracedVertex, lightEntry),       MEMBER(TracedVertex, lightDensities),
                        MEMBER(TracedVertex, lightRadiance),    MEMBER(TracedVertex, nextDirectionPdf),
                        MEMBER(TracedVertex, weightSurvival),   MEMBER(TracedVertex, radiance),
                        MEMBER(TracedVertex, lightNumbers),     MEMBER(TracedVertex, bsdfNumbers)};

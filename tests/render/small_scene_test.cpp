@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "host/device/small_scene_rule.h"
 #include "host/flatten/flat_scene.h"
 #include "host/formats/load_scene.h"
 #include "shaders/shared/scene_rows.h"
@@ -46,8 +47,8 @@ TEST_CASE("no scene with more primitives than the uniform buffer can store is sm
 }
 
 TEST_CASE("lavapipe traces larger scenes as a linear list than other devices, and reads them ahead") {
-  const flatten::SmallSceneRule lavapipe = flatten::smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
-  const flatten::SmallSceneRule other = flatten::smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
+  const flatten::SmallSceneRule lavapipe = smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
+  const flatten::SmallSceneRule other = smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
   CHECK(isSmall(scattered(kTriangle, 40), lavapipe));
   CHECK(!isSmall(scattered(kTriangle, 40), other));
   CHECK(lavapipe.rowsAhead);

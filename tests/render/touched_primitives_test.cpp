@@ -20,7 +20,7 @@ namespace {
 // Indices of the marked primitives.
 std::vector<std::uint32_t> touchedIn(const scene::Scene& scene, const render::ImageSettings& image = {}) {
   const std::vector<flatten::LightEntry> table = flatten::buildLightTable(scene, image.nextEventEstimation);
-  const std::vector<bool> touched = touchedPrimitives(scene, lightPlaces(scene, table, image));
+  const std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, image));
   std::vector<std::uint32_t> result;
   for (std::uint32_t i = 0; i < touched.size(); ++i) {
     if (touched[i]) result.push_back(i);

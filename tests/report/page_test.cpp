@@ -70,7 +70,7 @@ TEST_CASE("no text of a report becomes HTML") {
 TEST_CASE("the page has a map for each size of tiles and a table of the most significant tests") {
   Report report = greyReport(0.5f, 0.25f, 32, 32);
   CHECK(toHtml(report).find("map-t8") == std::string::npos);
-  LightTests tests;
+  verify::RegionTests tests;
   tests.level = 1e-6;
   for (const verify::Region& region : verify::regionsOf({32, 32})) {
     if (region.quantity != verify::Region::Quantity::luminance) continue;

@@ -52,7 +52,7 @@ TEST_CASE("the dialect with camera, eye, mat and names of structures is read") {
       "accel bvh\nmat .1 .2 .3 .4 .5 .6 .7 .8 9 .1 1.5\ns 0 0 0 1\n");
   CHECK(scene.camera->from == glm::vec3(0, 0, 5));
   CHECK(scene.camera->aperture == 2);
-  CHECK(scene.requestedAccel == 2u);
+  CHECK(scene.requestedAccel == RequestedAccel::bvh);
   CHECK(scene.materials.at(0).glossy->colour == glm::vec3(.5f, .6f, .7f));
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("spp 0 is preserved, and a warning explains its meaning") {
 TEST_CASE("background, structure and samples are preserved, and a warning says that spp is a total") {
   const LoadedScene loaded = load("b .1 .2 .3\naccel 1\nspp 64\n");
   CHECK(loaded.scene.background == glm::vec3(.1f, .2f, .3f));
-  CHECK(loaded.scene.requestedAccel == 1u);
+  CHECK(loaded.scene.requestedAccel == RequestedAccel::grid);
   CHECK(loaded.scene.requestedSamples == 64u);
   CHECK(warningWith(loaded, "64 samples per pixel in total").line == 3);
   CHECK(sceneOf("bclr 1 2 3\n").background == glm::vec3(1, 2, 3));

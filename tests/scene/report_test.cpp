@@ -45,7 +45,7 @@ TEST_CASE("a report counts statements, primitives, lights and materials") {
   CHECK(report.materials.black == 1);
   CHECK(report.materials.emitting == 1);
   CHECK(report.materials.total() == 8);
-  CHECK(report.requestedAccel == 1u);
+  CHECK(report.requestedAccel == RequestedAccel::grid);
   CHECK(report.requestedSamples == 16u);
 }
 
@@ -105,7 +105,9 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(json["memory"]["bytesPerTriangle"] == *memoryOf(loaded.scene).bytesPerTriangle());
   CHECK(json["warnings"].size() == loaded.warnings.size());
   CHECK(json["hash"].get<std::string>().size() == 16);
+  CHECK(json["requestedAccel"] == "grid");
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
+  CHECK(bare["requestedAccel"].is_null());
   CHECK(bare["camera"].is_null());
   CHECK(bare["bounds"].is_null());
   CHECK(bare["memory"]["bytesPerTriangle"].is_null());

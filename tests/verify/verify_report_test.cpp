@@ -82,7 +82,7 @@ TEST_CASE("JUnit reports bad samples as a failure only if they are forbidden") {
   film.addSample(3, 4, glm::dvec3(-1), 0);
   render::ImageSettings image;
   image.size = {16, 16};
-  report.tallies.device.add(film, image);
+  report.badSamples.device.add(film, image);
   CHECK_THAT(toJunit(report, true),
              Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
   CHECK_THAT(toJunit(report, false), Contains("tests=\"2\" failures=\"0\""));

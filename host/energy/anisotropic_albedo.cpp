@@ -1,6 +1,6 @@
 // Quadrature over the visible normals, by spherical caps: Dupuy and Benyoub, "Sampling Visible GGX Normals with
 // Spherical Caps", 2023. Loops read plain arrays, so that compilers vectorise them.
-#include "host/energy/grain_albedo.h"
+#include "host/energy/anisotropic_albedo.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The part of a band over which dispatches sweep.
+// The part of a band that gets samples.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -14,13 +14,13 @@ struct BandRows {
   std::uint32_t height = 0;
 };
 
-struct Sweep {
+struct SampledRegion {
   Rect box;                                   ///< bounding box of the pixels that get samples, in the band
   std::vector<std::uint32_t> selectedInRows;  ///< number of such pixels in each row of the box
 };
 
-/// Returns the sweep over rows of a film of this width. It covers the whole band if the mask selects none of its
+/// Returns the sampled region of rows of a film of this width. It covers the whole band if the mask selects none of its
 /// pixels.
-Sweep sweepOf(BandRows rows, std::uint32_t width, const render::PixelMask& mask);
+SampledRegion sampledRegionOf(BandRows rows, std::uint32_t width, const render::PixelMask& mask);
 
 }  // namespace candela::device

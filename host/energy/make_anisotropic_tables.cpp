@@ -1,4 +1,4 @@
-// Writes the C++ source of the tables of anisotropic microfacets: candela_make_grain_tables FILE
+// Writes the C++ source of the tables of anisotropic microfacets: candela_make_anisotropic_tables FILE
 #include <fmt/format.h>
 
 #include <array>
@@ -8,24 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "host/energy/anisotropic_albedo.h"
+#include "host/energy/anisotropic_tables.h"
 #include "host/energy/energy_tables.h"
-#include "host/energy/grain_albedo.h"
-#include "host/energy/grain_tables.h"
+#include "host/energy/quadrature.h"
 #include "host/energy/table_grid.h"
 
 namespace {
 
 using namespace candela::energy;
 
-constexpr double kQuadratureMargin = 1.001;
 const Lattice kFine(2584, 1597);
 const Lattice kCoarse(987, 610);  // of glass, whose interpolation has larger errors
 
 /// Fractions of the way from the first to the last node of the cosines, azimuths, roughnesses and strengths.
 using Fractions = std::array<double, 4>;
-
-// Returns the cosine c at which c (1 + scale) / (c + scale) is x.
-double cosineAt(double x, double scale) { return std::min(1.0, scale * x / (1 + scale - x)); }
 
 // The light that microfacets scatter at a place of the tables.
 struct Scattering {
@@ -45,7 +42,7 @@ Scattering scatteringAt(const Fractions& fractions, bool scaledAlongWo, const La
 
 double whiteAt(const Fractions& fractions) { return scatteringAt(fractions, true, kFine).normals.albedo().white; }
 
-// Returns the opposite of a node of kGrainTilt, which is to be raised as those of kGrainWhite are.
+// Returns the opposite of a node of kAnisotropicTilt, which is to be raised as those of kAnisotropicWhite are.
 double riseAt(const Fractions& fractions) {
   const Scattering scattering = scatteringAt(fractions, false, kFine);
   const auto [white, grazing] = scattering.normals.albedo();
@@ -53,7 +50,7 @@ double riseAt(const Fractions& fractions) {
 }
 
 std::vector<double> raisedNodes(double (*quantity)(const Fractions&)) {
-  const TableGrid<4> grid({kGrainCosines, kGrainAzimuths, kGrainRoughnesses, kGrainStrengths});
+  const TableGrid<4> grid({kAnisotropicCosines, kAnisotropicAzimuths, kAnisotropicRoughnesses, kAnisotropicStrengths});
   std::vector<double> nodes(grid.size());
   std::vector<TableGrid<4>::Probe> probes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -66,19 +63,19 @@ std::vector<double> raisedNodes(double (*quantity)(const Fractions&)) {
 }
 
 // The boundaries of the glass tables, `part` of the way from their nodes to the next ones.
-Boundaries<float> grainBoundaries(bool outside, double part) {
+Boundaries<float> anisotropicBoundaries(bool outside, double part) {
   Boundaries<float> boundaries;
-  for (std::size_t m = 0; m < kGrainGlassIors; ++m) {
-    const double place = (static_cast<double>(m) + part) / (kGrainGlassIors - 1), root = place * place / 2;
+  for (std::size_t m = 0; m < kAnisotropicGlassIors; ++m) {
+    const double place = (static_cast<double>(m) + part) / (kAnisotropicGlassIors - 1), root = place * place / 2;
     boundaries.add(std::max((1 + root) / (1 - root), kMinVolumeIor), outside);
   }
   return boundaries;
 }
 
 // Computes the glass tables from outside and from inside. All indices of refraction share the microfacets.
-class GrainGlass {
+class AnisotropicGlass {
  public:
-  GrainGlass() {
+  AnisotropicGlass() {
     const Place steps = quasirandomSteps<5>();
     Place place{0.5, 0.5, 0.5, 0.5, 0.5};
     for (std::size_t node = 0; node < kPlane; ++node) {
@@ -95,10 +92,10 @@ class GrainGlass {
 
  private:
   using Place = TableGrid<5>::Place;
-  using Albedos = std::array<double, kGrainGlassIors>;
+  using Albedos = std::array<double, kAnisotropicGlassIors>;
 
   static constexpr std::size_t kProbesOfCell = 4;
-  static constexpr std::size_t kSize = std::tuple_size_v<GrainGlassTable>, kPlane = kSize / kGrainGlassIors;
+  static constexpr std::size_t kSize = std::tuple_size_v<AnisotropicGlassTable>, kPlane = kSize / kAnisotropicGlassIors;
 
   // Returns the albedos at all indices of refraction from each side, in a cell of the other dimensions.
   std::array<Albedos, 2> albedosIn(std::size_t node, const Place& place) const {
@@ -106,27 +103,27 @@ class GrainGlass {
     const Scattering scattering = scatteringAt({at[0], at[1], at[2], at[3]}, true, kCoarse);
     std::array<Albedos, 2> sides;
     for (std::size_t side = 0; side < 2; ++side) {
-      scattering.normals.integrateGlass(grainBoundaries(side == 0, place[4]), sides[side]);
+      scattering.normals.integrateGlass(anisotropicBoundaries(side == 0, place[4]), sides[side]);
     }
     return sides;
   }
   void addNodes(std::size_t node) {
     const std::array<Albedos, 2> sides = albedosIn(node, {});
     for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t m = 0; m < kGrainGlassIors; ++m) nodes_[side][m * kPlane + node] = sides[side][m];
+      for (std::size_t m = 0; m < kAnisotropicGlassIors; ++m) nodes_[side][m * kPlane + node] = sides[side][m];
     }
   }
   void addProbes(std::size_t node, const Place& place) {
     const std::array<Albedos, 2> sides = albedosIn(node, place);
     for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t m = 0; m + 1 < kGrainGlassIors; ++m) {
+      for (std::size_t m = 0; m + 1 < kAnisotropicGlassIors; ++m) {
         probes_[side].push_back({m * kPlane + node, place, sides[side][m]});
       }
     }
   }
 
-  TableGrid<5> grid_{
-      {kGrainGlassCosines, kGrainGlassAzimuths, kGrainGlassRoughnesses, kGrainGlassStrengths, kGrainGlassIors}};
+  TableGrid<5> grid_{{kAnisotropicGlassCosines, kAnisotropicGlassAzimuths, kAnisotropicGlassRoughnesses,
+                      kAnisotropicGlassStrengths, kAnisotropicGlassIors}};
   std::array<std::vector<double>, 2> nodes_{std::vector<double>(kSize), std::vector<double>(kSize)};
   std::array<std::vector<TableGrid<5>::Probe>, 2> probes_;
 };
@@ -134,7 +131,7 @@ class GrainGlass {
 std::string sourceOf(const char* name, const char* type, const std::vector<double>& nodes, double factor) {
   std::string text = fmt::format("const {} {}{{\n", type, name);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    text += fmt::format("{:.6e}f{}", factor * nodes[n], (n + 1) % kGrainCosines == 0 ? ",\n" : ",");
+    text += fmt::format("{:.6e}f{}", factor * nodes[n], (n + 1) % kAnisotropicCosines == 0 ? ",\n" : ",");
   }
   return text + "};\n";
 }
@@ -143,16 +140,16 @@ std::string sourceOf(const char* name, const char* type, const std::vector<doubl
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("usage: candela_make_grain_tables FILE\n", stderr);
+    std::fputs("usage: candela_make_anisotropic_tables FILE\n", stderr);
     return 1;
   }
   std::ofstream file(argv[1]);
-  file << "#include \"host/energy/grain_tables.h\"\n\nnamespace candela::energy {\n\n";
-  file << sourceOf("kGrainWhite", "GrainTable", raisedNodes(whiteAt), kQuadratureMargin);
-  file << sourceOf("kGrainTilt", "GrainTable", raisedNodes(riseAt), -1);
-  const GrainGlass glass;
-  file << sourceOf("kGrainGlassOutside", "GrainGlassTable", glass.nodes(0), kQuadratureMargin);
-  file << sourceOf("kGrainGlassInside", "GrainGlassTable", glass.nodes(1), kQuadratureMargin);
+  file << "#include \"host/energy/anisotropic_tables.h\"\n\nnamespace candela::energy {\n\n";
+  file << sourceOf("kAnisotropicWhite", "AnisotropicTable", raisedNodes(whiteAt), kQuadratureMargin);
+  file << sourceOf("kAnisotropicTilt", "AnisotropicTable", raisedNodes(riseAt), -1);
+  const AnisotropicGlass glass;
+  file << sourceOf("kAnisotropicGlassOutside", "AnisotropicGlassTable", glass.nodes(0), kQuadratureMargin);
+  file << sourceOf("kAnisotropicGlassInside", "AnisotropicGlassTable", glass.nodes(1), kQuadratureMargin);
   file << "\n}  // namespace candela::energy\n";
   file.close();
   return file ? 0 : 1;
